@@ -1,0 +1,225 @@
+# Elasticity Workbook.  `make` alone says what there is.
+#
+# One file, not recursive; everything is compiled under build/.  Lessons are
+# found by wildcard: solutions/NN_slug.c makes NN a lesson.
+# V=1 shows the commands; CC, CFLAGS and LDFLAGS may be given.
+
+CC      ?= cc
+CFLAGS  ?= -O2 -g
+STRICT  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
+           -Wstrict-prototypes -Wmissing-prototypes
+STD     := -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off
+GSL_CFLAGS   = $(shell gsl-config --cflags 2>/dev/null)
+GSL_LIBS     = $(shell gsl-config --libs 2>/dev/null || \
+                       echo -lgsl -lgslcblas -lm)
+CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
+CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
+COMPILE = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS) -MMD -MP
+BUILD   ?= build
+Q       := $(if $(V),,@)
+say     = $(if $(V),,@printf '  %-8s %s\n' '$1' '$2')
+
+LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
+number  = $(firstword $(subst _, ,$1))
+LIB     := $(BUILD)/libworkbook.a
+PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
+FIGURES  := $(sort $(patsubst %.gp,%.svg,$(wildcard figures/[0-9][0-9]_*.gp)))
+# the lesson that a figure NN_slug_what belongs to
+lesson_of = $(firstword $(foreach l,$(LESSONS),$(if \
+                $(filter $l_%,$(notdir $1)),$l)))
+
+# With `deps` among the goals nothing is compiled before it has finished.
+DEPS := $(filter deps,$(MAKECMDGOALS))
+
+ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+endif
+MAKEFLAGS += --no-print-directory
+export CC MAKE
+
+.DELETE_ON_ERROR:
+.SECONDARY:
+.SUFFIXES:
+.PHONY: help deps status figures course starters workbook test bench memcheck \
+        clean
+.DEFAULT_GOAL := help
+
+help:
+	@echo 'Elasticity Workbook: lessons in lessons/, the book is workbook.md'
+	@echo
+	@echo '  make deps         install what is missing'
+	@echo '  make status       the lessons, and which of yours pass'
+	@echo '  make lesson-07    build and run my lessons/07_*.c'
+	@echo '  make check-07     judge it: one line a check, one verdict'
+	@echo '  make hint-07      the next hint; there are three levels'
+	@echo '  make plot-07      my numbers over the reference'
+	@echo '  make solution-07  the reference solution (after a pass, or FORCE=1)'
+	@echo '  make reset-07     put the starter back (my file is saved first)'
+	@echo '  make watch-07     check again at each save'
+	@echo '  make figures      draw every figure from the reference solutions'
+	@echo '  make course       run and judge every solution, draw every figure'
+	@echo '  make test         the tests of the workbook itself'
+	@echo
+	@echo '  for teachers:     starters  workbook  bench  memcheck  clean'
+
+deps:
+	@sh tests/tools/deps.sh
+
+# ---- library and programs ---------------------------------------------------
+
+OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(wildcard common/*.c))
+$(LIB): $(OBJECTS)
+	$(call say,lib,$@)
+	$(Q)rm -f $@ && ar rcs $@ $^
+
+$(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
+	$(call say,cc,$<)
+	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' -c $< -o $@
+
+$(BUILD)/solutions/%: solutions/%.c $(LIB)
+	$(call say,cc,$<)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LIB) $(LDFLAGS) $(GSL_LIBS)
+
+$(BUILD)/mine/%: lessons/%.c $(LIB)
+	$(call say,cc,$<)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LIB) $(LDFLAGS) $(GSL_LIBS)
+
+# A judge is a lesson's checks with the judged program compiled in.
+JUDGE = $(BUILD)/tests/judge.o
+$(JUDGE): tests/checks/judge.c Makefile | $(DEPS)
+	$(call say,cc,$<)
+	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $(CHECK_CFLAGS) -c $< -o $@
+
+# $(call build_judge,program to judge,NN_slug)
+build_judge = $(COMPILE) -Itests/checks $(CHECK_CFLAGS) \
+              -DPROGRAM='"$(abspath $1)"' tests/checks/$2.c -o $@ $(JUDGE) \
+              $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+
+$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB)
+	$(call say,judge,$<)
+	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
+
+$(BUILD)/mine/%.judge: lessons/%.c tests/checks/%.c $(JUDGE) $(LIB)
+	$(call say,judge,$<)
+	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
+
+# ---- data, figures, course --------------------------------------------------
+
+$(BUILD)/data/%.tsv: $(BUILD)/solutions/%
+	$(call say,run,$<)
+	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
+
+# A script that warns has failed: gnuplot exits with 0 when its data is missing.
+define figure_rule
+$1: $(1:.svg=.gp) figures/style.gp $(BUILD)/data/$(call lesson_of,$1).tsv
+	$$(call say,plot,$$@)
+	$(Q)sh tests/tools/figure.sh $$< $(BUILD)/data/$(call lesson_of,$1).tsv $$@
+endef
+$(foreach f,$(FIGURES),$(eval $(call figure_rule,$f)))
+figures: $(FIGURES)
+
+$(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
+	$(call say,check,$*)
+	$(Q)$< --file solutions/$*.c --reference $(BUILD)/solutions/$* \
+	    > $@.part || { cat $@.part; exit 1; }
+	$(Q)mv $@.part $@
+
+course: $(LESSONS:%=$(BUILD)/solutions/%.verdict) $(FIGURES)
+	@echo 'course: $(words $(LESSONS)) solutions run and judged OK,' \
+	      '$(words $(FIGURES)) figures in figures/'
+
+# ---- the student's commands -------------------------------------------------
+
+STUDENT = BUILD=$(BUILD) FORCE=$(FORCE) sh tests/tools/student.sh
+status: ; @$(STUDENT) status
+
+define lesson_rules
+.PHONY: $(addsuffix -$1,lesson check hint plot solution reset watch mistakes)
+lesson-$1: $(BUILD)/mine/$2
+	@$(STUDENT) run $2
+check-$1: ; @+$(STUDENT) check $2
+watch-$1: ; @+$(STUDENT) watch $2
+plot-$1: $(BUILD)/mine/$2 $(BUILD)/data/$2.tsv
+	@$(STUDENT) plot $2
+hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2
+endef
+$(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
+
+lesson-% check-% hint-% plot-% solution-% reset-% watch-%:
+	@echo "There is no lesson $*. The lessons are:" >&2
+	@for l in $(LESSONS); do echo "  $$l" >&2; done
+	@exit 2
+
+# ---- starters, known mistakes, workbook -------------------------------------
+
+starters: ; @BUILD=$(BUILD) sh tests/tools/student.sh starters $(LESSONS)
+
+# Starters as the solutions give them, whatever the student has in lessons/.
+$(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
+	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
+$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
+	$(Q)$(call build_judge,$<,$*) -Werror
+
+# Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
+# the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
+# is told NAME.why, and the judge NAME.judge.
+VARIANT = awk -f tests/tools/variant.awk
+variants = $(foreach l,$(LESSONS),$(addprefix $l/,$(shell $(VARIANT) \
+               -v list=$1 tests/mistakes/$l.txt 2>/dev/null)))
+MISTAKES    := $(call variants,mistake)
+EQUIVALENTS := $(call variants,equivalent)
+
+define variant_rules
+$(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
+        solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
+	$(Q)mkdir -p $$(@D)
+	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
+	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
+$(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
+	$(Q)$$(COMPILE) -w $$< -o $$@ $(LIB) $$(LDFLAGS) $$(GSL_LIBS)
+$(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
+        tests/checks/$(patsubst %/,%,$(dir $1)).c
+	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
+endef
+$(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
+$(foreach l,$(LESSONS),$(eval mistakes-$(call number,$l): \
+    $(patsubst %,$(BUILD)/mistakes/%,$(filter $l/%,$(MISTAKES)))))
+
+DATA := $(LESSONS:%=$(BUILD)/data/%.tsv)
+workbook: $(DATA)
+	@sh tests/tools/workbook.sh fill
+
+# ---- tests ------------------------------------------------------------------
+
+# Every test writes lines "ok WHAT" or "FAIL WHAT: why" to a .result file; only
+# the last recipe fails.  A test runs again when anything it rests on changed.
+VERIFY = BUILD=$(BUILD) sh tests/tools/verify.sh
+T := $(BUILD)/test
+$(T)/%.solution.result: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
+	$(call say,test,$* solution)
+	$(Q)mkdir -p $(@D) && $(VERIFY) solution $* > $@
+$(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
+                       lessons/%.c
+	$(call say,test,$* starter)
+	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
+# every program that a judge compares with, before any judge of the lesson runs
+mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
+define verify_rules
+$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(JUDGE) $(call mistakes_of,$1) \
+        tests/tools/student.sh tests/checks/$1.c Makefile
+	$$(call say,test,$1 behaviour)
+	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
+.PHONY: verify-$(call number,$1)
+verify-$(call number,$1): $(patsubst %,$(T)/$1.%.result,solution starter behave) \
+        $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
+	@cat $$^ | sh tests/tools/count.sh
+endef
+$(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
+define variant_test
+$(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
+        $(call mistakes_of,$(patsubst %/,%,$(dir $1)))
+	$$(call say,test,$1)
+	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
+endef
+$(foreach v,$(MISTAKES),$(eval $(call variant_test,$v,mistake)))
+$(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))

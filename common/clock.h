@@ -1,0 +1,15 @@
+/*
+ * clock.h - seconds, and what machine and build they belong to.
+ */
+#ifndef COMMON_CLOCK_H
+#define COMMON_CLOCK_H
+
+#include <stddef.h>
+
+/* Seconds of a monotonic clock, from an arbitrary start. */
+double clock_seconds(void);
+
+/* "<processor>, <compiler> <flags>" in text, for a table's note. */
+void clock_machine(size_t size, char text[]);
+
+#endif

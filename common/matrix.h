@@ -1,0 +1,92 @@
+/*
+ * matrix.h - symmetric linear systems: assemble, correct, factor, solve.
+ *
+ * Two storages behind one interface.  Number the nodes along the bar and
+ * A[i][j] = 0 whenever |i - j| > p.  Keeping only the band costs n (p + 1)
+ * numbers and about n p^2 flops to factor, instead of n^2 and n^3 / 3
+ * [eq:band-cost].  Half bandwidth p = 1 is the tridiagonal case.
+ *
+ *     A = | a0 b0  .  . |     DENSE   a[i*n + j]       = A[i][j]
+ *         | b0 a1 b1  . |
+ *         |  . b1 a2 b2 |     BANDED  a[j*(p+1) + d]   = A[j+d][j],
+ *         |  .  . b2 a3 |             0 <= d <= p: the lower triangle by
+ *                                     columns, a0 b0 | a1 b1 | a2 b2 | a3 *
+ *
+ * The banded layout is GSL's symmetric band format, and LAPACK's lower band
+ * (uplo L, ldab = p + 1); the entries * beyond the last row are never read.
+ *
+ * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.2, 4.3;
+ *         GSL manual, "Linear Algebra", "Symmetric Banded Format".
+ */
+#ifndef COMMON_MATRIX_H
+#define COMMON_MATRIX_H
+
+#include "status.h"
+
+#include <stddef.h>
+
+enum storage { DENSE, BANDED };
+enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
+
+struct matrix {
+    enum storage storage;
+    int n;     /* order */
+    int p;     /* half bandwidth, 0 <= p < n; n - 1 when dense */
+    double *a; /* entries, see above; owned */
+};
+
+/* A zero matrix; p is not looked at when dense.  The caller frees it. */
+struct matrix *matrix_alloc(enum storage storage, int n, int p);
+struct matrix *matrix_copy(const struct matrix *A);
+void matrix_free(struct matrix *A);
+
+/* Zero every entry and keep the memory: call it before each assembly. */
+void matrix_zero(struct matrix *A);
+
+/*
+ * A[i][j] += value, for |i - j| <= p (asserted: a band that is too narrow is a
+ * bug in the caller).  Banded storage drops what lies above the diagonal, so an
+ * element loop scatters its whole symmetric matrix into either storage.
+ */
+void matrix_add(struct matrix *A, int i, int j, double value);
+
+/* A[i][j]; 0 outside the band. */
+double matrix_get(const struct matrix *A, int i, int j);
+
+/*
+ * Prescribe u[node[k]] = value[k], 0 <= k < n_fixed, in A u = b and keep A
+ * symmetric [eq:dirichlet-correction]:
+ *
+ *     b_i -= A_ik u_k   for every row i,
+ *     row k and column k := 0, A_kk := d, b_k := d u_k,
+ *
+ * d being the old A_kk (KEEP_DIAGONAL, which leaves the scale of the matrix
+ * alone) or 1 (UNIT_DIAGONAL).  The order of the nodes does not matter.
+ */
+void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
+                      const int node[], const double value[],
+                      enum diagonal diagonal);
+
+/*
+ * Cholesky factorisation A = L L^T in place [eq:cholesky].
+ *
+ * NOT_SPD when a pivot is not above n eps times its own diagonal entry (the
+ * bound on the round-off in a pivot; NaN is caught as well): A is then partly
+ * overwritten.  Newton's method reacts to it, so it is never an abort.
+ */
+enum status matrix_factor(struct matrix *A);
+
+/* b := A^{-1} b, for L from matrix_factor(). */
+void matrix_solve(const struct matrix *L, double b[]);
+
+/* y := A x, for an A that is not factored. */
+void matrix_multiply(const struct matrix *A, const double x[], double y[]);
+
+/* max_i |b - A x|_i for an A that is not factored; NaN if any entry is. */
+double matrix_residual(const struct matrix *A, const double x[],
+                       const double b[]);
+
+/* Bytes that the entries occupy. */
+size_t matrix_bytes(const struct matrix *A);
+
+#endif

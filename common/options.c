@@ -1,0 +1,122 @@
+/* options.c - see options.h. */
+#include "options.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The k-th word of a space-separated list; its length in *length, or 0. */
+static const char *word(const char *list, int k, size_t *length)
+{
+    while (k > 0 && *list)
+        if (*list++ == ' ') k--;
+    *length = strcspn(list, " ");
+    return list;
+}
+
+static void print_allowed(FILE *out, const struct option *option)
+{
+    if (option->choice)
+        fprintf(out, "one of: %s", option->choices);
+    else
+        fprintf(out, "%s from %.10g to %.10g%s%s",
+                option->integer ? "a whole number" : "a number", option->min,
+                option->max, option->unit ? " " : "",
+                option->unit ? option->unit : "");
+}
+
+static void print_usage(const char *program, const struct option table[], int n)
+{
+    printf("usage: %s [--option value] ...\n", program);
+    for (int i = 0; i < n; i++) {
+        const struct option *option = &table[i];
+        size_t length = 0;
+
+        printf("  --%-10s %s", option->name, option->help);
+        if (option->integer) printf(" [%d]", *option->integer);
+        if (option->real) printf(" [%.10g]", *option->real);
+        if (option->choice) {
+            const char *name = word(option->choices, *option->choice, &length);
+            printf(" [%.*s]", (int)length, name);
+        }
+        printf("; ");
+        print_allowed(stdout, option);
+        printf("\n");
+    }
+}
+
+_Noreturn static void refuse(const char *program, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fprintf(stderr, "%s: ", program);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    exit(2);
+}
+
+/* Store text in the option's variable; 0 when it is not allowed. */
+static int set(const struct option *option, const char *text)
+{
+    if (option->choice) {
+        size_t length;
+        for (int k = 0;; k++) {
+            const char *name = word(option->choices, k, &length);
+            if (length == 0) return 0;
+            if (strlen(text) == length && strncmp(text, name, length) == 0) {
+                *option->choice = k;
+                return 1;
+            }
+        }
+    }
+
+    char *end;
+    errno = 0;
+    const double value = option->integer ? (double)strtol(text, &end, 10)
+                                         : strtod(text, &end);
+    if (end == text || *end != '\0' || errno == ERANGE) return 0;
+    if (!(value >= option->min && value <= option->max)) return 0; /* NaN too */
+    if (option->integer)
+        *option->integer = (int)value;
+    else
+        *option->real = value;
+    return 1;
+}
+
+void options_parse(const char *program, const struct option table[], int n,
+                   int argc, char *argv[])
+{
+    for (int a = 1; a < argc; a++) {
+        const char *name = argv[a];
+        if (strcmp(name, "-h") == 0 || strcmp(name, "--help") == 0) {
+            print_usage(program, table, n);
+            exit(0);
+        }
+        if (strncmp(name, "--", 2) != 0)
+            refuse(program, "'%s' is not an option; -h lists them", name);
+        name += 2;
+
+        const size_t length = strcspn(name, "=");
+        const struct option *option = NULL;
+        for (int i = 0; i < n && !option; i++)
+            if (strlen(table[i].name) == length &&
+                strncmp(table[i].name, name, length) == 0)
+                option = &table[i];
+        if (!option)
+            refuse(program, "no option --%.*s; -h lists them", (int)length,
+                   name);
+
+        const char *value = name[length] == '=' ? name + length + 1
+                            : a + 1 < argc      ? argv[++a]
+                                                : NULL;
+        if (value && set(option, value)) continue;
+        fprintf(stderr, "%s: --%s %s: must be ", program, option->name,
+                value ? value : "has no value");
+        print_allowed(stderr, option);
+        fputc('\n', stderr);
+        exit(2);
+    }
+}

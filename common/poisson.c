@@ -1,0 +1,86 @@
+/* poisson.c - see poisson.h. */
+#include "poisson.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+
+const struct quadrature MIDPOINT = {1, {0.5}, {1.0}};
+const struct quadrature TRAPEZOID = {2, {0.0, 1.0}, {0.5, 0.5}};
+const struct quadrature GAUSS2 = { /* 1/2 -+ 1 / (2 sqrt(3)) */
+    2, {0.21132486540518711775, 0.78867513459481288225}, {0.5, 0.5}};
+
+void grid_make(double a, double b, int n, double grading, double x[])
+{
+    /* h_j = h_1 g^(j-1) with g^(n-1) = grading; expm1 keeps g near 1 exact */
+    const double log_g = n > 1 ? log(grading) / (n - 1) : 0.0;
+    for (int j = 0; j <= n; j++)
+        x[j] = log_g == 0.0
+                   ? a + (b - a) * j / n
+                   : a + (b - a) * expm1(j * log_g) / expm1(n * log_g);
+    x[n] = b;
+}
+
+void poisson_element(double x0, double x1, field *beta, field *f,
+                     const struct quadrature *rule, double K[2][2],
+                     double r[2])
+{
+    const double h = x1 - x0;
+    double beta_mean = 0.0;
+
+    r[0] = r[1] = 0.0;
+    for (int k = 0; k < rule->n; k++) {
+        const double s = rule->s[k];
+        const double x = x0 + s * h;
+        const double load = rule->w[k] * h * f(x);
+        beta_mean += rule->w[k] * beta(x);
+        r[0] += load * (1.0 - s);
+        r[1] += load * s;
+    }
+    K[0][0] = K[1][1] = beta_mean / h;
+    K[0][1] = K[1][0] = -beta_mean / h;
+}
+
+void poisson_assemble(int n, const double x[], field *beta, field *f,
+                      const struct quadrature *rule, struct matrix *A,
+                      double b[])
+{
+    matrix_zero(A);
+    for (int i = 0; i <= n; i++) b[i] = 0.0;
+
+    for (int e = 0; e < n; e++) {
+        double K[2][2], r[2];
+        poisson_element(x[e], x[e + 1], beta, f, rule, K, r);
+        for (int a = 0; a < 2; a++) {
+            b[e + a] += r[a];
+            for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
+        }
+    }
+}
+
+struct poisson_error poisson_errors(int n, const double x[], const double u[],
+                                    field *beta, field *exact, field *exact_dx)
+{
+    struct poisson_error error = {0};
+    gsl_integration_glfixed_table *gauss =
+        gsl_integration_glfixed_table_alloc(5);
+
+    for (int j = 0; j <= n; j++) {
+        const double size = fabs(exact(x[j]) - u[j]);
+        if (!(size <= error.nodal)) error.nodal = size; /* keeps a NaN */
+    }
+    for (int e = 0; e < n; e++) {
+        const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]);
+        for (size_t k = 0; k < 5; k++) {
+            double at, w;
+            gsl_integration_glfixed_point(x[e], x[e + 1], k, &at, &w, gauss);
+            const double d = exact(at) - (u[e] + slope * (at - x[e]));
+            const double d_dx = exact_dx(at) - slope;
+            error.L2 += w * d * d;
+            error.energy += w * beta(at) * d_dx * d_dx;
+        }
+    }
+    gsl_integration_glfixed_table_free(gauss);
+    error.L2 = sqrt(error.L2);
+    error.energy = sqrt(error.energy);
+    return error;
+}

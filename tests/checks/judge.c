@@ -1,0 +1,764 @@
+/* judge.c - see judge.h. */
+#include "judge.h"
+
+#include <check.h>
+#include <ctype.h>
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+enum {
+    SECONDS_A_CHECK = 5,
+    MEGABYTES_OUTPUT = 8,
+    GIGABYTES_MEMORY = 4,
+    WIDTH = 78,
+    MAX_TABLES = 64,
+    MAX_COLUMNS = 32
+};
+
+static struct {
+    const struct lesson *lesson;
+    const char *file;      /* what is judged, for the heading */
+    const char *reference; /* program of the reference solution */
+    const char *mistakes;  /* folder with the known mistakes' programs */
+    const char *prepare;   /* command that builds them */
+    const char *result;    /* file for "verdict check slot" */
+    char work[256];        /* folder for captured output */
+} judging;
+
+_Noreturn static void quit(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    fputs("judge: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    va_end(arguments);
+    exit(2);
+}
+
+/* ---- output tables ------------------------------------------------------ */
+
+struct named_table {
+    char name[64];
+    int n_column, n_row;
+    char column[MAX_COLUMNS][64];
+    double *value; /* [n_column][capacity] by columns; owned */
+    int capacity;
+};
+
+struct output {
+    int status; /* exit status, or -signal */
+    int n_table;
+    struct named_table table[MAX_TABLES];
+    char error[512];  /* what is wrong with the format, or "" */
+    char stderr_[512]; /* last line on stderr, or "" */
+};
+
+static void read_row(struct output *output, struct named_table *table,
+                     char *line)
+{
+    if (table->n_row == table->capacity) {
+        const int capacity = table->capacity ? 2 * table->capacity : 64;
+        double *value = malloc(sizeof *value * (size_t)capacity *
+                               (size_t)table->n_column);
+        if (!value) quit("out of memory");
+        for (int c = 0; c < table->n_column; c++)
+            for (int r = 0; r < table->n_row; r++)
+                value[c * capacity + r] =
+                    table->value[c * table->capacity + r];
+        free(table->value);
+        table->value = value;
+        table->capacity = capacity;
+    }
+    char *rest = line;
+    for (int c = 0; c < table->n_column; c++) {
+        char *end;
+        const double value = strtod(rest, &end);
+        if (end == rest || (*end != '\t' && *end != '\0' && *end != ' ')) {
+            snprintf(output->error, sizeof output->error,
+                     "table `%s`, row %d: no number under `%s`", table->name,
+                     table->n_row + 1, table->column[c]);
+            return;
+        }
+        table->value[c * table->capacity + table->n_row] = value;
+        rest = end;
+    }
+    table->n_row++;
+}
+
+static void read_header(struct named_table *table, char *line)
+{
+    for (char *word = strtok(line, "\t "); word && table->n_column < MAX_COLUMNS;
+         word = strtok(NULL, "\t "))
+        snprintf(table->column[table->n_column++], sizeof table->column[0],
+                 "%.60s", word);
+}
+
+/* Tables as common/table.h describes them; comment lines after the name and
+ * blank lines between tables are free. */
+static void read_tables(struct output *output, const char *path)
+{
+    FILE *file = fopen(path, "r");
+    char line[4096];
+    struct named_table *table = NULL;
+
+    if (!file) quit("cannot read %s: %s", path, strerror(errno));
+    while (!*output->error && fgets(line, sizeof line, file)) {
+        line[strcspn(line, "\r\n")] = '\0';
+        if (line[strspn(line, " \t")] == '\0') {
+            table = NULL;
+        } else if (line[0] == '#') {
+            if (table) continue;
+            if (output->n_table == MAX_TABLES) {
+                snprintf(output->error, sizeof output->error,
+                         "more than %d tables", MAX_TABLES);
+                break;
+            }
+            table = &output->table[output->n_table++];
+            snprintf(table->name, sizeof table->name, "%.60s",
+                     line + 1 + strspn(line + 1, " \t"));
+        } else if (!table) {
+            snprintf(output->error, sizeof output->error,
+                     "a line that belongs to no table: %.60s", line);
+        } else if (table->n_column == 0) {
+            read_header(table, line);
+        } else {
+            read_row(output, table, line);
+        }
+    }
+    fclose(file);
+}
+
+static void output_free(struct output *output)
+{
+    if (!output) return;
+    for (int t = 0; t < output->n_table; t++) free(output->table[t].value);
+    free(output);
+}
+
+static const struct named_table *find_table(const struct output *output,
+                                            const char *name)
+{
+    for (int t = 0; t < output->n_table; t++)
+        if (strcmp(output->table[t].name, name) == 0) return &output->table[t];
+    return NULL;
+}
+
+static const double *find_column(const struct named_table *table,
+                                 const char *name)
+{
+    for (int c = 0; c < table->n_column; c++)
+        if (strcmp(table->column[c], name) == 0)
+            return table->value + c * table->capacity;
+    return NULL;
+}
+
+/* ---- running a program -------------------------------------------------- */
+
+static void limit(int resource, rlim_t value)
+{
+    struct rlimit rule;
+    if (getrlimit(resource, &rule) < 0) return;
+    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > value)
+        rule.rlim_cur = value;
+    setrlimit(resource, &rule);
+}
+
+static void set_limits(void)
+{
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, (rlim_t)MEGABYTES_OUTPUT << 20);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__APPLE__)
+    limit(RLIMIT_AS, (rlim_t)GIGABYTES_MEMORY << 30);
+#endif
+}
+
+static void redirect(int fd, const char *path)
+{
+    const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (file < 0 || dup2(file, fd) < 0) _exit(2);
+    close(file);
+}
+
+/* The last line of a file that is not empty. */
+static void last_line(const char *path, size_t size, char text[])
+{
+    FILE *file = fopen(path, "r");
+    char line[512];
+    text[0] = '\0';
+    while (file && fgets(line, sizeof line, file)) {
+        line[strcspn(line, "\n")] = '\0';
+        if (*line) snprintf(text, size, "%s", line);
+    }
+    if (file) fclose(file);
+}
+
+/* Run `program`, or program_main() when it is NULL, in a child. */
+static struct output *run_any(const char *program, const char *options)
+{
+    char out[320], err[320], words[512], *argv[64];
+    int argc = 0;
+    struct output *output = calloc(1, sizeof *output);
+
+    if (!output) quit("out of memory");
+    snprintf(out, sizeof out, "%s/out.%ld", judging.work, (long)getpid());
+    snprintf(err, sizeof err, "%s/err.%ld", judging.work, (long)getpid());
+    snprintf(words, sizeof words, "%s", options);
+    argv[argc++] = (char *)(program ? program : judging.lesson->name);
+    for (char *w = strtok(words, " "); w && argc < 63; w = strtok(NULL, " "))
+        argv[argc++] = w;
+    argv[argc] = NULL;
+
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child < 0) quit("cannot fork: %s", strerror(errno));
+    if (child == 0) {
+        redirect(STDOUT_FILENO, out);
+        redirect(STDERR_FILENO, err);
+        set_limits();
+        alarm(SECONDS_A_CHECK);
+        if (!program) exit(program_main(argc, argv));
+        execv(program, argv);
+        _exit(127);
+    }
+    int status;
+    while (waitpid(child, &status, 0) < 0)
+        if (errno != EINTR) quit("cannot wait: %s", strerror(errno));
+    output->status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    last_line(err, sizeof output->stderr_, output->stderr_);
+    if (output->status == 0) read_tables(output, out);
+    else {
+        FILE *file = fopen(out, "r"); /* to tell whether anything was printed */
+        if (file && fgetc(file) != EOF) output->n_table = 1;
+        if (file) fclose(file);
+    }
+    remove(out);
+    remove(err);
+    return output;
+}
+
+/* ---- inside a check ------------------------------------------------------ */
+
+void wrong(const char *format, ...)
+{
+    char text[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    ck_abort_msg("%s", text);
+    abort(); /* not reached: ck_abort_msg leaves the child */
+}
+
+void expect_close(double got, double want, double tolerance, double scale,
+                  const char *what, ...)
+{
+    char text[512];
+    va_list arguments;
+    va_start(arguments, what);
+    vsnprintf(text, sizeof text, what, arguments);
+    va_end(arguments);
+    if (!isfinite(got)) wrong("not finite: %s is %g", text, got);
+    if (!(fabs(got - want) <= tolerance * scale))
+        wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text, got,
+             want, fabs(got - want), tolerance * scale);
+}
+
+/* Stop this check the way the program under test stopped. */
+static void pass_on(const struct output *output, const char *options)
+{
+    if (output->status == 3) {
+        fprintf(stderr, "%s\n", output->stderr_);
+        exit(3);
+    }
+    if (output->status < 0) {
+        if (output->status == -SIGALRM) raise(SIGKILL);
+        signal(-output->status, SIG_DFL);
+        raise(-output->status);
+    }
+    if (output->status != 0)
+        wrong("the program%s%s stopped with exit status %d: %s",
+             *options ? " " : "", options, output->status,
+             *output->stderr_ ? output->stderr_ : "(no message)");
+}
+
+static void expect_finite(const struct output *output)
+{
+    for (int t = 0; t < output->n_table; t++) {
+        const struct named_table *table = &output->table[t];
+        for (int r = 0; r < table->n_row; r++)
+            for (int c = 0; c < table->n_column; c++) {
+                const double value = table->value[c * table->capacity + r];
+                if (!isfinite(value))
+                    wrong("not finite: table `%s`, row %d, column `%s` is %g",
+                         table->name, r + 1, table->column[c], value);
+            }
+    }
+}
+
+struct output *run(const char *options)
+{
+    struct output *output = run_any(NULL, options);
+    pass_on(output, options);
+    if (*output->error) wrong("the output cannot be read: %s", output->error);
+    if (output->n_table == 0)
+        wrong("the program%s%s ended with exit status 0 and printed no table",
+             *options ? " " : "", options);
+    expect_finite(output);
+    return output;
+}
+
+void expect_refusal(const char *options, int status, const char *word)
+{
+    struct output *output = run_any(NULL, options);
+    if (output->status == 3 || output->status < 0) pass_on(output, options);
+    expect(output->status == status,
+           "with %s the program must stop with exit status %d, not %d", options,
+           status, output->status);
+    expect(output->n_table == 0,
+           "with %s the program prints a table and then fails", options);
+    expect(strstr(output->stderr_, word),
+           "with %s the message must say %s; it says: %s", options, word,
+           output->stderr_);
+    output_free(output);
+}
+
+const double *column(const struct output *output, const char *table,
+                     const char *name, int *n)
+{
+    const struct named_table *found = find_table(output, table);
+    if (!found) wrong("the program prints no table `%s`", table);
+    if (found->n_row == 0) wrong("table `%s` has no rows", table);
+    const double *value = find_column(found, name);
+    if (!value) wrong("table `%s` has no column `%s`", table, name);
+    if (n) *n = found->n_row;
+    return value;
+}
+
+double cell(const struct output *output, const char *table, const char *name,
+            int row)
+{
+    int n;
+    const double *value = column(output, table, name, &n);
+    if (row < 0) row += n;
+    if (row < 0 || row >= n)
+        wrong("table `%s` has %d rows, not %d", table, n, row + 1);
+    return value[row];
+}
+
+/* ---- comparison with the reference -------------------------------------- */
+
+static const struct column_rule *find_rule(const char *table, const char *name)
+{
+    const struct column_rule *all = NULL;
+    for (int i = 0; i < judging.lesson->n_rule; i++) {
+        const struct column_rule *rule = &judging.lesson->rules[i];
+        if (strcmp(rule->table, table) != 0) continue;
+        if (strcmp(rule->column, name) == 0) return rule;
+        if (strcmp(rule->column, "*") == 0) all = rule;
+    }
+    return all;
+}
+
+/* What allows |yours - reference|: tolerance times scale. */
+static double allowed(const struct column_rule *rule, int n, const double want[])
+{
+    double scale = rule->scale;
+    if (!(scale > 0.0))
+        for (int r = 0; r < n; r++)
+            if (fabs(want[r]) > scale) scale = fabs(want[r]);
+    return rule->tolerance * scale;
+}
+
+/* Compare one column; describe the worst and the first bad row in `text`. */
+static int column_differs(const struct named_table *got,
+                          const struct named_table *want, int c, size_t size,
+                          char text[])
+{
+    const char *name = want->column[c];
+    const struct column_rule *rule = find_rule(want->name, name);
+    const double *y = find_column(got, name);
+    const double *z = want->value + c * want->capacity;
+    int worst = -1, first = -1;
+    double excess = 0.0;
+
+    if (!rule)
+        quit("no rule for column `%s` of table `%s`", name, want->name);
+    if (rule->tolerance < 0.0) return 0;
+    if (!y) {
+        snprintf(text, size, "table `%s` has no column `%s`", want->name, name);
+        return 1;
+    }
+    const double limit_ = allowed(rule, want->n_row, z);
+    for (int r = 0; r < want->n_row; r++) {
+        const double off = fabs(y[r] - z[r]);
+        if (off <= limit_ || (isnan(y[r]) && isnan(z[r])) || y[r] == z[r])
+            continue;
+        if (first < 0) first = worst = r;
+        if (off > excess) {
+            excess = off;
+            worst = r;
+        }
+    }
+    if (first < 0) return 0;
+    snprintf(text, size,
+             "table `%s`, row %d (%s = %.6g), column `%s`: yours %.10g, "
+             "reference %.10g, %.2g times the tolerance (%.0e of the largest "
+             "entry: %s); first bad row %d",
+             want->name, worst + 1, want->column[0], want->value[worst], name,
+             y[worst], z[worst], limit_ > 0.0 ? excess / limit_ : INFINITY,
+             rule->tolerance, rule->reason, first + 1);
+    return 1;
+}
+
+/* Whether some table of `want` is missing or different in `got`. */
+static int tables_differ(const struct output *got, const struct output *want,
+                         size_t size, char text[])
+{
+    for (int t = 0; t < want->n_table; t++) {
+        const struct named_table *w = &want->table[t];
+        const struct named_table *g = find_table(got, w->name);
+        int compared = 0;
+        for (int c = 0; c < w->n_column; c++) {
+            const struct column_rule *rule = find_rule(w->name, w->column[c]);
+            if (!rule)
+                quit("no rule for column `%s` of table `%s`", w->column[c],
+                     w->name);
+            if (rule->tolerance >= 0.0) compared = 1;
+        }
+        if (!g) {
+            snprintf(text, size, "the program prints no table `%s`", w->name);
+            return 1;
+        }
+        if (!compared) continue;
+        if (g->n_row != w->n_row) {
+            snprintf(text, size, "table `%s` has %d rows, the reference %d",
+                     w->name, g->n_row, w->n_row);
+            return 1;
+        }
+        for (int c = 0; c < w->n_column; c++)
+            if (column_differs(g, w, c, size, text)) return 1;
+    }
+    return 0;
+}
+
+static void check_same_numbers_as_reference(void)
+{
+    for (int r = 0; r < judging.lesson->n_run; r++) {
+        const char *options = judging.lesson->runs[r];
+        char text[900];
+        struct output *want = run_any(judging.reference, options);
+        if (want->status != 0 || *want->error)
+            quit("the reference solution fails with '%s': %s%s", options,
+                 want->stderr_, want->error);
+        struct output *got = run(options);
+        if (tables_differ(got, want, sizeof text, text))
+            wrong("%s%s%s%s", *options ? "with " : "", options,
+                 *options ? ": " : "", text);
+        output_free(got);
+        output_free(want);
+    }
+}
+
+/* ---- known mistakes ------------------------------------------------------ */
+
+/* Print text, wrapped to WIDTH with an indent, each line starting with it. */
+static void print_wrapped(const char *indent, const char *text)
+{
+    int at = 0;
+    while (*text) {
+        const int n = (int)strcspn(text, " \n");
+        if (at > 0 && at + 1 + n > WIDTH) {
+            putchar('\n');
+            at = 0;
+        }
+        if (at == 0)
+            at = printf("%s", indent);
+        else
+            at += printf(" ");
+        at += printf("%.*s", n, text);
+        text += n;
+        if (*text == '\n') {
+            putchar('\n');
+            at = 0;
+        }
+        if (*text) text++;
+    }
+    if (at > 0) putchar('\n');
+}
+
+/* Same exit status and, where it is 0, the same tables (both ways). */
+static int coincide(const struct output *mine, const struct output *other)
+{
+    char text[900];
+    if (mine->status != other->status) return 0;
+    if (mine->status != 0) return 1;
+    return !*mine->error && !*other->error &&
+           !tables_differ(mine, other, sizeof text, text);
+}
+
+static void print_explanation(const char *folder, const char *name)
+{
+    char path[512], text[2048];
+    snprintf(path, sizeof path, "%s/%s.why", folder, name);
+    FILE *file = fopen(path, "r");
+    if (!file) quit("cannot read %s", path);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    printf("  Your numbers are those of a program with a known mistake (%s):\n",
+           name);
+    print_wrapped("    ", text);
+}
+
+/* Say which known mistakes give the numbers of the program under test. */
+static void diagnose(void)
+{
+    enum { MAX_RUNS = 16 };
+    const int n_run = judging.lesson->n_run;
+    struct output *mine[MAX_RUNS], *right[MAX_RUNS];
+
+    if (!judging.mistakes || n_run > MAX_RUNS) return;
+    if (judging.prepare && system(judging.prepare) != 0) return;
+    for (int r = 0; r < n_run; r++) {
+        mine[r] = run_any(NULL, judging.lesson->runs[r]);
+        right[r] = run_any(judging.reference, judging.lesson->runs[r]);
+    }
+    struct dirent **entry;
+    const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
+    for (int i = 0; i < n_entry; i++) {
+        char program[512];
+        snprintf(program, sizeof program, "%s/%s", judging.mistakes,
+                 entry[i]->d_name);
+        int same = entry[i]->d_name[0] != '.' &&
+                   !strchr(entry[i]->d_name, '.') && access(program, X_OK) == 0;
+        int tells = 0; /* the mistake shows in the numbers at all */
+        for (int r = 0; r < n_run && same; r++) {
+            struct output *other = run_any(program, judging.lesson->runs[r]);
+            same = coincide(mine[r], other);
+            tells |= !coincide(right[r], other);
+            output_free(other);
+        }
+        if (same && tells) print_explanation(judging.mistakes, entry[i]->d_name);
+        free(entry[i]);
+    }
+    if (n_entry >= 0) free(entry);
+    for (int r = 0; r < n_run; r++) {
+        output_free(mine[r]);
+        output_free(right[r]);
+    }
+}
+
+/* ---- verdicts ------------------------------------------------------------ */
+
+enum verdict { PASS, WRONG, UNFINISHED, CRASHED, TIMEOUT, NONFINITE_, NOT_RUN };
+
+static const char *const verdict_name[] = {
+    "ok", "WRONG", "UNFINISHED", "CRASHED", "TIMEOUT", "NONFINITE", "not run"};
+
+struct finding {
+    enum verdict verdict;
+    char text[1100];
+    char slot[16];
+    int costly; /* it took all its time or output: do not run the others */
+};
+
+static int check_stopped_with(const char *message, const char *what)
+{
+    return strncmp(message, what, strlen(what)) == 0;
+}
+
+static void enter_check(void)
+{
+    char path[320];
+    snprintf(path, sizeof path, "%s/stdout", judging.work);
+    redirect(STDOUT_FILENO, path);
+    snprintf(path, sizeof path, "%s/stderr", judging.work);
+    redirect(STDERR_FILENO, path);
+    set_limits();
+}
+
+/* Check takes exit(0) in a child for a pass; a check that came to its end has
+ * left this file behind. */
+static const char *finished_file(char path[320])
+{
+    snprintf(path, 320, "%s/finished", judging.work);
+    return path;
+}
+
+static void leave_check(void)
+{
+    char path[320];
+    redirect(STDOUT_FILENO, finished_file(path));
+}
+
+static void classify(TestResult *result, const struct claim *claim,
+                     struct finding *finding)
+{
+    const char *message = tr_msg(result);
+    char path[320], line[512], slot[16] = "";
+
+    finding->verdict = WRONG;
+    snprintf(finding->slot, sizeof finding->slot, "%s",
+             claim->slot ? claim->slot : "");
+    snprintf(finding->text, sizeof finding->text, "%s", message);
+    if (tr_rtype(result) == CK_PASS && access(finished_file(path), F_OK) < 0) {
+        finding->verdict = CRASHED;
+        snprintf(finding->text, sizeof finding->text,
+                 "the program left with exit(0) in the middle of its work");
+    } else if (tr_rtype(result) == CK_PASS) {
+        finding->verdict = PASS;
+    } else if (tr_rtype(result) == CK_FAILURE) {
+        if (check_stopped_with(message, "not finite: "))
+            finding->verdict = NONFINITE_;
+    } else if (strstr(message, "timeout expired") ||
+               strstr(message, "signal 9 ") ||
+               strstr(message, "signal 24 ")) {
+        finding->verdict = TIMEOUT;
+        finding->costly = 1;
+        snprintf(finding->text, sizeof finding->text,
+                 "no end after %d seconds: is there a loop that cannot stop?",
+                 SECONDS_A_CHECK);
+    } else if (check_stopped_with(message, "Early exit")) {
+        snprintf(path, sizeof path, "%s/stderr", judging.work);
+        last_line(path, sizeof line, line);
+        if (sscanf(line, "unfinished: slot %15s", slot) == 1) {
+            finding->verdict = UNFINISHED;
+            snprintf(finding->slot, sizeof finding->slot, "%s", slot);
+            snprintf(finding->text, sizeof finding->text,
+                     "slot %s is not written yet", slot);
+        } else {
+            finding->verdict = CRASHED;
+            snprintf(finding->text, sizeof finding->text,
+                     "the program left in the middle of its work (%s)%s%s",
+                     message, *line ? ": " : "", line);
+        }
+    } else {
+        finding->verdict = CRASHED;
+        if (strstr(message, "File size")) {
+            finding->costly = 1;
+            snprintf(finding->text, sizeof finding->text,
+                     "more than %d MB of output: is there a loop that prints "
+                     "without end?",
+                     MEGABYTES_OUTPUT);
+        }
+    }
+}
+
+/* Run one claim in a child of its own. */
+static void examine(const struct claim *claim, struct finding *finding)
+{
+    char path[320];
+    const TTest test = {claim->name, (TFun)claim->check, __FILE__, __LINE__};
+    Suite *suite = suite_create(judging.lesson->name);
+    TCase *tcase = tcase_create(claim->name);
+    tcase_set_timeout(tcase, SECONDS_A_CHECK + 0.5);
+    tcase_add_checked_fixture(tcase, enter_check, leave_check);
+    remove(finished_file(path));
+    tcase_add_test(tcase, &test);
+    suite_add_tcase(suite, tcase);
+
+    SRunner *runner = srunner_create(suite);
+    srunner_set_fork_status(runner, CK_FORK);
+    srunner_run_all(runner, CK_SILENT);
+    TestResult **result = srunner_results(runner);
+    classify(result[0], claim, finding);
+    free(result);
+    srunner_free(runner);
+}
+
+static void write_result(const struct finding *finding, const char *name)
+{
+    if (!judging.result) return;
+    FILE *file = fopen(judging.result, "w");
+    if (!file || fprintf(file, "%s %s %s\n",
+                         finding->verdict == PASS
+                             ? "OK"
+                             : verdict_name[finding->verdict],
+                         name, *finding->slot ? finding->slot : "-") < 0 ||
+        fclose(file) != 0)
+        quit("cannot write %s", judging.result);
+}
+
+static const char *value_of(int argc, char *argv[], const char *name)
+{
+    for (int a = 1; a + 1 < argc; a += 2)
+        if (strcmp(argv[a], name) == 0) return argv[a + 1];
+    return NULL;
+}
+
+/* The claim that every lesson ends with. */
+static struct claim claim_at(const struct lesson *lesson, int i)
+{
+    if (i < lesson->n_claim) return lesson->claims[i];
+    return (struct claim){"same_numbers_as_reference",
+                          check_same_numbers_as_reference, NULL};
+}
+
+int judge(const struct lesson *lesson, int argc, char *argv[])
+{
+    enum { MAX_CLAIMS = 24 };
+    struct finding finding[MAX_CLAIMS] = {0};
+    const int n = lesson->n_claim + 1;
+    int first = -1;
+
+    judging.lesson = lesson;
+    judging.file = value_of(argc, argv, "--file");
+    judging.reference = value_of(argc, argv, "--reference");
+    judging.mistakes = value_of(argc, argv, "--mistakes");
+    judging.prepare = value_of(argc, argv, "--prepare");
+    judging.result = value_of(argc, argv, "--result");
+    if (!judging.file || !judging.reference || n > MAX_CLAIMS)
+        quit("usage: %s --file FILE --reference PROGRAM [--mistakes FOLDER] "
+             "[--prepare COMMAND] [--result FILE]", argv[0]);
+    snprintf(judging.work, sizeof judging.work, "%s.work.XXXXXX", argv[0]);
+    if (!mkdtemp(judging.work)) quit("cannot make %s", judging.work);
+
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    printf("%s\n", judging.file);
+    for (int i = 0; i < n; i++) {
+        const struct claim claim = claim_at(lesson, i);
+        if (first >= 0 && finding[first].costly)
+            finding[i].verdict = NOT_RUN;
+        else
+            examine(&claim, &finding[i]);
+        if (first < 0 && finding[i].verdict != PASS) first = i;
+        printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
+    }
+
+    char number[3] = {lesson->name[0], lesson->name[1], '\0'};
+    if (first < 0) {
+        const struct finding passed = {.verdict = PASS};
+        write_result(&passed, "-");
+        printf("\n  Notice:\n");
+        print_wrapped("    ", lesson->notice);
+        printf("  Break it:\n");
+        print_wrapped("    ", lesson->break_it);
+        printf("VERDICT %s: OK, all %d checks\n", number, n);
+    } else {
+        const struct claim claim = claim_at(lesson, first);
+        const struct finding *bad = &finding[first];
+        write_result(bad, claim.name);
+        printf("\n  %s", claim.name);
+        if (*bad->slot) printf(" (slot %s)", bad->slot);
+        printf(":\n");
+        print_wrapped("    ", bad->text);
+        if (bad->verdict == WRONG || bad->verdict == NONFINITE_) diagnose();
+        printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
+        if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
+        if (bad->verdict == CRASHED) printf(" in %s", claim.name);
+        printf("    next: make hint-%s\n", number);
+    }
+    char command[320];
+    snprintf(command, sizeof command, "rm -rf '%s'", judging.work);
+    if (system(command) != 0) return 2;
+    return first < 0 ? 0 : 1;
+}

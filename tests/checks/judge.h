@@ -1,0 +1,104 @@
+/*
+ * judge.h - judging one program: checks in forked children, one verdict.
+ *
+ * tests/checks/NN_slug.c includes the program under test, whatever it is (a
+ * student's file, the solution, a known mistake), so that checks can call its
+ * static functions:
+ *
+ *     #include "judge.h"
+ *     #define main program_main
+ *     #include PROGRAM
+ *     #undef main
+ *
+ * lists its checks, the runs and the column rules for the comparison with the
+ * reference, and ends with int main() returning judge(&lesson, argc, argv).
+ * Every check runs in a child of its own under Check, with limits on time,
+ * memory and output; the last check, added here, compares the output tables
+ * with those of the reference solution.
+ */
+#ifndef TESTS_CHECKS_JUDGE_H
+#define TESTS_CHECKS_JUDGE_H
+
+#include "options.h" /* COUNT */
+
+/* A claim about the program, cheapest and most telling first. */
+struct claim {
+    const char *name; /* a claim in words_with_underscores, <= 50 characters */
+    void (*check)(void);
+    const char *slot; /* the slot to look at, "7a"; NULL when it is no one's */
+};
+
+/*
+ * How to compare one column with the reference: |yours - reference| <=
+ * tolerance * scale, scale being the largest |reference| in the column, or
+ * `scale` where that is > 0 (for columns that vanish).  A negative tolerance
+ * says: do not compare.  Either way there is a reason, which the student sees.
+ * Every column of the reference's tables needs a rule; column "*" stands for
+ * all the columns of a table that have none of their own.
+ */
+struct column_rule {
+    const char *table, *column;
+    double tolerance;
+    const char *reason;
+    double scale;
+};
+#define NOT_COMPARED (-1.0)
+
+struct lesson {
+    const char *name; /* "07_poisson_bvp" */
+    const struct claim *claims;
+    int n_claim;
+    const char *const *runs; /* option strings; "" is the default scene */
+    int n_run;
+    const struct column_rule *rules;
+    int n_rule;
+    const char *notice;   /* after a pass: what to notice */
+    const char *break_it; /* and one thing to break */
+};
+
+/* The program's main(), renamed. */
+int program_main(int argc, char *argv[]);
+
+/* Run the claims, print the verdict block; 0 when the verdict is OK. */
+int judge(const struct lesson *lesson, int argc, char *argv[]);
+
+/* ---- inside a check ---------------------------------------------------- */
+
+/* The check fails with this message (two or three lines at most). */
+_Noreturn void wrong(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
+
+/* wrong() unless condition holds. */
+#define expect(condition, ...)              \
+    do {                                    \
+        if (!(condition)) wrong(__VA_ARGS__); \
+    } while (0)
+
+/*
+ * |got - want| <= tolerance * scale, and got finite; `what` is printed with
+ * both numbers.  Say at the call why the tolerance is what it is.
+ */
+void expect_close(double got, double want, double tolerance, double scale,
+                  const char *what, ...) __attribute__((format(printf, 5, 6)));
+
+/* A program's output: its exit status, its tables, its last stderr line. */
+struct output;
+
+/* Run the program with options, split at spaces; it must exit with 0. */
+struct output *run(const char *options);
+
+/*
+ * Run the program with options that it must refuse or cannot solve: it exits
+ * with this status, prints no table, and its message on stderr has `word`.
+ */
+void expect_refusal(const char *options, int status, const char *word);
+
+/* A column of a table, its length in *n (may be NULL); wrong() without it. */
+const double *column(const struct output *output, const char *table,
+                     const char *name, int *n);
+
+/* One number of a table; row -1 is the last row. */
+double cell(const struct output *output, const char *table, const char *name,
+            int row);
+
+#endif

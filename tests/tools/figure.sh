@@ -1,0 +1,18 @@
+#!/bin/sh
+# figure.sh SCRIPT DATA OUT - draw one figure, or leave no file behind.
+#
+# gnuplot warns and exits with 0 when data is missing, and a script that fails
+# half-way leaves a truncated file; so OUT is written beside its place and moved
+# there only if gnuplot said nothing and the picture is whole.
+set -u
+script=$1 data=$2 out=$3
+part=$out.part
+said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)
+status=$?
+if [ $status -ne 0 ] || [ -n "$said" ] || ! grep -q '</svg>' "$part" 2>/dev/null
+then
+    rm -f "$part" "$out"
+    echo "figure: $script failed: ${said:-no picture}" >&2
+    exit 1
+fi
+mv "$part" "$out"

@@ -1,0 +1,221 @@
+#!/bin/sh
+# student.sh COMMAND [NN_slug] - what the student's make targets do.
+#
+# Called by the Makefile, from the top of the workbook, with BUILD and MAKE set.
+# Progress is kept in $BUILD/progress, replaced files in $BUILD/saved; neither
+# is touched by `make clean`.
+set -u
+: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}"
+command=$1
+slug=${2:-}
+nn=${slug%%_*}
+mine=lessons/$slug.c
+state=$BUILD/progress/$nn
+mkdir -p "$BUILD/progress" "$BUILD/saved" "$BUILD/mine"
+
+sum() { cksum <"$1" 2>/dev/null; }
+starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
+title() { sed -n "s/^## Lesson ${1%%_*}[: ]*//p" workbook.md | head -n 1; }
+
+# The stamp of a pass holds the sum of the file that passed.
+passed() { [ -f "$state.pass" ] && [ "$(cat "$state.pass")" = "$(sum "$mine")" ]; }
+
+save_mine() { # keep a copy of the student's file; say where
+    [ -f "$mine" ] || return 0
+    copy=$BUILD/saved/$slug.$(date +%Y%m%d-%H%M%S).$$.c
+    cp "$mine" "$copy" && echo "  your file is kept as $copy"
+}
+
+verdict() { # the closing line; also remembered for hint and status
+    echo "$2" >"$state.result"
+    echo "VERDICT $nn: $1    next: $3"
+}
+
+judge() {
+    rm -f "$state.pass"
+    if [ ! -f "$mine" ]; then
+        echo "$mine is not there."
+        verdict "UNFINISHED (no file)" "UNFINISHED - -" "make reset-$nn"
+        return 1
+    fi
+    if ! grep -q '[^[:space:]]' "$mine"; then
+        echo "$mine is empty."
+        verdict "UNFINISHED (empty file)" "UNFINISHED - -" "make reset-$nn"
+        return 1
+    fi
+    if ! command -v pkg-config >/dev/null || ! pkg-config --exists check; then
+        echo "Judging needs Check (libcheck), which is missing." >&2
+        echo "Run: make deps" >&2
+        return 2
+    fi
+    log=$BUILD/mine/$slug.log
+    if ! "$MAKE" "$BUILD/solutions/$slug" "$BUILD/tests/judge.o" >"$log" 2>&1; then
+        cat "$log" >&2
+        return 2
+    fi
+    if ! "$MAKE" "$BUILD/mine/$slug.judge" >"$log" 2>&1; then
+        if ! grep -q "$slug.c:.*error" "$log"; then
+            tail -n 15 "$log"
+            echo "  Does the program still have its functions and its main()?"
+        else
+            grep -E "$slug.c:[0-9:]* (fatal )?error" "$log" | head -n 5 |
+                sed "s|^.*/\(lessons/\)|  \1|"
+        fi
+        echo "  the whole message: $log"
+        verdict "WRONG (does not compile)" "WRONG compile -" "make lesson-$nn"
+        return 1
+    fi
+    "./$BUILD/mine/$slug.judge" --file "$mine" \
+        --reference "$BUILD/solutions/$slug" \
+        --mistakes "$BUILD/mistakes/$slug" \
+        --prepare "'$MAKE' mistakes-$nn >/dev/null" \
+        --result "$state.result"
+    status=$?
+    if [ $status = 0 ]; then sum "$mine" >"$state.pass"; fi
+    return $status
+}
+
+# Sections of the lesson's chapter: <details><summary>Hint 1 ...</summary>
+hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
+    awk -v lesson="$nn" -v level="$1" -v pattern="$2" '
+        /^## / { here = ($0 ~ "^## Lesson " lesson) }
+        !here { next }
+        /^<details><summary>Hint / {
+            title = $0
+            gsub(/<[^>]*>/, "", title)
+            showing = title ~ "^Hint " level && index(title, pattern)
+            if (showing) print title ":"
+            next
+        }
+        /^<\/details>/ { showing = 0 }
+        showing && NF { print "  " $0 }' workbook.md
+}
+
+hint() {
+    read -r word failed slot <"$state.result" 2>/dev/null || word=
+    # the level starts again when the file or what is wrong with it changes
+    key="$word $failed $slot"
+    level=0
+    if [ -f "$state.hint" ]; then
+        read -r level last <"$state.hint"
+        [ "$last" = "$key" ] || level=0
+    fi
+    if [ -z "$word" ]; then
+        echo "Run make check-$nn first: the first hint follows what fails."
+        return 0
+    fi
+    [ "$level" -ge 3 ] || level=$((level + 1))
+    echo "$level $key" >"$state.hint"
+    text=
+    if [ "$level" = 1 ]; then
+        text=$(hints 1 "$failed")
+        [ -n "$text" ] && [ "$failed" != - ] || text=$(hints 1 "slot $slot")
+    fi
+    [ -n "$text" ] || text=$(hints "$level" "slot $slot")
+    [ -n "$text" ] || text=$(hints "$level" "")
+    echo "$text"
+    if [ "$level" -lt 3 ]; then
+        echo "(hint $level of 3; make hint-$nn again for the next)"
+    else
+        echo "(hint 3 of 3; after that: make solution-$nn FORCE=1)"
+    fi
+}
+
+status() {
+    for file in solutions/[0-9][0-9]_*.c; do
+        slug=$(basename "$file" .c) nn=${slug%%_*}
+        mine=lessons/$slug.c state=$BUILD/progress/$nn
+        read -r word failed slot <"$state.result" 2>/dev/null || word=
+        if passed; then
+            say=passed
+        elif [ ! -s "$mine" ] || starter "$slug" | cmp -s - "$mine"; then
+            say='not begun'
+        elif [ "$word" = OK ]; then
+            say='changed since it passed'
+        elif [ -n "$word" ]; then
+            say="last verdict $word"
+        else
+            say='not checked yet'
+        fi
+        printf '  %-26s %-26s %s\n' "$slug" "$say" "$(title "$slug")"
+    done
+}
+
+case $command in
+run)
+    out=$BUILD/mine/$slug.tsv
+    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
+    status=$?
+    head -n 40 "$out" | cut -c 1-100
+    lines=$(wc -l <"$out")
+    [ "$lines" -le 40 ] || echo "... $((lines - 40)) lines more"
+    echo "All of it is in $out; now: make check-$nn"
+    exit $status ;;
+check)
+    judge ;;
+watch)
+    echo "Checking $mine at each save; Ctrl-C ends."
+    last=
+    while :; do
+        now=$(sum "$mine")
+        if [ "$now" != "$last" ]; then
+            last=$now
+            echo
+            judge || :
+        fi
+        sleep 1
+    done ;;
+plot)
+    spec=$(sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1)
+    set -- $spec
+    out=$BUILD/mine/$slug.tsv
+    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out") ||
+        exit $?
+    given="mine='$out'; reference='$BUILD/data/$slug.tsv'"
+    given="$given; name='$1'; x='$2'; y='$3'"
+    picture=$BUILD/mine/$slug.svg
+    rm -f "$picture"
+    gnuplot -e "$given; out=''" figures/overlay.gp &&
+        gnuplot -e "$given; out='$picture.part'" figures/overlay.gp &&
+        mv "$picture.part" "$picture" &&
+        echo "Table \`$1\`, $3 against $2; the picture is $picture" ;;
+hint)
+    hint ;;
+solution)
+    if passed || [ -n "$FORCE" ]; then
+        cat "solutions/$slug.c"
+    else
+        echo "Your lesson $nn has not passed yet (make check-$nn)."
+        echo "To see the solution all the same: make solution-$nn FORCE=1"
+        exit 1
+    fi ;;
+reset)
+    starter "$slug" >"$mine.part" || exit 1
+    if cmp -s "$mine.part" "$mine"; then
+        rm -f "$mine.part"
+        echo "$mine is the starter already."
+    else
+        save_mine
+        mv "$mine.part" "$mine"
+        rm -f "$state".*
+        echo "$mine is the starter again."
+    fi ;;
+status)
+    status ;;
+starters)
+    shift
+    for slug in "$@"; do
+        mine=lessons/$slug.c
+        starter "$slug" >"$mine.part" || { rm -f "$mine.part"; exit 1; }
+        if cmp -s "$mine.part" "$mine"; then
+            rm -f "$mine.part"
+        else
+            save_mine
+            mv "$mine.part" "$mine"
+            echo "  starter  $mine"
+        fi
+    done ;;
+*)
+    echo "student.sh: no command $command" >&2
+    exit 2 ;;
+esac

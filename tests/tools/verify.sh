@@ -1,0 +1,103 @@
+#!/bin/sh
+# verify.sh KIND NN_slug [NAME] - one claim about a lesson's own material.
+#
+# Prints lines "ok WHAT" and "FAIL WHAT: why" and exits with 0; the Makefile
+# counts the lines.  KIND is solution, starter, mistake, equivalent or behave.
+set -u
+: "${BUILD:=build}" "${MAKE:=make}"
+kind=$1 slug=$2 name=${3:-}
+nn=${slug%%_*}
+list=tests/mistakes/$slug.txt
+judge_one() { # judge_one JUDGE: its verdict block
+    "$1" --file "$kind ${name:-$slug}" --reference "$BUILD/solutions/$slug" \
+        --mistakes "$BUILD/mistakes/$slug" 2>&1
+}
+field() { awk -f tests/tools/variant.awk -v name="$name" -v get="$1" "$list"; }
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok $2"; else echo "FAIL $2: $3"; fi
+}
+
+case $kind in
+solution)
+    said=$(judge_one "$BUILD/solutions/$slug.judge")
+    echo "$said" | sed -n "s/^  \([A-Za-z]*\)  *\([a-z0-9A-Z_]*\)$/\1 $nn: \2/p" |
+        sed '/^ok /!s/^\([A-Za-z]*\) \(.*\)/FAIL \2: \1/'
+    echo "$said" | grep -q "^VERDICT $nn: OK"
+    result $? "$nn: solution is judged OK" "$said"
+    [ "$(echo "$said" | wc -l)" -le 26 ]
+    result $? "$nn: the verdict fits on one screen" "$(echo "$said" | wc -l) lines" ;;
+starter)
+    said=$(judge_one "$BUILD/starters/$slug.judge")
+    first=$(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c" | head -n 1)
+    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: UNFINISHED (slot "
+    result $? "$nn: untouched starter is UNFINISHED" "$said"
+    echo "$said" | tail -n 1 | grep -q "(slot $first)"
+    result $? "$nn: the starter's verdict names slot $first" "$said"
+    # the committed starter is the one that the solution gives; a student's
+    # own work in progress is not the workbook's concern
+    ours=$(git show ":lessons/$slug.c" 2>/dev/null) || ours=$(cat "lessons/$slug.c")
+    [ "$ours" = "$(awk -f tests/tools/starter.awk "solutions/$slug.c")" ]
+    result $? "$nn: starter is in step with its solution" "make starters" ;;
+mistake)
+    said=$(judge_one "$BUILD/mistakes/$slug/$name.judge")
+    check=$(field caught-by)
+    verdict=$(field verdict)
+    : "${verdict:=WRONG}"
+    echo "$said" | grep -q "^  [A-Z][A-Z]*  *$check\$"
+    result $? "$nn: $name is caught by $check" "$said"
+    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: $verdict"
+    result $? "$nn: $name gives the verdict $verdict" "$said"
+    echo "$said" | grep -q "known mistake ($name)"
+    result $? "$nn: $name is explained" "$said"
+    [ "$(echo "$said" | wc -l)" -le 34 ]
+    result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
+equivalent)
+    said=$(judge_one "$BUILD/mistakes/$slug/$name.judge")
+    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: OK"
+    result $? "$nn: equivalent program $name is OK" "$said" ;;
+behave)
+    # the whole way of a student, in a copy of the workbook
+    copy=$BUILD/test/copy.$nn
+    rm -rf "$copy" && mkdir -p "$copy/build" || exit 1
+    cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
+    cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/solutions" \
+        "$BUILD/tests" "$copy/build"
+    mkdir -p "$copy/build/mistakes"
+    cp -Rp "$BUILD/mistakes/$slug" "$copy/build/mistakes"
+    cd "$copy" || exit 1
+    mine=lessons/$slug.c
+    # behave WHAT LINE VERDICT: LINE as the first line of the first slot
+    behave() {
+        awk -v line="$2" '{ print }
+            !done && /\/\* SLOT / { inside = 1 }
+            inside && /\*\// { print line; inside = 0; done = 1 }' \
+            "solutions/$slug.c" >"$mine"
+        judged "$1" "$3"
+    }
+    judged() {
+        start=$(date +%s)
+        said=$("$MAKE" "check-$nn" 2>/dev/null </dev/null)
+        took=$(($(date +%s) - start))
+        echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: $2"
+        result $? "$nn: $1 is judged $2" "$said"
+        [ $took -le 15 ]
+        result $? "$nn: $1 is judged within 15 s" "$took s"
+    }
+    behave 'segmentation fault' 'int *volatile nowhere = (int *)-4096L; *nowhere = 1;' CRASHED
+    behave 'endless loop' 'for (volatile int spin = 0;; spin = 1) {}' TIMEOUT
+    behave 'endless output' \
+        'extern int puts(const char *); for (;;) puts("and on and on");' CRASHED
+    behave 'early exit(0)' 'extern void exit(int); exit(0);' CRASHED
+    behave 'compile error' 'this is not C' 'WRONG (does not compile)'
+    : >"$mine"
+    judged 'empty file' 'UNFINISHED (empty file)'
+    cp "solutions/$slug.c" "$mine"
+    judged 'the solution' OK
+    "$MAKE" status | grep -q "^  $slug  *passed"
+    result $? "$nn: status remembers a pass" "$("$MAKE" status)"
+    echo '/* edited */' >>"$mine"
+    "$MAKE" status | grep -q "^  $slug  *changed since it passed"
+    result $? "$nn: an edit reopens the lesson" "$("$MAKE" status)"
+    cd - >/dev/null && rm -rf "$copy" ;;
+esac
+exit 0

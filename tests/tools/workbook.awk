@@ -1,0 +1,125 @@
+# workbook.awk - fill the numbers, tables and code of workbook.md.
+#
+#     awk -f tests/tools/workbook.awk -v data=build/data workbook.md
+#
+# Numbers come from build/data/NN_slug.tsv, what each solution prints by
+# default.  What stands between these markers is replaced:
+#
+#   <!-- table NN_slug TABLE; COLUMN FORMAT HEADING; ... -->   a whole table
+#   <!-- end -->
+#   <!-- code FILE WHAT -->      a slot (7a) or a function of that file
+#   <!-- end -->
+#   <!-- n NN_slug TABLE COLUMN ROW FORMAT -->85375<!-- /n -->   in a line;
+#       rows count from 0, -1 is the last
+
+function stop(text) {
+    print "workbook: line " NR ": " text > "/dev/stderr"
+    failed = 1
+    exit 2
+}
+
+# Read a lesson's tables once: value[lesson, table, column, row], rows[...].
+function load(lesson,    path, line, name, n, c, word, column, status) {
+    if (lesson in loaded) return
+    loaded[lesson] = 1
+    path = data "/" lesson ".tsv"
+    while ((status = (getline line < path)) > 0) {
+        if (line == "") { name = ""; continue }
+        if (line ~ /^#/) {
+            if (name == "") { name = substr(line, 3); n = -1; split("", column) }
+            continue
+        }
+        c = split(line, word, "\t")
+        if (n < 0) { for (; c > 0; c--) column[c] = word[c] }
+        else for (; c > 0; c--) value[lesson, name, column[c], n] = word[c]
+        n++
+        rows[lesson, name] = n
+    }
+    if (status < 0) stop("cannot read " path)
+    close(path)
+}
+
+function number(lesson, table, column, row, format) {
+    load(lesson)
+    if (row < 0) row += rows[lesson, table]
+    if (!((lesson, table, column, row) in value))
+        stop("no number " lesson " " table " " column " row " row)
+    return sprintf(format, value[lesson, table, column, row])
+}
+
+function print_table(spec,    part, n, i, word, k, row, head, rule, line) {
+    n = split(spec, part, / *; */)
+    split(part[1], word, " ")
+    load(word[1])
+    if (!((word[1], word[2]) in rows)) stop("no table " word[2] " in " word[1])
+    for (i = 2; i <= n; i++) {
+        k = split(part[i], column, " ")
+        name[i] = column[1]; format[i] = column[2]
+        head = head " |"
+        for (j = 3; j <= k; j++) head = head " " column[j]
+        rule = rule "|---:"
+    }
+    print substr(head, 2) " |"
+    print rule "|"
+    for (row = 0; row < rows[word[1], word[2]]; row++) {
+        line = ""
+        for (i = 2; i <= n; i++)
+            line = line "| " number(word[1], word[2], name[i], row, format[i]) " "
+        print line "|"
+    }
+}
+
+function print_code(file, what,    line, inside, found, indent, comment) {
+    print "```c"
+    while ((getline line < file) > 0) {
+        if (what ~ /^[0-9]+[a-z]$/) {
+            if (line ~ "/\\* END " what " \\*/") inside = 0
+            if (inside && !comment) {
+                if (!found) { match(line, /^ */); indent = RLENGTH }
+                found = 1
+                print substr(line, 1, indent) ~ /^ *$/ ? substr(line, indent + 1) : line
+            }
+            if (line ~ "/\\* SLOT " what "\\(") { inside = 1; comment = 1 }
+            if (comment && line ~ /\*\//) comment = 0
+        } else {
+            if (line ~ "^[a-z_].*[ *]" what "\\(" && line !~ /;$/) inside = 1
+            if (inside) { found = 1; print line }
+            if (line == "}") inside = 0
+        }
+    }
+    close(file)
+    print "```"
+    if (!found) stop("no " what " in " file)
+}
+
+/^<!-- table .* -->$/ {
+    print
+    gsub(/^<!-- table +| *-->$/, "")
+    print_table($0)
+    skipping = 1
+    next
+}
+/^<!-- code .* -->$/ {
+    print
+    print_code($3, $4)
+    skipping = 1
+    next
+}
+/^<!-- end -->$/ {
+    if (!skipping) stop("an end without a beginning")
+    skipping = 0
+}
+skipping { next }
+{
+    line = $0
+    while (match(line, /<!-- n [^>]*-->[^<]*<!-- \/n -->/)) {
+        spec = substr(line, RSTART, RLENGTH)
+        open = spec; sub(/-->.*/, "-->", open)
+        split(open, word, " ")
+        printf "%s%s%s<!-- /n -->", substr(line, 1, RSTART - 1), open, \
+            number(word[3], word[4], word[5], word[6] + 0, word[7])
+        line = substr(line, RSTART + RLENGTH)
+    }
+    print line
+}
+END { if (skipping && !failed) stop("a marker is never closed") }
