@@ -40,7 +40,7 @@ export CC MAKE
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help deps status figures course starters workbook test bench memcheck \
+.PHONY: help deps status figures course starters workbook test memcheck \
         clean
 .DEFAULT_GOAL := help
 
@@ -60,7 +60,7 @@ help:
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
 	@echo
-	@echo '  for teachers:     starters  workbook  bench  memcheck  clean'
+	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
 
 deps:
 	@sh tests/tools/deps.sh
@@ -202,6 +202,37 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
                        lessons/%.c
 	$(call say,test,$* starter)
 	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
+# ---- unit laws of common/, and deliberate mistakes that they must catch
+UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
+             $(wildcard tests/unit/*.c)))
+UNIT_FLAGS = -Itests/unit $(CHECK_CFLAGS)
+UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+$(BUILD)/unit/unit.o: tests/unit/unit.c Makefile | $(DEPS)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
+$(BUILD)/unit/%: tests/unit/%.c $(BUILD)/unit/unit.o $(LIB)
+	$(call say,cc,$<)
+	$(Q)$(COMPILE) $(UNIT_FLAGS) $< -o $@ $(BUILD)/unit/unit.o $(UNIT_LIBS)
+$(T)/unit.%.result: $(BUILD)/unit/%
+	$(call say,test,unit $*)
+	$(Q)mkdir -p $(@D) && { $< > $@ || true; }
+
+UNIT_MISTAKES := $(shell $(VARIANT) -v list=mistake tests/unit/mistakes.txt)
+unit_field = $(shell $(VARIANT) -v name=$1 -v get=$2 tests/unit/mistakes.txt)
+define unit_mistake
+$(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $(call unit_field,$1,file) \
+        tests/unit/$(call unit_field,$1,unit).c $(BUILD)/unit/unit.o $(LIB)
+	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
+	$(Q)$$(COMPILE) -w $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
+	    $$(word 4,$$^) $$(UNIT_LIBS)
+$(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
+	$$(call say,test,common/ with $1)
+	$(Q)mkdir -p $$(@D) && { $$< 2>&1 || true; } | awk '{ said = said $$$$0 "\n" } \
+	    /^FAIL [a-z]*: $(call unit_field,$1,caught-by):/ { caught = 1 } \
+	    END { if (caught) print "ok common/ with $1 is caught"; \
+	          else print "FAIL common/ with $1 is not caught: " said }' > $$@
+endef
+$(foreach m,$(UNIT_MISTAKES),$(eval $(call unit_mistake,$m)))
+
 # every program that a judge compares with, before any judge of the lesson runs
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
@@ -223,3 +254,46 @@ $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(
 endef
 $(foreach v,$(MISTAKES),$(eval $(call variant_test,$v,mistake)))
 $(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))
+
+# ---- the whole, in other builds, and the closing line
+.PHONY: all
+all: $(PROGRAMS) $(PROGRAMS:=.judge) $(UNITS:%=$(BUILD)/unit/%) \
+     $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
+
+# what any test may rest on
+EVERYTHING := Makefile README.md workbook.md $(wildcard common/* solutions/* \
+              lessons/* tests/*/* figures/*)
+$(T)/lint.result: $(EVERYTHING) | $(DEPS)
+	$(call say,test,lint)
+	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
+$(T)/workbook.result: workbook.md $(DATA) tests/tools/workbook.awk solutions/*.c
+	$(call say,test,workbook is in step with the programs)
+	$(Q)mkdir -p $(@D) && if said=$$(sh tests/tools/workbook.sh check); \
+	    then echo 'ok workbook is in step with the programs'; \
+	    else echo "FAIL workbook: $$said"; fi > $@
+$(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
+	$(call say,test,command lines)
+	+$(Q)mkdir -p $(@D) && BUILD=$(BUILD) sh tests/cli/cli.sh > $@
+$(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
+	$(call say,test,$* build)
+	+$(Q)mkdir -p $(@D) && BUILD=$(BUILD) \
+	    sh tests/tools/build_variants.sh $* > $@
+
+RESULTS := $(UNITS:%=$(T)/unit.%.result) \
+           $(UNIT_MISTAKES:%=$(T)/unit-mistake.%.result) \
+           $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
+           $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
+           $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
+test: $(RESULTS)
+	@cat $^ | sh tests/tools/count.sh
+
+memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
+	@cat $^ | sh tests/tools/count.sh
+
+# Progress and replaced files of the student stay.
+clean:
+	@for f in $(BUILD)/*; do case $$f in \
+	    */progress|*/saved) ;; *) rm -rf "$$f" ;; esac; done
+
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/mistakes/*/*.d)

@@ -16,8 +16,9 @@ static size_t row_length(const struct matrix *A)
 /* Where entry (i, j) lives; banded storage holds i >= j only. */
 static double *entry(const struct matrix *A, int i, int j)
 {
-    return A->storage == DENSE ? &A->a[(size_t)i * row_length(A) + (size_t)j]
-                               : &A->a[(size_t)j * row_length(A) + (size_t)(i - j)];
+    const size_t row = (size_t)(A->storage == DENSE ? i : j);
+    const size_t at = (size_t)(A->storage == DENSE ? j : i - j);
+    return &A->a[row * row_length(A) + at];
 }
 
 struct matrix *matrix_alloc(enum storage storage, int n, int p)
@@ -147,8 +148,7 @@ double matrix_residual(const struct matrix *A, const double x[],
     matrix_multiply(A, x, r);
     for (int i = 0; i < A->n; i++) {
         const double size = fabs(b[i] - r[i]);
-        if (!(size <= largest)) largest = size; /* keeps a NaN */
-        if (isnan(largest)) break;
+        if (isnan(size) || size > largest) largest = size; /* NaN stays */
     }
     free(r);
     return largest;

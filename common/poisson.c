@@ -6,7 +6,8 @@
 
 const struct quadrature MIDPOINT = {1, {0.5}, {1.0}};
 const struct quadrature TRAPEZOID = {2, {0.0, 1.0}, {0.5, 0.5}};
-const struct quadrature GAUSS2 = { /* 1/2 -+ 1 / (2 sqrt(3)) */
+/* at 1/2 -+ 1 / (2 sqrt(3)) */
+const struct quadrature GAUSS2 = {
     2, {0.21132486540518711775, 0.78867513459481288225}, {0.5, 0.5}};
 
 void grid_make(double a, double b, int n, double grading, double x[])
@@ -66,7 +67,7 @@ struct poisson_error poisson_errors(int n, const double x[], const double u[],
 
     for (int j = 0; j <= n; j++) {
         const double size = fabs(exact(x[j]) - u[j]);
-        if (!(size <= error.nodal)) error.nodal = size; /* keeps a NaN */
+        if (isnan(size) || size > error.nodal) error.nodal = size;
     }
     for (int e = 0; e < n; e++) {
         const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]);

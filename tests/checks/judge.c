@@ -59,7 +59,7 @@ struct output {
     int status; /* exit status, or -signal */
     int n_table;
     struct named_table table[MAX_TABLES];
-    char error[512];  /* what is wrong with the format, or "" */
+    char error[512];   /* what is wrong with the format, or "" */
     char stderr_[512]; /* last line on stderr, or "" */
 };
 
@@ -68,13 +68,12 @@ static void read_row(struct output *output, struct named_table *table,
 {
     if (table->n_row == table->capacity) {
         const int capacity = table->capacity ? 2 * table->capacity : 64;
-        double *value = malloc(sizeof *value * (size_t)capacity *
-                               (size_t)table->n_column);
+        double *value =
+            malloc(sizeof *value * (size_t)capacity * (size_t)table->n_column);
         if (!value) quit("out of memory");
         for (int c = 0; c < table->n_column; c++)
             for (int r = 0; r < table->n_row; r++)
-                value[c * capacity + r] =
-                    table->value[c * table->capacity + r];
+                value[c * capacity + r] = table->value[c * table->capacity + r];
         free(table->value);
         table->value = value;
         table->capacity = capacity;
@@ -97,8 +96,8 @@ static void read_row(struct output *output, struct named_table *table,
 
 static void read_header(struct named_table *table, char *line)
 {
-    for (char *word = strtok(line, "\t "); word && table->n_column < MAX_COLUMNS;
-         word = strtok(NULL, "\t "))
+    for (char *word = strtok(line, "\t ");
+         word && table->n_column < MAX_COLUMNS; word = strtok(NULL, "\t "))
         snprintf(table->column[table->n_column++], sizeof table->column[0],
                  "%.60s", word);
 }
@@ -233,9 +232,11 @@ static struct output *run_any(const char *program, const char *options)
     int status;
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) quit("cannot wait: %s", strerror(errno));
-    output->status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    output->status =
+        WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     last_line(err, sizeof output->stderr_, output->stderr_);
-    if (output->status == 0) read_tables(output, out);
+    if (output->status == 0)
+        read_tables(output, out);
     else {
         FILE *file = fopen(out, "r"); /* to tell whether anything was printed */
         if (file && fgetc(file) != EOF) output->n_table = 1;
@@ -269,8 +270,8 @@ void expect_close(double got, double want, double tolerance, double scale,
     va_end(arguments);
     if (!isfinite(got)) wrong("not finite: %s is %g", text, got);
     if (!(fabs(got - want) <= tolerance * scale))
-        wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text, got,
-             want, fabs(got - want), tolerance * scale);
+        wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text,
+              got, want, fabs(got - want), tolerance * scale);
 }
 
 /* Stop this check the way the program under test stopped. */
@@ -287,8 +288,8 @@ static void pass_on(const struct output *output, const char *options)
     }
     if (output->status != 0)
         wrong("the program%s%s stopped with exit status %d: %s",
-             *options ? " " : "", options, output->status,
-             *output->stderr_ ? output->stderr_ : "(no message)");
+              *options ? " " : "", options, output->status,
+              *output->stderr_ ? output->stderr_ : "(no message)");
 }
 
 static void expect_finite(const struct output *output)
@@ -300,7 +301,7 @@ static void expect_finite(const struct output *output)
                 const double value = table->value[c * table->capacity + r];
                 if (!isfinite(value))
                     wrong("not finite: table `%s`, row %d, column `%s` is %g",
-                         table->name, r + 1, table->column[c], value);
+                          table->name, r + 1, table->column[c], value);
             }
     }
 }
@@ -312,7 +313,7 @@ struct output *run(const char *options)
     if (*output->error) wrong("the output cannot be read: %s", output->error);
     if (output->n_table == 0)
         wrong("the program%s%s ended with exit status 0 and printed no table",
-             *options ? " " : "", options);
+              *options ? " " : "", options);
     expect_finite(output);
     return output;
 }
@@ -370,7 +371,8 @@ static const struct column_rule *find_rule(const char *table, const char *name)
 }
 
 /* What allows |yours - reference|: tolerance times scale. */
-static double allowed(const struct column_rule *rule, int n, const double want[])
+static double allowed(const struct column_rule *rule, int n,
+                      const double want[])
 {
     double scale = rule->scale;
     if (!(scale > 0.0))
@@ -391,8 +393,7 @@ static int column_differs(const struct named_table *got,
     int worst = -1, first = -1;
     double excess = 0.0;
 
-    if (!rule)
-        quit("no rule for column `%s` of table `%s`", name, want->name);
+    if (!rule) quit("no rule for column `%s` of table `%s`", name, want->name);
     if (rule->tolerance < 0.0) return 0;
     if (!y) {
         snprintf(text, size, "table `%s` has no column `%s`", want->name, name);
@@ -463,7 +464,7 @@ static void check_same_numbers_as_reference(void)
         struct output *got = run(options);
         if (tables_differ(got, want, sizeof text, text))
             wrong("%s%s%s%s", *options ? "with " : "", options,
-                 *options ? ": " : "", text);
+                  *options ? ": " : "", text);
         output_free(got);
         output_free(want);
     }
@@ -547,7 +548,8 @@ static void diagnose(void)
             tells |= !coincide(right[r], other);
             output_free(other);
         }
-        if (same && tells) print_explanation(judging.mistakes, entry[i]->d_name);
+        if (same && tells)
+            print_explanation(judging.mistakes, entry[i]->d_name);
         free(entry[i]);
     }
     if (n_entry >= 0) free(entry);
@@ -620,8 +622,7 @@ static void classify(TestResult *result, const struct claim *claim,
         if (check_stopped_with(message, "not finite: "))
             finding->verdict = NONFINITE_;
     } else if (strstr(message, "timeout expired") ||
-               strstr(message, "signal 9 ") ||
-               strstr(message, "signal 24 ")) {
+               strstr(message, "signal 9 ") || strstr(message, "signal 24 ")) {
         finding->verdict = TIMEOUT;
         finding->costly = 1;
         snprintf(finding->text, sizeof finding->text,
@@ -679,11 +680,11 @@ static void write_result(const struct finding *finding, const char *name)
 {
     if (!judging.result) return;
     FILE *file = fopen(judging.result, "w");
-    if (!file || fprintf(file, "%s %s %s\n",
-                         finding->verdict == PASS
-                             ? "OK"
-                             : verdict_name[finding->verdict],
-                         name, *finding->slot ? finding->slot : "-") < 0 ||
+    if (!file ||
+        fprintf(file, "%s %s %s\n",
+                finding->verdict == PASS ? "OK"
+                                         : verdict_name[finding->verdict],
+                name, *finding->slot ? finding->slot : "-") < 0 ||
         fclose(file) != 0)
         quit("cannot write %s", judging.result);
 }
@@ -718,7 +719,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.result = value_of(argc, argv, "--result");
     if (!judging.file || !judging.reference || n > MAX_CLAIMS)
         quit("usage: %s --file FILE --reference PROGRAM [--mistakes FOLDER] "
-             "[--prepare COMMAND] [--result FILE]", argv[0]);
+             "[--prepare COMMAND] [--result FILE]",
+             argv[0]);
     snprintf(judging.work, sizeof judging.work, "%s.work.XXXXXX", argv[0]);
     if (!mkdtemp(judging.work)) quit("cannot make %s", judging.work);
 

@@ -92,9 +92,9 @@ hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
 }
 
 hint() {
-    read -r word failed slot <"$state.result" 2>/dev/null || word=
+    read -r word failed at <"$state.result" 2>/dev/null || word=
     # the level starts again when the file or what is wrong with it changes
-    key="$word $failed $slot"
+    key="$word $failed $at"
     level=0
     if [ -f "$state.hint" ]; then
         read -r level last <"$state.hint"
@@ -107,11 +107,15 @@ hint() {
     [ "$level" -ge 3 ] || level=$((level + 1))
     echo "$level $key" >"$state.hint"
     text=
-    if [ "$level" = 1 ]; then
-        text=$(hints 1 "$failed")
-        [ -n "$text" ] && [ "$failed" != - ] || text=$(hints 1 "slot $slot")
+    if [ "$failed" = compile ]; then
+        echo "The compiler's whole message is in $BUILD/mine/$slug.log; begin"
+        echo "with its first line."
+        return 0
     fi
-    [ -n "$text" ] || text=$(hints "$level" "slot $slot")
+    if [ "$level" = 1 ] && [ "$word" != UNFINISHED ]; then
+        text=$(hints 1 "$failed")
+    fi
+    [ -n "$text" ] || text=$(hints "$level" "slot $at")
     [ -n "$text" ] || text=$(hints "$level" "")
     echo "$text"
     if [ "$level" -lt 3 ]; then
@@ -125,7 +129,7 @@ status() {
     for file in solutions/[0-9][0-9]_*.c; do
         slug=$(basename "$file" .c) nn=${slug%%_*}
         mine=lessons/$slug.c state=$BUILD/progress/$nn
-        read -r word failed slot <"$state.result" 2>/dev/null || word=
+        read -r word failed at <"$state.result" 2>/dev/null || word=
         if passed; then
             say=passed
         elif [ ! -s "$mine" ] || starter "$slug" | cmp -s - "$mine"; then

@@ -1,0 +1,69 @@
+# 03_dirichlet_correction_sparsity.gp - A before and after the correction, and
+# what the diagonal entry does to the condition number.
+#
+# Reads   data  tables A, A_corrected (i j value), condition (N kept one)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 900,380 enhanced font "Helvetica,13" \
+    background rgb "white"
+set output out
+
+set multiplot
+set size ratio -1
+set xrange [-0.7:6.7]
+set yrange [6.7:-0.7]
+set xtics 1 scale 0
+set ytics 1 scale 0
+unset grid
+set border 15 back ls 9
+unset key
+set xlabel "column j"
+set ylabel "row i" offset 1.5
+
+# rows and columns of the prescribed nodes 0, 4, 6
+do for [k in "0 4 6"] {
+    set object rectangle from k - 0.5, -0.5 to k + 0.5, 6.5 behind \
+        fc rgb "#F0E442" fs transparent solid 0.35 noborder
+    set object rectangle from -0.5, k - 0.5 to 6.5, k + 0.5 behind \
+        fc rgb "#F0E442" fs transparent solid 0.35 noborder
+}
+entry(v) = v == 0 ? NaN : 1
+set lmargin at screen 0.07
+set rmargin at screen 0.33
+set tmargin at screen 0.90
+set bmargin at screen 0.16
+set label 1 "A as assembled: singular" at graph 0, graph 1.06
+plot data index "A" using "j":(entry(column("value"))*column("i")) \
+         with points pt 5 ps 2.2 lc rgb "#0072B2"
+set lmargin at screen 0.40
+set rmargin at screen 0.66
+set label 1 "A corrected: nodes 0, 4, 6 given"
+plot data index "A_corrected" \
+         using "j":(entry(column("value"))*column("i")) \
+         with points pt 5 ps 2.2 lc rgb "#0072B2"
+
+unset object
+unset label 1
+set size noratio
+set lmargin at screen 0.745
+set rmargin at screen 0.985
+set tmargin at screen 0.80
+set bmargin at screen 0.17
+set border 3 back ls 9
+set grid back ls 9
+set xrange [3:90]
+set yrange [10:1e6]
+set logscale xy
+set xtics (4, 8, 16, 32, 64) scale 0.5
+set ytics auto scale 0.5
+set format y "10^{%T}"
+set xlabel "elements N, left end given"
+set ylabel "condition number" offset 1
+set key above left vertical maxrows 3 reverse Left
+plot data index "condition" using "N":"one" with linespoints ls 2 \
+         title "diagonal 1", \
+     ""   index "condition" using "N":"kept" with linespoints ls 1 \
+         title "diagonal kept", \
+     16*x**2/pi**2 with lines ls 8 title "16N²/π²"
+unset multiplot
+set output

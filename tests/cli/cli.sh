@@ -1,0 +1,115 @@
+#!/bin/sh
+# cli.sh - what programs and make targets do with bad input, a full disk, a
+# closed pipe, a missing file.  Prints "ok ..." or "FAIL ..." lines.
+set -u
+: "${BUILD:=build}" "${MAKE:=make}"
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
+}
+
+# ---- programs -----------------------------------------------------------------
+refuses() { # refuses PROGRAM OPTIONS...: exit 2, one line, nothing on stdout
+    program=$1
+    shift
+    "$program" "$@" >"$tmp/out" 2>"$tmp/err"
+    status=$?
+    what="$(basename "$program") refuses '$*'"
+    [ $status = 2 ] && [ ! -s "$tmp/out" ] && [ "$(wc -l <"$tmp/err")" -eq 1 ] &&
+        grep -qF -e "$1" "$tmp/err"
+    result $? "$what" "status $status, stdout $(wc -c <"$tmp/out") bytes, $(cat "$tmp/err")"
+}
+for program in "$BUILD"/solutions/[0-9][0-9]_*; do
+    case $program in *.*) continue ;; esac
+    name=$(basename "$program")
+    for value in 0 -3 1e9 abc 4x nan ''; do refuses "$program" --n "$value"; done
+    refuses "$program" --n
+    refuses "$program" --no-such-option 3
+    refuses "$program" stray
+    for option in $("$program" -h | sed -n 's/^  \(--[a-z]*\) .*a number from.*/\1/p'); do
+        refuses "$program" "$option" nan
+        refuses "$program" "$option" inf
+    done
+    "$program" -h >"$tmp/out" 2>"$tmp/err"
+    result $? "$name -h" "status"
+    if [ -w /dev/full ]; then
+        "$program" >/dev/full 2>"$tmp/err"
+        status=$?
+        [ $status = 1 ] && grep -q 'cannot write' "$tmp/err"
+        result $? "$name on a full disk is an error" "status $status"
+    fi
+    { sleep 0.3; "$program" 2>/dev/null; echo $? >"$tmp/status"; } | :
+    [ "$(cat "$tmp/status")" != 0 ]
+    result $? "$name on a closed pipe is an error" "status 0"
+done
+
+# ---- make targets, in a copy of the workbook -----------------------------------
+copy=$BUILD/test/copy.cli
+rm -rf "$copy" && mkdir -p "$copy/build" || exit 1
+cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
+cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/solutions" "$BUILD/tests" \
+    "$BUILD/data" "$copy/build"
+cd "$copy" || exit 1
+slug=$(basename "$(ls solutions/[0-9][0-9]_*.c | head -n 1)" .c)
+nn=${slug%%_*}
+awk -f tests/tools/starter.awk "solutions/$slug.c" >"lessons/$slug.c"
+
+said=$("$MAKE" 2>&1)
+[ $? = 0 ] && echo "$said" | grep -q 'make check-07'
+result $? 'make alone says what there is' "$said"
+said=$("$MAKE" lesson-99 2>&1)
+[ $? != 0 ] && echo "$said" | grep -q "$slug"
+result $? 'an unknown lesson number answers with the list' "$said"
+said=$("$MAKE" "lesson-$nn" 2>&1)
+[ $? != 0 ] && echo "$said" | grep -q 'unfinished: slot'
+result $? 'a starter runs and says which slot is missing' "$said"
+said=$("$MAKE" "solution-$nn" 2>&1)
+[ $? != 0 ] && ! echo "$said" | grep -q '#include'
+result $? 'the solution is not shown before a pass' "$said"
+"$MAKE" "solution-$nn" FORCE=1 2>/dev/null | cmp -s - "solutions/$slug.c"
+result $? 'FORCE=1 shows the solution' 'it differs'
+"$MAKE" "check-$nn" >/dev/null 2>&1
+for level in 1 2 3 3; do
+    said=$("$MAKE" "hint-$nn" 2>&1)
+    echo "$said" | grep -q "^Hint $level: slot"
+    result $? "hint $level comes in its turn" "$said"
+done
+cp "solutions/$slug.c" "lessons/$slug.c"
+"$MAKE" "check-$nn" >/dev/null 2>&1
+result $? "check-$nn of a right program exits with 0" "status $?"
+"$MAKE" "solution-$nn" 2>/dev/null | cmp -s - "solutions/$slug.c"
+result $? 'the solution is shown after a pass' 'it differs'
+said=$("$MAKE" "lesson-$nn" 2>&1)
+result $? 'a right lesson runs' "$said"
+said=$("$MAKE" "plot-$nn" 2>&1)
+[ $? = 0 ] && grep -q '</svg>' "build/mine/$slug.svg" && echo "$said" | grep -q '\*'
+result $? 'plot writes an SVG and draws in the terminal' "$said"
+echo '/* mine */' >>"lessons/$slug.c"
+"$MAKE" "reset-$nn" >/dev/null 2>&1
+awk -f tests/tools/starter.awk "solutions/$slug.c" | cmp -s - "lessons/$slug.c" &&
+    grep -q '/\* mine \*/' build/saved/*
+result $? 'reset puts the starter back and keeps the file' ''
+(timeout 8 "$MAKE" "watch-$nn" >"$tmp/watch" 2>&1 &
+    sleep 3; cp "solutions/$slug.c" "lessons/$slug.c"; wait)
+grep -q "VERDICT $nn: UNFINISHED" "$tmp/watch" && grep -q "VERDICT $nn: OK" "$tmp/watch"
+result $? 'watch checks again at a save' "$(cat "$tmp/watch")"
+
+figure=$(ls figures/"$slug"_*.gp | head -n 1)
+picture=${figure%.gp}.svg
+sh tests/tools/figure.sh "$figure" no-such-file.tsv "$picture" >/dev/null 2>&1
+[ $? != 0 ] && [ ! -e "$picture" ] && [ ! -e "$picture.part" ]
+result $? 'a figure without its data leaves no file' "$(ls figures)"
+echo 'plot nonsense' >>"$figure"
+"$MAKE" "$picture" >/dev/null 2>&1
+[ $? != 0 ] && [ ! -e "$picture" ] && [ ! -e "$picture.part" ]
+result $? 'a figure whose script fails leaves no file' "$(ls figures)"
+sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' workbook.md >stale.md
+sh tests/tools/workbook.sh check stale.md >/dev/null 2>&1
+[ $? != 0 ]
+result $? 'a stale number in the workbook is noticed' ''
+awk '/^\/\* SLOT|^    \/\* SLOT/ { print "    int spoiled;" } { print }' \
+    "solutions/$slug.c" | awk -f tests/tools/starter.awk | cmp -s - "lessons/$slug.c"
+[ $? != 0 ]
+result $? 'a starter out of step is noticed' ''
+cd - >/dev/null && rm -rf "$copy"

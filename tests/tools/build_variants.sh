@@ -1,0 +1,51 @@
+#!/bin/sh
+# build_variants.sh KIND - build everything with other tools or flags.
+#
+# KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
+# UBSan), valgrind (no leak, no invalid access).  Prints ok, FAIL, skip lines.
+set -u
+: "${BUILD:=build}" "${MAKE:=make}"
+kind=$1 dir=$BUILD/$1
+result() {
+    if [ "$1" = 0 ]; then echo "ok $kind: $2"; else echo "FAIL $kind: $2: $3"; fi
+}
+have() { # have COMMAND ARGS...: it compiles a program that runs
+    echo 'int main(void) { return 0; }' >"$dir.c" &&
+        "$@" "$dir.c" -o "$dir.out" >/dev/null 2>&1 && "$dir.out"
+}
+# a short run of a program: a small time budget where it has one
+quick() { "$1" -h | grep -q -e --budget && echo '--budget 0.01'; }
+
+mkdir -p "$dir"
+case $kind in
+gcc | clang)
+    if ! have "$kind"; then echo "skip $kind: not on this machine"; exit 0; fi
+    said=$("$MAKE" all BUILD="$dir" CC="$kind" CFLAGS='-O2 -g -Werror' 2>&1)
+    result $? 'everything compiles without a warning' "$said" ;;
+sanitize)
+    flags='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
+    if ! have "${CC:-cc}" $flags; then echo 'skip sanitize: no ASan here'; exit 0; fi
+    said=$("$MAKE" all BUILD="$dir" CFLAGS="$flags" 2>&1)
+    result $? 'everything compiles' "$said" ;;
+valgrind)
+    if ! command -v valgrind >/dev/null; then
+        echo 'skip valgrind: not on this machine'
+        exit 0
+    fi
+    dir=$BUILD ;;
+esac
+[ $kind = sanitize ] || [ $kind = valgrind ] || exit 0
+run=
+[ $kind = sanitize ] || run='valgrind -q --leak-check=full --error-exitcode=9'
+for program in "$dir"/solutions/[0-9][0-9]_*; do
+    case $program in *.*) continue ;; esac
+    said=$($run "$program" $(quick "$program") 2>&1 >/dev/null)
+    result $? "$(basename "$program") is clean" "$said"
+done
+for program in "$dir"/unit/*; do
+    case $program in *.*) continue ;; esac
+    # Check keeps its own structures to the end of the process
+    said=$(ASAN_OPTIONS=detect_leaks=0 $(echo "$run" | sed 's/--leak-check=full//') \
+        "$program" 2>&1)
+    result $? "unit $(basename "$program") is clean" "$said"
+done

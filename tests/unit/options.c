@@ -1,0 +1,184 @@
+/* options.c - laws of common/options.h, table.h, status.h and clock.h. */
+#include "options.h"
+
+#include "clock.h"
+#include "status.h"
+#include "table.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct {
+    int n, way;
+    double beta;
+} got;
+
+/* Parse "--n 8 ..." with the table of an imaginary program. */
+static void parse(const char *line)
+{
+    char words[256], *argv[16] = {"prog"};
+    int argc = 1;
+    snprintf(words, sizeof words, "%s", line);
+    for (char *w = strtok(words, " "); w; w = strtok(NULL, " "))
+        argv[argc++] = w;
+    got.n = 4;
+    got.way = 1;
+    got.beta = 2.385;
+    const struct option table[] = {
+        {"n", .integer = &got.n, .min = 1, .max = 1000, .help = "elements"},
+        {"beta", .real = &got.beta, .min = 1e-9, .max = 1e9, .unit = "N",
+         .help = "coefficient"},
+        {"way", .choice = &got.way, .choices = "keep one", .help = "way"},
+    };
+    options_parse("prog", table, COUNT(table), argc, argv);
+}
+
+static void values_are_set(void)
+{
+    parse("");
+    ck_assert(got.n == 4 && got.way == 1 && got.beta == 2.385);
+    parse("--n 8 --beta=3.714e2 --way keep");
+    ck_assert(got.n == 8 && got.way == 0 && got.beta == 371.4);
+    parse("--n 8 --n 9");
+    ck_assert(got.n == 9);
+}
+
+static const char *line_given;
+static void parse_given_line(void)
+{
+    parse(line_given);
+    puts("went on");
+}
+
+static void bad_input_is_one_line_and_status_2(void)
+{
+    static const char *const bad[] = {
+        "--n 0",        "--n -3",     "--n 1e9",
+        "--n abc",      "--n 4x",     "--n nan",
+        "--n",          "--n=",       "--n 1001",
+        "--beta nan",   "--beta 0",   "--beta inf",
+        "--beta 1e10",  "--beta 2,5", "--way two",
+        "--way ke",     "--way",      "--what 3",
+        "-n 3",         "stray",      "--n 99999999999999999999",
+        "--beta 1e999",
+    };
+    for (int i = 0; i < COUNT(bad); i++) {
+        line_given = bad[i];
+        const struct outcome end = outcome_of(parse_given_line);
+        ck_assert_msg(end.status == 2, "%s: status %d", bad[i], end.status);
+        ck_assert_msg(end.out[0] == '\0', "%s: printed %s", bad[i], end.out);
+        ck_assert_msg(strchr(end.err, '\n') == end.err + strlen(end.err) - 1,
+                      "%s: not one line: %s", bad[i], end.err);
+        ck_assert_msg(strncmp(end.err, "prog: ", 6) == 0, "%s", end.err);
+    }
+}
+
+static void message_names_option_value_and_range(void)
+{
+    line_given = "--n 4x";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: --n 4x: must be a whole number from 1 to 1000\n");
+    line_given = "--beta -1";
+    ck_assert_str_eq(
+        outcome_of(parse_given_line).err,
+        "prog: --beta -1: must be a number from 1e-09 to 1000000000 N\n");
+    line_given = "--way two";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: --way two: must be one of: keep one\n");
+    line_given = "--n";
+    ck_assert_str_eq(
+        outcome_of(parse_given_line).err,
+        "prog: --n has no value: must be a whole number from 1 to 1000\n");
+}
+
+static void help_lists_the_options(void)
+{
+    line_given = "-h";
+    const struct outcome end = outcome_of(parse_given_line);
+    ck_assert_int_eq(end.status, 0);
+    ck_assert_ptr_nonnull(strstr(end.out, "--beta"));
+    ck_assert_ptr_nonnull(strstr(end.out, "[2.385]"));
+    ck_assert_ptr_nonnull(strstr(end.out, "[one]"));
+    ck_assert_ptr_null(strstr(end.out, "went on"));
+}
+
+static void print_tables(void)
+{
+    table_begin("first", "x u");
+    table_row(0, 0.1);
+    table_row(1, -2.0 / 3.0);
+    table_end();
+    table_begin_note("second", "k", "n = %d", 7);
+    table_row(3);
+    table_end();
+    exit(table_finish());
+}
+
+static void tables_have_their_format(void)
+{
+    ck_assert_str_eq(outcome_of(print_tables).out,
+                     "# first\nx\tu\n0\t0.10000000000000001\n"
+                     "1\t-0.66666666666666663\n\n\n"
+                     "# second\n# n = 7\nk\n3\n\n\n");
+}
+
+static void print_to_full_disk(void)
+{
+    if (!freopen("/dev/full", "w", stdout)) exit(77);
+    print_tables();
+}
+
+static void a_full_disk_is_an_error(void)
+{
+    const struct outcome end = outcome_of(print_to_full_disk);
+    if (end.status == 77) return; /* no /dev/full here */
+    ck_assert_int_eq(end.status, 1);
+    ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
+}
+
+static void call_todo(void)
+{
+    todo("7a", 3, 2.385);
+}
+
+static void todo_names_its_slot(void)
+{
+    const struct outcome end = outcome_of(call_todo);
+    ck_assert_int_eq(end.status, 3);
+    ck_assert_str_eq(end.err, "unfinished: slot 7a is not written yet\n");
+}
+
+static void statuses_have_names(void)
+{
+    ck_assert_str_eq(status_name(OK), "OK");
+    ck_assert_str_eq(status_name(NOT_SPD), "NOT_SPD");
+    ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
+    ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
+}
+
+static void clock_moves_and_machine_has_a_name(void)
+{
+    char machine[256] = "";
+    const double start = clock_seconds();
+    while (clock_seconds() == start) continue;
+    ck_assert(clock_seconds() > start);
+    clock_machine(sizeof machine, machine);
+    ck_assert(strlen(machine) > 8 && !strchr(machine, '\n'));
+}
+
+static const struct law laws[] = {
+    {"values_are_set", values_are_set},
+    {"bad_input_is_one_line_and_status_2", bad_input_is_one_line_and_status_2},
+    {"message_names_option_value_and_range",
+     message_names_option_value_and_range},
+    {"help_lists_the_options", help_lists_the_options},
+    {"tables_have_their_format", tables_have_their_format},
+    {"a_full_disk_is_an_error", a_full_disk_is_an_error},
+    {"todo_names_its_slot", todo_names_its_slot},
+    {"statuses_have_names", statuses_have_names},
+    {"clock_moves_and_machine_has_a_name", clock_moves_and_machine_has_a_name},
+};
+UNIT_MAIN("options", laws)

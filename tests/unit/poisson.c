@@ -1,0 +1,203 @@
+/* poisson.c - laws of common/poisson.h; GSL's quadrature is the judge. */
+#include "poisson.h"
+
+#include "unit.h"
+
+#include "../oracle/poisson.h"
+
+#include <gsl/gsl_integration.h>
+#include <math.h>
+
+static double one(double x)
+{
+    return x * 0.0 + 1.0;
+}
+static double one_plus_x(double x)
+{
+    return 1.0 + x;
+}
+static double smooth(double x)
+{
+    return exp(-2.385 * x) + 0.3;
+}
+static double load(double x)
+{
+    return 1.0 / ((1.0 + x) * (1.0 + x));
+}
+static double exact(double x)
+{
+    return 2.0 - 1.0 / (1.0 + x) - log(1.0 + x);
+}
+static double exact_dx(double x)
+{
+    return (1.0 / (1.0 + x) - 1.0) / (1.0 + x);
+}
+
+/* Exercise (5) with the given grid and rule; u[0..n]. */
+static void solve_exercise(int n, const double x[],
+                           const struct quadrature *rule, double u[])
+{
+    const int node[] = {0};
+    const double g[] = {1.0};
+    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
+    poisson_assemble(n, x, one_plus_x, load, rule, A, u);
+    u[n] -= 0.5;
+    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    ck_assert_int_eq(matrix_factor(A), OK);
+    matrix_solve(A, u);
+    matrix_free(A);
+}
+
+static void grid_is_geometric_and_meets_its_ends(void)
+{
+    double x[12];
+    grid_make(-0.7, 2.385, 11, 5.5, x);
+    ck_assert(x[0] == -0.7 && x[11] == 2.385);
+    for (int j = 1; j < 11; j++)
+        close_to((x[j + 1] - x[j]) / (x[j] - x[j - 1]), pow(5.5, 0.1), 1e-13);
+    close_to((x[11] - x[10]) / (x[1] - x[0]), 5.5, 1e-12);
+    grid_make(0.0, 1.0, 4, 1.0, x);
+    for (int j = 0; j <= 4; j++) ck_assert(x[j] == 0.25 * j);
+    grid_make(0.0, 1.0, 1, 7.0, x);
+    ck_assert(x[0] == 0.0 && x[1] == 1.0);
+}
+
+static double degree_of_exactness(const struct quadrature *rule)
+{
+    for (int degree = 0;; degree++) {
+        double sum = 0.0;
+        for (int k = 0; k < rule->n; k++)
+            sum += rule->w[k] * pow(rule->s[k], degree);
+        if (fabs(sum - 1.0 / (degree + 1)) > 1e-14) return degree - 1;
+    }
+}
+
+static void rules_have_their_degree(void)
+{
+    ck_assert(degree_of_exactness(&MIDPOINT) == 1);
+    ck_assert(degree_of_exactness(&TRAPEZOID) == 1);
+    ck_assert(degree_of_exactness(&GAUSS2) == 3);
+}
+
+static void exercise_5_equals_the_oracle(void)
+{
+    double x[5], b[5];
+    struct matrix *A = matrix_alloc(DENSE, 5, 1);
+    grid_make(0.0, 1.0, 4, 1.0, x);
+    poisson_assemble(4, x, one_plus_x, load, &MIDPOINT, A, b);
+    b[4] -= 0.5;
+    for (int i = 0; i < 5; i++) {
+        close_to(b[i], oracle_bvp_b4_midpoint[i], 1e-15);
+        for (int j = 0; j < 5; j++)
+            close_to(matrix_get(A, i, j), oracle_bvp_A4[5 * i + j], 1e-13);
+    }
+    solve_exercise(4, x, &MIDPOINT, b);
+    for (int i = 0; i < 5; i++)
+        close_to(b[i], oracle_bvp_u4_midpoint[i], 1e-14);
+    matrix_free(A);
+}
+
+static void errors_equal_the_oracles(void)
+{
+    for (int k = 0; k < COUNT(oracle_bvp_midpoint); k++) {
+        const struct oracle_bvp *want = &oracle_bvp_midpoint[k];
+        double x[65], u[65];
+        grid_make(0.0, 1.0, want->N, 1.0, x);
+        solve_exercise(want->N, x, &MIDPOINT, u);
+        const struct poisson_error got =
+            poisson_errors(want->N, x, u, one, exact, exact_dx);
+        close_to(got.nodal, want->nodal, 1e-13);     /* of u = 1 */
+        close_to(got.L2, want->L2, 1e-7 * want->L2); /* Gauss 5 of u - u_h */
+        close_to(got.energy, want->H1, 1e-7 * want->H1);
+    }
+}
+
+static void second_order_in_L2_on_an_unequal_grid(void)
+{
+    double error[2];
+    for (int k = 0; k < 2; k++) {
+        const int n = 40 << k;
+        double x[81], u[81];
+        grid_make(0.0, 1.0, n, 2.385, x);
+        solve_exercise(n, x, &GAUSS2, u);
+        error[k] = poisson_errors(n, x, u, one_plus_x, exact, exact_dx).L2;
+    }
+    close_to(log2(error[0] / error[1]), 2.0, 0.02);
+}
+
+/* u = x, u_h = 0: the energy error is (int beta)^(1/2) exactly. */
+static double identity(double x)
+{
+    return x;
+}
+static void energy_is_weighted_with_beta(void)
+{
+    const double x[] = {0.0, 0.4, 1.0}, u[] = {0.0, 0.0, 0.0};
+    const struct poisson_error error =
+        poisson_errors(2, x, u, one_plus_x, identity, one);
+    close_to(error.energy, sqrt(1.5), 1e-15);
+    close_to(error.L2, sqrt(1.0 / 3.0), 1e-15);
+    close_to(error.nodal, 1.0, 1e-15);
+}
+
+static double moment(double x, void *params)
+{
+    const double *end = params; /* x0, x1: f e_1 on the element */
+    return smooth(x) * (x - end[0]) / (end[1] - end[0]);
+}
+
+static void element_load_converges_to_gsl(void)
+{
+    double ends[2] = {0.31, 0.34}, K[2][2], r[2], want, error;
+    gsl_integration_workspace *work = gsl_integration_workspace_alloc(100);
+    gsl_function integrand = {moment, ends};
+    gsl_integration_qag(&integrand, ends[0], ends[1], 0.0, 1e-12, 100,
+                        GSL_INTEG_GAUSS21, work, &want, &error);
+    gsl_integration_workspace_free(work);
+    poisson_element(ends[0], ends[1], one_plus_x, smooth, &GAUSS2, K, r);
+    close_to(r[1], want, 1e-8); /* h^5 / 4320 (f e_1)'''' is 5e-9 */
+    close_to(K[0][0], 1.325 / 0.03, 1e-12);
+    ck_assert(K[0][0] == -K[0][1] && K[0][1] == K[1][0]);
+}
+
+static void rows_sum_to_zero_and_loads_to_the_integral(void)
+{
+    double x[8], b[8], sum = 0.0, total = 0.0;
+    struct matrix *A = matrix_alloc(BANDED, 8, 1);
+    grid_make(0.0, 1.0, 7, 3.714, x);
+    poisson_assemble(7, x, smooth, load, &MIDPOINT, A, b);
+    for (int i = 0; i < 8; i++) {
+        double row = 0.0;
+        for (int j = 0; j < 8; j++) row += matrix_get(A, i, j);
+        close_to(row, 0.0, 1e-13);
+        sum += b[i];
+    }
+    for (int j = 0; j < 7; j++)
+        total += (x[j + 1] - x[j]) * load(0.5 * (x[j] + x[j + 1]));
+    close_to(sum, total, 1e-15);
+    matrix_free(A);
+}
+
+static void a_nan_is_not_swallowed(void)
+{
+    double x[3] = {0.0, 0.5, 1.0}, u[3] = {1.0, NAN, 0.8};
+    const struct poisson_error error =
+        poisson_errors(2, x, u, one, exact, exact_dx);
+    ck_assert(isnan(error.nodal) && isnan(error.L2) && isnan(error.energy));
+}
+
+static const struct law laws[] = {
+    {"grid_is_geometric_and_meets_its_ends",
+     grid_is_geometric_and_meets_its_ends},
+    {"rules_have_their_degree", rules_have_their_degree},
+    {"exercise_5_equals_the_oracle", exercise_5_equals_the_oracle},
+    {"errors_equal_the_oracles", errors_equal_the_oracles},
+    {"second_order_in_L2_on_an_unequal_grid",
+     second_order_in_L2_on_an_unequal_grid},
+    {"energy_is_weighted_with_beta", energy_is_weighted_with_beta},
+    {"element_load_converges_to_gsl", element_load_converges_to_gsl},
+    {"rows_sum_to_zero_and_loads_to_the_integral",
+     rows_sum_to_zero_and_loads_to_the_integral},
+    {"a_nan_is_not_swallowed", a_nan_is_not_swallowed},
+};
+UNIT_MAIN("poisson", laws)

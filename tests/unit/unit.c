@@ -1,0 +1,65 @@
+/* unit.c - see unit.h. */
+#include "unit.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+int unit_run(const char *module, const struct law laws[], int n)
+{
+    int failed = 0;
+    for (int i = 0; i < n; i++) {
+        const TTest test = {laws[i].name, (TFun)laws[i].check, __FILE__,
+                            __LINE__};
+        Suite *suite = suite_create(module);
+        TCase *tcase = tcase_create(laws[i].name);
+        tcase_set_timeout(tcase, 20);
+        tcase_add_test(tcase, &test);
+        suite_add_tcase(suite, tcase);
+        SRunner *runner = srunner_create(suite);
+        srunner_run_all(runner, CK_SILENT);
+        TestResult **result = srunner_results(runner);
+        if (tr_rtype(result[0]) == CK_PASS) {
+            printf("ok %s: %s\n", module, laws[i].name);
+        } else {
+            printf("FAIL %s: %s: line %d: %s\n", module, laws[i].name,
+                   tr_lno(result[0]), tr_msg(result[0]));
+            failed++;
+        }
+        free(result);
+        srunner_free(runner);
+    }
+    return failed > 0;
+}
+
+static void read_back(FILE *file, size_t size, char text[])
+{
+    rewind(file);
+    text[fread(text, 1, size - 1, file)] = '\0';
+    fclose(file);
+}
+
+struct outcome outcome_of(void (*call)(void))
+{
+    struct outcome outcome = {0};
+    FILE *out = tmpfile(), *err = tmpfile();
+    int status = 0;
+
+    ck_assert_ptr_nonnull(out);
+    ck_assert_ptr_nonnull(err);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        dup2(fileno(out), STDOUT_FILENO);
+        dup2(fileno(err), STDERR_FILENO);
+        call();
+        exit(0);
+    }
+    waitpid(child, &status, 0);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    read_back(out, sizeof outcome.out, outcome.out);
+    read_back(err, sizeof outcome.err, outcome.err);
+    return outcome;
+}

@@ -1,0 +1,39 @@
+/*
+ * unit.h - laws of common/, run under Check, each in a child of its own.
+ *
+ * A unit file lists its laws and ends with UNIT_MAIN(module, laws); the
+ * program prints "ok module: law" or "FAIL module: law: why" a law and exits
+ * with 1 if any failed.
+ */
+#ifndef TESTS_UNIT_UNIT_H
+#define TESTS_UNIT_UNIT_H
+
+#include "options.h" /* COUNT */
+
+#include <check.h>
+
+struct law {
+    const char *name;
+    void (*check)(void);
+};
+
+int unit_run(const char *module, const struct law laws[], int n);
+
+#define UNIT_MAIN(module, laws)                                                \
+    int main(void)                                                             \
+    {                                                                          \
+        return unit_run(module, laws, COUNT(laws));                            \
+    }
+
+/* |got - want| <= tolerance, and got is finite. */
+#define close_to(got, want, tolerance)                                         \
+    ck_assert_double_eq_tol((got), (want), (tolerance))
+
+/* What a call printed and how it ended: fork, call, collect. */
+struct outcome {
+    int status; /* exit status */
+    char out[8192], err[1024];
+};
+struct outcome outcome_of(void (*call)(void));
+
+#endif
