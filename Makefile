@@ -182,8 +182,15 @@ $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
 	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
-$(foreach l,$(LESSONS),$(eval mistakes-$(call number,$l): \
-    $(patsubst %,$(BUILD)/mistakes/%,$(filter $l/%,$(MISTAKES)))))
+# all known mistakes of a lesson; one that is no longer listed goes
+define mistakes_rule
+mistakes-$(call number,$1): $(patsubst %,$(BUILD)/mistakes/%,\
+        $(filter $1/%,$(MISTAKES)))
+	@for why in $(BUILD)/mistakes/$1/*.why; do name=$$$${why%.why}; \
+	    case ' $$^ ' in *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
+	    esac; done
+endef
+$(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
 
 DATA := $(LESSONS:%=$(BUILD)/data/%.tsv)
 workbook: $(DATA)

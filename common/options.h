@@ -15,8 +15,7 @@
  *         {"diagonal", .choice = &diagonal, .choices = "keep one",
  *          .help = "corrected diagonal"},
  *     };
- *     options_parse("03_dirichlet_correction", table, COUNT(table),
- *                   argc, argv);
+ *     options_parse("program", table, COUNT(table), argc, argv);
  *
  * Accepted: --n 8 and --n=8; exactly one of integer, real, choice is set.
  */

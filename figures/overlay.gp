@@ -6,6 +6,8 @@
 load "figures/style.gp"
 if (out eq "") {
     set terminal dumb 78 22
+    set border 3 front linetype -1
+    set tics textcolor default
     unset grid
 } else {
     set output out

@@ -91,8 +91,18 @@ hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
         showing && NF { print "  " $0 }' workbook.md
 }
 
+last_result() { # the last verdict's word, failed check and slot
+    word= failed= at=
+    if [ -f "$state.result" ]; then read -r word failed at <"$state.result"; fi
+}
+
+out=$BUILD/mine/$slug.tsv
+run_mine() { # with limits, so that an endless loop or endless output ends
+    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
+}
+
 hint() {
-    read -r word failed at <"$state.result" 2>/dev/null || word=
+    last_result
     # the level starts again when the file or what is wrong with it changes
     key="$word $failed $at"
     level=0
@@ -117,7 +127,7 @@ hint() {
     fi
     [ -n "$text" ] || text=$(hints "$level" "slot $at")
     [ -n "$text" ] || text=$(hints "$level" "")
-    echo "$text"
+    printf '%s\n' "$text" # not echo: dash's turns \t into a tab
     if [ "$level" -lt 3 ]; then
         echo "(hint $level of 3; make hint-$nn again for the next)"
     else
@@ -129,7 +139,7 @@ status() {
     for file in solutions/[0-9][0-9]_*.c; do
         slug=$(basename "$file" .c) nn=${slug%%_*}
         mine=lessons/$slug.c state=$BUILD/progress/$nn
-        read -r word failed at <"$state.result" 2>/dev/null || word=
+        last_result
         if passed; then
             say=passed
         elif [ ! -s "$mine" ] || starter "$slug" | cmp -s - "$mine"; then
@@ -147,13 +157,14 @@ status() {
 
 case $command in
 run)
-    out=$BUILD/mine/$slug.tsv
-    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
+    run_mine
     status=$?
-    head -n 40 "$out" | cut -c 1-100
-    lines=$(wc -l <"$out")
-    [ "$lines" -le 40 ] || echo "... $((lines - 40)) lines more"
-    echo "All of it is in $out; now: make check-$nn"
+    awk -f tests/tools/show.awk "$out"
+    case $status in
+    0) echo "All of it: $out    next: make check-$nn" ;;
+    3) echo "Write the slot in $mine; make hint-$nn helps." ;;
+    *) echo "The program ended with status $status. make check-$nn says more." ;;
+    esac
     exit $status ;;
 check)
     judge ;;
@@ -172,9 +183,7 @@ watch)
 plot)
     spec=$(sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1)
     set -- $spec
-    out=$BUILD/mine/$slug.tsv
-    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out") ||
-        exit $?
+    run_mine || exit $?
     given="mine='$out'; reference='$BUILD/data/$slug.tsv'"
     given="$given; name='$1'; x='$2'; y='$3'"
     picture=$BUILD/mine/$slug.svg

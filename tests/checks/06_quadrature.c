@@ -1,0 +1,520 @@
+/* 06_quadrature.c - what right quadrature of A and b satisfies. */
+#include "judge.h"
+
+#define main program_main
+#include PROGRAM
+#undef main
+
+#include "../oracle/poisson.h"
+
+/* An unequal grid without symmetry, and fluxes at both ends. */
+enum { n_elem = 7 };
+static const double grid[n_elem + 1] = {0.0,   0.113, 0.2385, 0.3714,
+                                        0.613, 0.731, 0.8247, 1.0};
+static const double flux_a = 2.385, flux_b = -3.714;
+
+/* Sums of a few products of size one. */
+static const double ROUND_OFF = 1e-14;
+
+static const struct quadrature *const common_rule[] = {&MIDPOINT, &TRAPEZOID,
+                                                       &GAUSS2};
+static const char *const rule_name[] = {"midpoint", "trapezoid", "gauss2"};
+
+static double power_0(double x)
+{
+    return 1.0 + 0.0 * x;
+}
+static double power_1(double x)
+{
+    return x;
+}
+static double power_2(double x)
+{
+    return x * x;
+}
+static double power_3(double x)
+{
+    return x * x * x;
+}
+static double power_4(double x)
+{
+    return x * x * x * x;
+}
+static field *const power[] = {power_0, power_1, power_2, power_3, power_4};
+
+static double beta_bvp(double x)
+{
+    return 1.0 + x;
+}
+static double f_bvp(double x)
+{
+    return 1.0 / ((1.0 + x) * (1.0 + x));
+}
+
+/* A, dense, and b as the program's vertices give them. */
+struct system {
+    double A[n_elem + 1][n_elem + 1], b[n_elem + 1];
+};
+
+static void assembled(int n, const double x[], field *beta, field *f,
+                      const struct quadrature *rule, double qa, double qb,
+                      struct system *out)
+{
+    double mean[n_elem + 1];
+    *out = (struct system){0};
+    element_means(n, x, beta, rule, mean);
+    for (int j = 0; j <= n; j++) {
+        double row[3];
+        stiffness_row(j, n, x, mean, row);
+        for (int k = 0; k < 3; k++) {
+            if (j + k >= 1 && j + k <= n + 1)
+                out->A[j][j + k - 1] = row[k];
+            else
+                expect_close(row[k], 0.0, 0.0, 1.0,
+                             "row %d: the entry of a neighbour that is not "
+                             "there",
+                             j);
+        }
+        out->b[j] = load_entry(j, n, x, f, rule, qa, qb);
+    }
+}
+
+static void rules_have_their_degree_of_exactness(void)
+{
+    static const int degree[] = {1, 1, 3};
+    static const double next[] = {1.0 / 12.0, -1.0 / 6.0, 1.0 / 180.0};
+    for (int r = 0; r < N_RULE; r++) {
+        const struct quadrature rule = quadrature_rule((enum rule)r);
+        expect(rule.n >= 1 && rule.n <= 3, "the %s rule has %d points",
+               rule_name[r], rule.n);
+        for (int d = 0; d <= degree[r] + 1; d++) {
+            double error = 1.0 / (d + 1);
+            for (int k = 0; k < rule.n; k++)
+                error -= rule.w[k] * pow(rule.s[k], d);
+            expect_close(error, d <= degree[r] ? 0.0 : next[r], 1e-15, 1.0,
+                         "%s rule: int of s^%d over (0, 1), less the rule",
+                         rule_name[r], d);
+        }
+    }
+}
+
+/* On (x0, x0 + h), g times the shape of degree one less than exact. */
+static void element_integrals_of_polynomials_are_exact(void)
+{
+    const double x0 = 0.613, x1 = 2.385, h = x1 - x0;
+    for (int r = 0; r < N_RULE; r++)
+        for (int d = 0; d <= (r == GAUSS2_RULE ? 3 : 1); d++) {
+            const struct quadrature *rule = common_rule[r];
+            /* int x^d, and int x^d s = (int x^(d+1) - x0 int x^d) / h */
+            const double I = (pow(x1, d + 1) - pow(x0, d + 1)) / (d + 1);
+            const double J = (pow(x1, d + 2) - pow(x0, d + 2)) / (d + 2);
+            const double rising = (J - x0 * I) / h;
+            expect_close(element_integral(x0, x1, power[d], ONE, rule), I,
+                         ROUND_OFF, I, "int of x^%d over (%g, %g), %s", d, x0,
+                         x1, rule_name[r]);
+            if (d == (r == GAUSS2_RULE ? 3 : 1)) continue;
+            expect_close(element_integral(x0, x1, power[d], RISING, rule),
+                         rising, ROUND_OFF, I,
+                         "int of x^%d s over (%g, %g), %s", d, x0, x1,
+                         rule_name[r]);
+            expect_close(element_integral(x0, x1, power[d], FALLING, rule),
+                         I - rising, ROUND_OFF, I,
+                         "int of x^%d (1 - s) over (%g, %g), %s", d, x0, x1,
+                         rule_name[r]);
+        }
+}
+
+/* Beyond the degree: h^3/24 g'', -h^3/12 g'', h^5/4320 g''''. */
+static void element_errors_have_their_constants(void)
+{
+    const double x0 = 0.613, x1 = 2.385, h = x1 - x0;
+    const double I2 = (pow(x1, 3) - pow(x0, 3)) / 3.0;
+    const double I4 = (pow(x1, 5) - pow(x0, 5)) / 5.0;
+    const double error[] = {
+        I2 - element_integral(x0, x1, power_2, ONE, &MIDPOINT),
+        I2 - element_integral(x0, x1, power_2, ONE, &TRAPEZOID),
+        I4 - element_integral(x0, x1, power_4, ONE, &GAUSS2)};
+    const double want[] = {pow(h, 3) / 12.0, -pow(h, 3) / 6.0,
+                           pow(h, 5) / 180.0};
+    for (int r = 0; r < N_RULE; r++)
+        expect_close(error[r], want[r], 1e-12, want[r] < 0 ? -want[r] : want[r],
+                     "error of the %s rule for x^%d over (%g, %g)",
+                     rule_name[r], r == GAUSS2_RULE ? 4 : 2, x0, x1);
+}
+
+static void rows_of_A_add_up_to_zero(void)
+{
+    for (int r = 0; r < N_RULE; r++) {
+        struct system s;
+        assembled(n_elem, grid, smooth_beta, smooth_f, common_rule[r], 0.0, 0.0,
+                  &s);
+        for (int i = 0; i <= n_elem; i++) {
+            double sum = 0.0;
+            for (int j = 0; j <= n_elem; j++) sum += s.A[i][j];
+            expect_close(sum, 0.0, ROUND_OFF, 30.0,
+                         "sum of row %d of A (u = 1 has no stress), %s", i,
+                         rule_name[r]);
+            for (int j = 0; j < i; j++)
+                expect_close(s.A[i][j], s.A[j][i], ROUND_OFF, 30.0,
+                             "A[%d][%d] against A[%d][%d], %s", i, j, j, i,
+                             rule_name[r]);
+        }
+    }
+}
+
+/* beta = 1 + x is linear: every rule has the exact A of exercise (5). */
+static void linear_beta_gives_the_oracles_matrix(void)
+{
+    const double x[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+    for (int r = 0; r < N_RULE; r++) {
+        struct system s;
+        assembled(4, x, beta_bvp, f_bvp, common_rule[r], 0.0, -0.5, &s);
+        for (int i = 0; i < 5; i++)
+            for (int j = 0; j < 5; j++)
+                expect_close(s.A[i][j], oracle_bvp_A4[5 * i + j], ROUND_OFF,
+                             14.0, "A[%d][%d] of exercise (5), N = 4, %s", i, j,
+                             rule_name[r]);
+    }
+}
+
+static void load_is_the_oracles(void)
+{
+    const double x[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+    struct system s;
+    assembled(4, x, beta_bvp, f_bvp, &MIDPOINT, 0.0, -0.5, &s);
+    for (int i = 0; i < 5; i++)
+        expect_close(s.b[i], oracle_bvp_b4_midpoint[i], ROUND_OFF, 1.0,
+                     "b[%d] of exercise (5), N = 4, midpoint rule", i);
+}
+
+/* The hats add up to 1, so sum_j b_j is the rule applied to f, plus q. */
+static void loads_add_up_to_force_and_fluxes(void)
+{
+    for (int r = 0; r < N_RULE; r++) {
+        const struct quadrature *rule = common_rule[r];
+        double total = flux_a + flux_b, sum = 0.0;
+        for (int j = 0; j <= n_elem; j++)
+            sum += load_entry(j, n_elem, grid, smooth_f, rule, flux_a, flux_b);
+        for (int e = 0; e < n_elem; e++) {
+            const double h = grid[e + 1] - grid[e];
+            for (int k = 0; k < rule->n; k++)
+                total += rule->w[k] * h * smooth_f(grid[e] + rule->s[k] * h);
+        }
+        expect_close(sum, total, ROUND_OFF, 10.0,
+                     "sum of b, against the %s rule for int f dx, plus the two "
+                     "fluxes",
+                     rule_name[r]);
+    }
+    expect_close(load_entry(0, n_elem, grid, zero, &MIDPOINT, flux_a, flux_b),
+                 flux_a, ROUND_OFF, 1.0,
+                 "b[0] without f: the flux at the left");
+    expect_close(
+        load_entry(n_elem, n_elem, grid, zero, &MIDPOINT, flux_a, flux_b),
+        flux_b, ROUND_OFF, 1.0, "the last b without f: the flux at the right");
+}
+
+static void same_as_element_assembly(void)
+{
+    struct matrix *A = matrix_alloc(DENSE, n_elem + 1, 0);
+    for (int r = 0; r < N_RULE; r++) {
+        double b[n_elem + 1];
+        struct system s;
+        const struct quadrature rule = quadrature_rule((enum rule)r);
+        poisson_assemble(n_elem, grid, smooth_beta, smooth_f, common_rule[r], A,
+                         b);
+        b[0] += flux_a;
+        b[n_elem] += flux_b;
+        assembled(n_elem, grid, smooth_beta, smooth_f, &rule, flux_a, flux_b,
+                  &s);
+        for (int i = 0; i <= n_elem; i++) {
+            expect_close(s.b[i], b[i], ROUND_OFF, 10.0,
+                         "b[%d], %s, against the element assembly of common/",
+                         i, rule_name[r]);
+            for (int j = 0; j <= n_elem; j++)
+                expect_close(s.A[i][j], matrix_get(A, i, j), ROUND_OFF, 60.0,
+                             "A[%d][%d], %s, against the element assembly of "
+                             "common/",
+                             i, j, rule_name[r]);
+        }
+    }
+    matrix_free(A);
+}
+
+/* The product of a given function with the left half of a hat, for GSL. */
+struct against {
+    field *g;
+    double at, slope;
+};
+static double against_value(double x, void *params)
+{
+    const struct against *a = params;
+    return a->g(x) * (a->slope == 0.0 ? 1.0 : a->slope * (x - a->at));
+}
+static double judged(double x0, double x1, field *g, double at, double slope)
+{
+    struct against a = {g, at, slope};
+    gsl_function function = {against_value, &a};
+    gsl_integration_workspace *work = gsl_integration_workspace_alloc(100);
+    double result, estimate;
+    expect(gsl_integration_qag(&function, x0, x1, 1e-12, 0.0, 100,
+                               GSL_INTEG_GAUSS21, work, &result,
+                               &estimate) == GSL_SUCCESS,
+           "GSL's quadrature failed: is the integrand finite?");
+    gsl_integration_workspace_free(work);
+    return result;
+}
+
+/*
+ * Errors of A and b at an inner vertex with two equal elements, halved twice:
+ * h^2 beta''/24 times 1, -2 or nearly 0 for A_{j,j-1} h, and for b_j it is
+ * h^3 f''(x_j) times -1/24, 1/12 or nearly 0.
+ */
+static void gsl_agrees_to_the_order_of_the_rule(void)
+{
+    const double at = 0.3714;
+    for (int r = 0; r < N_RULE; r++) {
+        double A_error[2], b_error[2];
+        for (int fine = 0; fine < 2; fine++) {
+            const double h = fine ? 0.025 : 0.05;
+            const double x[] = {at - h, at, at + h};
+            struct system s;
+            assembled(2, x, smooth_beta, smooth_f, common_rule[r], 0.0, 0.0,
+                      &s);
+            A_error[fine] =
+                s.A[1][0] + judged(x[0], at, smooth_beta, 0.0, 0.0) / (h * h);
+            b_error[fine] = judged(x[0], at, smooth_f, x[0], 1.0 / h) +
+                            judged(at, x[2], smooth_f, x[2], -1.0 / h) - s.b[1];
+        }
+        /* next terms of the expansions: 10 % of the order at these h */
+        const double A_order = log(A_error[0] / A_error[1]) / log(2.0);
+        const double b_order = log(b_error[0] / b_error[1]) / log(2.0);
+        const double A_want = r == GAUSS2_RULE ? 3.0 : 1.0;
+        const double b_want = r == GAUSS2_RULE ? 5.0 : 3.0;
+        expect_close(A_order, A_want, 0.1, 1.0,
+                     "order of A_{j,j-1} against GSL, %s", rule_name[r]);
+        expect_close(b_order, b_want, 0.1, 1.0,
+                     "order of an inner b_j against GSL, %s", rule_name[r]);
+    }
+}
+
+/* Euler-Maclaurin; the next term is below 1e-3 of it at h = 1/32. */
+static void total_loads_have_their_constants(void)
+{
+    struct output *output = run("");
+    const double f1[] = {6.0,
+                         2.0 * exp(1.0) * (3.0 * cos(2.0) + 4.0 * sin(2.0))};
+    const double f3[] = {14.0,
+                         2.0 * exp(1.0) * (7.0 * cos(2.0) - 24.0 * sin(2.0))};
+    const double h = cell(output, "load_smooth", "h", 3);
+    const double want[] = {(f1[1] - f1[0]) * h * h / 24.0,
+                           -(f1[1] - f1[0]) * h * h / 12.0,
+                           (f3[1] - f3[0]) * pow(h, 4) / 4320.0};
+    const double kink[] = {1.0 / 9.0, -2.0 / 9.0, 5.0 / 18.0 - sqrt(3.0) / 6.0};
+    for (int r = 0; r < N_RULE; r++) {
+        expect_close(cell(output, "load_smooth", rule_name[r], 3), want[r],
+                     2e-3, fabs(want[r]), "error of the total load, %s, h = %g",
+                     rule_name[r], h);
+        expect_close(cell(output, "load_kink", rule_name[r], 3),
+                     kink[r] * h * h, 1e-9, fabs(kink[r] * h * h),
+                     "error of the total load, f = |x - 1/3|, %s, h = %g",
+                     rule_name[r], h);
+    }
+}
+
+/* sum over element midpoints of a fine grid */
+static double sum_fine(double g(double x, double w), const double w[], int n)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += g((i + 0.5) / n, w[i]) / n;
+    return sum;
+}
+static double energy_density(double x, double w)
+{
+    (void)w; /* beta u''^2 / 12 */
+    return exp(x) * 16.0 * gsl_pow_2(sin(2.0 * x)) / 12.0;
+}
+static double L2_density(double x, double w)
+{
+    const double u2 = -4.0 * sin(2.0 * x); /* u''^2/120 + u''w/6 + w^2 */
+    return u2 * u2 / 120.0 + u2 * w / 6.0 + w * w;
+}
+
+/*
+ * u_h = u + h^2 w at the nodes with 24 beta w' = 2 beta' u'' + m (u' beta'' +
+ * sigma'' + sigma''(0)), w(1) = 0, m = 1, -2, 0 for the three rules and sigma =
+ * beta u'; then the norms of u - u_h, to leading order.  The next order is
+ * below 1e-3 of it at h = 1/64.
+ */
+static void solution_has_the_orders_and_constants(void)
+{
+    enum { FINE = 4000 };
+    static double w[FINE];
+    struct output *output = run("");
+    const double h = cell(output, "solution", "h", 4);
+    const double weight[] = {1.0, -2.0, 0.0};
+    const double energy = h * sqrt(sum_fine(energy_density, w, FINE));
+    for (int r = 0; r < N_RULE; r++) {
+        char name[32];
+        double sum = 0.0;
+        for (int i = FINE - 1; i >= 0; i--) {
+            const double x = (i + 0.5) / FINE, beta = exp(x);
+            const double u1 = 2.0 * cos(2.0 * x), u2 = -4.0 * sin(2.0 * x);
+            /* sigma = 2 e^x cos 2x: sigma'' = 2 e^x (-3 cos 2x - 4 sin 2x) */
+            const double sigma2 =
+                -2.0 * beta * (3.0 * cos(2.0 * x) + 4.0 * sin(2.0 * x));
+            const double slope =
+                (2.0 * beta * u2 + weight[r] * (u1 * beta + sigma2 - 6.0)) /
+                (24.0 * beta);
+            w[i] = sum - 0.5 * slope / FINE;
+            sum -= slope / FINE;
+        }
+        const double L2 = h * h * sqrt(sum_fine(L2_density, w, FINE));
+        snprintf(name, sizeof name, "L2_%s", rule_name[r]);
+        expect_close(cell(output, "solution", name, 4), L2, 2e-3, L2,
+                     "L2 error of the smooth problem, %s, h = %g", rule_name[r],
+                     h);
+        snprintf(name, sizeof name, "energy_%s", rule_name[r]);
+        expect_close(cell(output, "solution", name, 4), energy, 2e-3, energy,
+                     "energy error of the smooth problem, %s, h = %g",
+                     rule_name[r], h);
+    }
+}
+
+/*
+ * The three errors are h^2 w with a w that is linear in the rule's own error:
+ * (2 midpoint + trapezoid) / 3 = Gauss at the nodes up to O(h^4), 16 times less
+ * at half the h; 5 % for the next term at h = 1/16.
+ */
+static void midpoint_and_trapezoid_make_gauss(void)
+{
+    double largest[2] = {0.0, 0.0};
+    for (int fine = 0; fine < 2; fine++) {
+        enum { MOST = 32 };
+        const int n = fine ? MOST : MOST / 2;
+        double x[MOST + 1], mean[MOST + 1], u[3][MOST + 1];
+        grid_make(0.0, 1.0, n, 1.0, x);
+        for (int r = 0; r < N_RULE; r++) {
+            const struct quadrature rule = quadrature_rule((enum rule)r);
+            element_means(n, x, smooth_beta, &rule, mean);
+            const enum status status = solve(&SMOOTH, n, x, mean, &rule, u[r]);
+            expect(status == OK, "with the %s rule the matrix is %s",
+                   rule_name[r], status_name(status));
+        }
+        for (int j = 0; j <= n; j++) {
+            const double off =
+                fabs((2.0 * u[0][j] + u[1][j]) / 3.0 - u[2][j]);
+            if (!(off <= largest[fine])) largest[fine] = off;
+        }
+    }
+    expect_close(largest[0] / largest[1], 16.0, 0.05, 16.0,
+                 "(2 midpoint + trapezoid) / 3 against Gauss: ratio of the "
+                 "largest difference at h = 1/16 to that at h = 1/32");
+}
+
+/* Closed forms: one triangle of error, in the element with the kink. */
+static void kinks_inside_an_element_cost_what_they_must(void)
+{
+    struct output *output = run("");
+    int n;
+    const double *h = column(output, "point_load", "h", &n);
+    for (int i = 0; i < n; i++) {
+        const double L2 = 2.0 / 9.0 * h[i] * sqrt(h[i] / 3.0);
+        const double energy = sqrt(2.0 / 9.0 * h[i]);
+        expect_close(cell(output, "point_load", "nodal", i), 0.0, 1e-12, 1.0,
+                     "nodal error under a point load, h = %g", h[i]);
+        expect_close(cell(output, "point_load", "L2", i), L2, 1e-9, L2,
+                     "L2 error under a point load, h = %g", h[i]);
+        expect_close(cell(output, "point_load", "energy", i), energy, 1e-9,
+                     energy, "energy error under a point load, h = %g", h[i]);
+        expect_close(cell(output, "jump", "nodal_sampled", i), h[i] / 4.0, 1e-9,
+                     h[i], "nodal error, beta jumps, midpoint rule, h = %g",
+                     h[i]);
+        expect_close(cell(output, "jump", "nodal_harmonic", i), 0.0, 1e-11, 1.0,
+                     "nodal error, beta jumps, harmonic mean, h = %g", h[i]);
+        expect_close(cell(output, "jump", "L2_harmonic", i), 0.75 * L2, 1e-8,
+                     L2, "L2 error, beta jumps, harmonic mean, h = %g", h[i]);
+    }
+    expect_close(cell(output, "jump_orders", "L2_sampled", 0), 1.0, 0.05, 1.0,
+                 "L2 order, beta jumps, sampled");
+}
+
+static const struct claim claims[] = {
+    {"rules_have_their_degree_of_exactness",
+     rules_have_their_degree_of_exactness, "6a"},
+    {"element_integrals_of_polynomials_are_exact",
+     element_integrals_of_polynomials_are_exact, "6b"},
+    {"element_errors_have_their_constants", element_errors_have_their_constants,
+     "6b"},
+    {"rows_of_A_add_up_to_zero", rows_of_A_add_up_to_zero, "6c"},
+    {"linear_beta_gives_the_oracles_matrix",
+     linear_beta_gives_the_oracles_matrix, "6c"},
+    {"load_is_the_oracles", load_is_the_oracles, "6d"},
+    {"loads_add_up_to_force_and_fluxes", loads_add_up_to_force_and_fluxes,
+     "6d"},
+    {"same_as_element_assembly", same_as_element_assembly, "6d"},
+    {"gsl_agrees_to_the_order_of_the_rule", gsl_agrees_to_the_order_of_the_rule,
+     "6d"},
+    {"total_loads_have_their_constants", total_loads_have_their_constants,
+     "6d"},
+    {"solution_has_the_orders_and_constants",
+     solution_has_the_orders_and_constants, "6d"},
+    {"midpoint_and_trapezoid_make_gauss", midpoint_and_trapezoid_make_gauss,
+     "6b"},
+    {"kinks_inside_an_element_cost_what_they_must",
+     kinks_inside_an_element_cost_what_they_must, "6c"},
+};
+
+static const char *const runs[] = {
+    "",
+    "--rule gauss2 --n 7 --grading 0.3714",
+    "--rule trapezoid --n 11 --grading 3.714",
+    "--n 1",
+    "--n 2 --grading 2.385 --rule gauss2",
+};
+
+#define SUMS "sums of a few products"
+#define SOLVE "direct solve, condition number below 1e6"
+static const struct column_rule rules[] = {
+    {"A", "j", 0, "a count", 0},
+    {"A", "diagonal_gsl", 1e-10, "an adaptive integral", 0},
+    {"A", "*", 1e-13, SUMS, 0},
+    {"b", "j", 0, "a count", 0},
+    {"b", "b_gsl", 1e-10, "an adaptive integral", 0},
+    {"b", "*", 1e-13, SUMS, 0},
+    {"nodes", "*", 1e-9, SOLVE, 1.0},
+    {"exactness", "degree", 0, "a count", 0},
+    {"exactness", "*", 1e-14, SUMS, 1.0},
+    {"adaptive", "*", NOT_COMPARED, "GSL's own work", 0},
+    {"load_smooth", "*", 1e-11, "differences of sums of n products", 1.0},
+    {"load_kink", "*", 1e-11, "differences of sums of n products", 1.0},
+    {"load_step", "*", 1e-11, "differences of sums of n products", 1.0},
+    {"solution", "*", 1e-9, SOLVE, 1.0},
+    {"point_load", "*", 1e-9, SOLVE, 1.0},
+    {"jump", "*", 1e-9, SOLVE, 1.0},
+    {"load_smooth_orders", "*", 1e-2, "the finest error is 1e-10", 1},
+    {"load_kink_orders", "*", 1e-3, "ratios of small errors", 1},
+    {"load_step_orders", "*", 1e-3, "ratios of small errors", 1},
+    {"solution_orders", "*", 1e-4, "ratios of small errors", 1},
+    {"point_load_orders", "*", 1e-4, "ratios of small errors", 1},
+    {"jump_orders", "*", 1e-4, "ratios of small errors", 1},
+};
+
+static const struct lesson lesson = {
+    "06_quadrature",
+    claims,
+    COUNT(claims),
+    runs,
+    COUNT(runs),
+    rules,
+    COUNT(rules),
+    "All three rules give L2 order 2 and energy order 1 (table `solution`), "
+    "and from h = 1/32 on their energy errors agree to 0.1 %: with linear "
+    "elements the interpolation error rules; one sample an element is enough.",
+    "Let beta jump inside an element (table `jump`): integrating beta exactly "
+    "is no better than sampling it, both have L2 order 1. The harmonic mean "
+    "has 1.5. Why is 1/beta the function to average?"};
+
+int main(int argc, char *argv[])
+{
+    return judge(&lesson, argc, argv);
+}
