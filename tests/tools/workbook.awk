@@ -39,12 +39,15 @@ function load(lesson,    path, line, name, n, c, word, column, status) {
     close(path)
 }
 
-function number(lesson, table, column, row, format) {
+function number(lesson, table, column, row, format,    text) {
     load(lesson)
     if (row < 0) row += rows[lesson, table]
     if (!((lesson, table, column, row) in value))
         stop("no number " lesson " " table " " column " row " row)
-    return sprintf(format, value[lesson, table, column, row])
+    text = sprintf(format, value[lesson, table, column, row])
+    sub(/^-0(\.0*)?$/, "0&", text) # a rounded -1e-17 is 0
+    sub(/^0-0/, "0", text)
+    return text
 }
 
 function print_table(spec,    part, n, i, word, k, row, head, rule, line) {

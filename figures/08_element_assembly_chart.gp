@@ -1,0 +1,79 @@
+# 08_element_assembly_chart.gp - the speed-accuracy chart: what an error costs.
+#
+# Expected: error ~ n^-2 and cost ~ n (banded) or n^3 (dense), hence slopes -2
+# and -2/3.  A run that is not valid has no time: a cross at the top.
+# Reads   data  tables chart_dense, chart_banded (n flops seconds L2 valid
+#               roundoff), machine from the note
+# Writes  out   SVG
+
+if (!exists("data")) data = "build/data/08_element_assembly.tsv"
+if (!exists("out"))  out  = "figures/08_element_assembly_chart.svg"
+
+load "figures/style.gp"
+set terminal svg size 860,460
+set output out
+
+# Measured slopes, in the seconds: least squares over the valid points before
+# round-off, without the small n whose time is mostly that of the call.
+good(c) = column("valid") == 1 && column("roundoff") == 0 && \
+          column("n") >= 64 ? log(column(c)) : 1/0
+do for [c in "seconds flops"] {
+    stats data index "chart_dense" using (good(c)):(good("L2")) \
+        name "D".c nooutput
+    stats data index "chart_banded" using (good(c)):(good("L2")) \
+        name "B".c nooutput
+}
+ok(c) = column("valid") == 1 && column("roundoff") == 0 ? column(c) : 1/0
+turned(c) = column("valid") == 1 && column("roundoff") == 1 ? column(c) : 1/0
+failed(y) = column("valid") == 0 ? y : 1/0
+line(x, m, lx, ly, factor) = factor*exp(ly + m*(log(x) - lx))
+
+set multiplot layout 1,2
+set lmargin 10; set rmargin 3; set tmargin 5.5; set bmargin 6
+set logscale xy
+set format xy "10^{%T}"
+top = 1e-3
+set yrange [1e-11:2*top]
+set ytics 10
+set mytics 1; set mxtics 1
+set ylabel "L^2 error (-)"
+set key above left vertical maxrows 4 reverse Left samplen 2.5
+set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+
+set xrange [1e-7:1]
+set xlabel "time of factor + solve (s)"
+plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2 \
+         title sprintf("dense, slope %.2f", Dseconds_slope), \
+     "" index "chart_banded" using (ok("seconds")):"L2" with linespoints ls 1 \
+         title sprintf("banded, slope %.2f", Bseconds_slope), \
+     "" index "chart_banded" using (turned("seconds")):"L2" with linespoints \
+         ls 1 pt 6 lw 1 title "banded, round-off governs", \
+     line(x, -2.0/3, Dseconds_mean_x, Dseconds_mean_y, 2.2) with lines ls 8 \
+         title "slopes -2/3 and -2 expected", \
+     line(x, -2.0, Bseconds_mean_x, Bseconds_mean_y, 0.35) with lines ls 8 \
+         notitle, \
+     "" index "chart_dense" using (2e-7):(failed(top)) with points pt 2 ps 1 \
+         lc rgb "#D55E00" notitle, \
+     "" index "chart_banded" using (4e-7):(failed(top)) with points pt 2 ps 1 \
+         lc rgb "#0072B2" notitle
+
+unset label 1
+set xrange [1e1:1e9]
+set xlabel "work of factor + solve (flops)"
+unset ylabel
+plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2 \
+         title sprintf("dense, slope %.2f", Dflops_slope), \
+     "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1 \
+         title sprintf("banded, slope %.2f", Bflops_slope), \
+     "" index "chart_banded" using (turned("flops")):"L2" with linespoints \
+         ls 1 pt 6 lw 1 title "banded, round-off governs", \
+     line(x, -2.0/3, Dflops_mean_x, Dflops_mean_y, 2.2) with lines ls 8 \
+         title "slopes -2/3 and -2 expected", \
+     line(x, -2.0, Bflops_mean_x, Bflops_mean_y, 0.35) with lines ls 8 \
+         notitle, \
+     "" index "chart_dense" using "flops":(failed(top)) with points pt 2 ps 1 \
+         lc rgb "#D55E00" notitle, \
+     "" index "chart_banded" using "flops":(failed(top)) with points pt 2 ps 1 \
+         lc rgb "#0072B2" notitle
+unset multiplot
+set output

@@ -1,0 +1,84 @@
+# 08_element_assembly_hats.gp - one element's share of the hats and of A.
+#
+# Left: the hat functions on a small unequal grid, one element's two halves in
+# colour.  Right: the pattern of A; each element adds a square of four entries,
+# and neighbouring squares overlap in one diagonal entry.
+# Reads   data  tables K_local (e x0 x1 K00 ..), nodes (x)
+# Writes  out   SVG
+
+if (!exists("data")) data = "build/data/08_element_assembly.tsv"
+if (!exists("out"))  out  = "figures/08_element_assembly_hats.svg"
+
+load "figures/style.gp"
+set terminal svg size 860,400
+set output out
+
+mark = 2                                   # the element in colour
+stats data index "K_local" using "e" nooutput
+last = int(STATS_max)                      # elements 0..last, nodes 0..last+1
+stats data index "K_local" using (column("e") == mark ? column("x0") : 1/0) \
+    name "x0" nooutput
+stats data index "K_local" using (column("e") == mark ? column("x1") : 1/0) \
+    name "x1" nooutput
+
+set multiplot layout 1,2
+set lmargin 8; set rmargin 2; set tmargin 4; set bmargin 4.5
+set style fill transparent solid 0.12 noborder
+set xlabel "x (-)"
+set ylabel "hat functions e_j (-)"
+set xrange [-0.03:1.03]
+set yrange [0:1.12]
+set ytics 0.25
+set key above left horizontal maxrows 1 samplen 2
+set label 1 sprintf("element %d", mark) at 0.5*(x0_min + x1_min),0.06 center
+is(e) = column("e") == e
+plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
+         with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
+     "" index "K_local" using "x0":(1):(column("x1")-column("x0")):(-1) \
+         with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
+     "" index "K_local" \
+         using (0.5*(column("x0")+column("x1"))):(is(mark) ? 0.5 : 1/0): \
+               "x0":"x1":(0):(1) with boxxyerror lc rgb "#E69F00" notitle, \
+     "" index "K_local" using "x0":(is(mark) ? 1 : 1/0): \
+               (column("x1")-column("x0")):(-1) \
+         with vectors nohead ls 1 lw 3 title sprintf("e_%d", mark), \
+     "" index "K_local" using "x0":(is(mark) ? 0 : 1/0): \
+               (column("x1")-column("x0")):(1) \
+         with vectors nohead ls 2 lw 3 dt 2 title sprintf("e_%d", mark + 1), \
+     "" index "nodes" using "x":(0):0 with points pt 7 ps 0.6 \
+         lc rgb "black" notitle, \
+     "" index "nodes" using "x":(1.05):(sprintf("e_%d", column(0))) \
+         with labels notitle
+
+unset label 1
+set xlabel "column j"
+set ylabel "row i"
+set xrange [-0.6:last + 1.6]
+set yrange [last + 1.6:-0.6]
+set xtics 1
+set ytics 1
+set size ratio 1
+unset grid
+set key above left horizontal maxrows 1 samplen 1
+set style fill transparent solid 0.30 border lc rgb "#666666"
+corner(e, d) = e + d
+plot data index "K_local" using "e":"e":(column("e")-0.46):(column("e")+1.46): \
+         (column("e")-0.46):(column("e")+1.46) with boxxyerror \
+         lc rgb "#999999" title "each element adds to four entries", \
+     "" index "K_local" using "e":(is(mark) ? mark : 1/0): \
+         (mark-0.46):(mark+1.46):(mark-0.46):(mark+1.46) with boxxyerror \
+         fs solid 0.9 border lc rgb "#E69F00" title sprintf("element %d", mark), \
+     "" index "A" using "j":(column("value") != 0 ? column("i") : 1/0) \
+         with points pt 7 ps 0.4 lc rgb "black" notitle, \
+     "" index "A" using "j":(column("value") == 0 ? column("i") : 1/0) \
+         with points pt 1 ps 0.01 lc rgb "#bbbbbb" notitle, \
+     "" index "K_local" using "e":(is(mark) ? mark - 0.25 : 1/0):("K_{00}") \
+         with labels notitle, \
+     "" index "K_local" using (mark + 1):(is(mark) ? mark - 0.25 : 1/0):("K_{01}") \
+         with labels notitle, \
+     "" index "K_local" using (mark):(is(mark) ? mark + 0.75 : 1/0):("K_{10}") \
+         with labels notitle, \
+     "" index "K_local" using (mark + 1):(is(mark) ? mark + 0.75 : 1/0):("K_{11}") \
+         with labels notitle
+unset multiplot
+set output

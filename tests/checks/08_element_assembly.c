@@ -1,0 +1,422 @@
+/* 08_element_assembly.c - what a right element assembly and a fair chart
+ * satisfy. */
+#include "judge.h"
+
+#define main program_main
+#include PROGRAM
+#undef main
+
+#include "../oracle/poisson.h"
+
+/* A scene with high entropy: no two elements alike. */
+enum { n_elem = 7, N_node = 8 };
+static const double grid[N_node] = {-0.2385, 0.1, 0.613, 0.7, 1.247,
+                                    1.3714,  2.0, 2.385};
+
+static double beta_(double x)
+{
+    return 2.385 + x + 0.3714 * x * x;
+}
+
+static double load_(double x)
+{
+    return 3.714 - exp(0.613 * x);
+}
+
+/* An entry is a sum of two terms, each a handful of roundings: a few eps. */
+static const double ROUND_OFF = 16 * DBL_EPSILON;
+/* The largest entry of A and of b in this scene, to scale with. */
+static const double SIZE_A = 200.0, SIZE_B = 3.0;
+
+static const struct quadrature *const all_rules[] = {&MIDPOINT, &TRAPEZOID,
+                                                     &GAUSS2};
+static const char *const rule_names[] = {"midpoint", "trapezoid", "Gauss"};
+
+struct local {
+    double K[2][2], r[2];
+};
+
+static struct local local_system(int e, const struct quadrature *rule)
+{
+    struct local local = {0};
+    element(grid[e], grid[e + 1], beta_, load_, rule, local.K, local.r);
+    return local;
+}
+
+/* A and b of the scene by the program, into memory that is not zero. */
+static struct matrix *assembled(enum storage storage,
+                                const struct quadrature *rule,
+                                const int order[], double b[])
+{
+    struct matrix *A = matrix_alloc(storage, N_node, 1);
+    for (int i = 0; i < N_node; i++) {
+        b[i] = 0.731;
+        matrix_add(A, i, i, 1.247);
+    }
+    assemble(n_elem, grid, beta_, load_, rule, order, A, b);
+    return A;
+}
+
+static const int natural[] = {0, 1, 2, 3, 4, 5, 6};
+static const int mixed[] = {4, 0, 6, 2, 5, 1, 3};
+
+/* The slopes of the two hats add up to 0, and e_0' e_1' = e_1' e_0'. */
+static void local_matrix_has_row_sums_0(void)
+{
+    for (int e = 0; e < n_elem; e++)
+        for (int k = 0; k < COUNT(all_rules); k++) {
+            const struct local l = local_system(e, all_rules[k]);
+            for (int a = 0; a < 2; a++)
+                expect_close(l.K[a][0] + l.K[a][1], 0.0, ROUND_OFF, l.K[a][a],
+                             "sum of row %d of K (%s rule), element %d", a,
+                             rule_names[k], e);
+            expect_close(l.K[0][1], l.K[1][0], ROUND_OFF, l.K[0][0],
+                         "K[0][1] against K[1][0] (%s rule), element %d",
+                         rule_names[k], e);
+            expect(l.K[0][0] > 0.0, "K[0][0] of element %d must be positive",
+                   e);
+        }
+}
+
+/* e_0 + e_1 = 1 on the element: r_0 + r_1 is the load on it, by the rule. */
+static void local_load_is_a_partition(void)
+{
+    for (int e = 0; e < n_elem; e++) {
+        const struct local l = local_system(e, &MIDPOINT);
+        const double h = grid[e + 1] - grid[e];
+        const double whole = h * load_(0.5 * (grid[e] + grid[e + 1]));
+        expect_close(l.r[0] + l.r[1], whole, ROUND_OFF, SIZE_B,
+                     "r[0] + r[1], against h f(midpoint), element %d", e);
+        expect_close(l.r[0], l.r[1], ROUND_OFF, SIZE_B,
+                     "r[0] against r[1] by the midpoint rule, element %d", e);
+    }
+}
+
+static void element_agrees_with_common(void)
+{
+    for (int e = 0; e < n_elem; e++)
+        for (int k = 0; k < COUNT(all_rules); k++) {
+            const struct local l = local_system(e, all_rules[k]);
+            double K[2][2], r[2];
+            poisson_element(grid[e], grid[e + 1], beta_, load_, all_rules[k],
+                            K, r);
+            for (int a = 0; a < 2; a++) {
+                expect_close(l.r[a], r[a], ROUND_OFF, SIZE_B,
+                             "r[%d] by the %s rule, element %d", a,
+                             rule_names[k], e);
+                for (int c = 0; c < 2; c++)
+                    expect_close(l.K[a][c], K[a][c], ROUND_OFF, SIZE_A,
+                                 "K[%d][%d] by the %s rule, element %d", a, c,
+                                 rule_names[k], e);
+            }
+        }
+}
+
+/*
+ * Entry by entry from the definition, midpoint rule: only element j (from node
+ * j - 1 to node j) knows A[j-1][j]; elements j and j + 1 meet in A[j][j].
+ */
+static void assembly_agrees_with_vertex_sums(void)
+{
+    double b[N_node];
+    struct matrix *A = assembled(DENSE, &MIDPOINT, natural, b);
+    double k[N_node + 1] = {0}, r[N_node + 1] = {0}; /* of element j */
+    for (int j = 1; j <= n_elem; j++) {
+        const double h = grid[j] - grid[j - 1];
+        k[j] = beta_(0.5 * (grid[j] + grid[j - 1])) / h;
+        r[j] = 0.5 * h * load_(0.5 * (grid[j] + grid[j - 1]));
+    }
+    for (int j = 0; j < N_node; j++) {
+        expect_close(matrix_get(A, j, j), k[j] + k[j + 1], ROUND_OFF, SIZE_A,
+                     "A[%d][%d] of unequal elements", j, j);
+        expect_close(b[j], r[j] + r[j + 1], ROUND_OFF, SIZE_B, "b[%d]", j);
+        for (int i = 0; i < j; i++) {
+            const double want = j == i + 1 ? -k[j] : 0.0;
+            expect_close(matrix_get(A, i, j), want, ROUND_OFF, SIZE_A,
+                         "A[%d][%d] of unequal elements", i, j);
+            expect_close(matrix_get(A, j, i), want, ROUND_OFF, SIZE_A,
+                         "A[%d][%d] of unequal elements", j, i);
+        }
+    }
+    matrix_free(A);
+}
+
+/* Also against common/, which visits the elements in the natural order. */
+static void order_of_elements_is_irrelevant(void)
+{
+    int order[n_elem];
+    double b[N_node], b_common[N_node];
+    struct matrix *C = matrix_alloc(BANDED, N_node, 1);
+
+    poisson_assemble(n_elem, grid, beta_, load_, &GAUSS2, C, b_common);
+    for (int trial = 0; trial < 12; trial++) {
+        make_order(n_elem, trial == 0 ? REVERSED : RANDOM, 2385 + trial,
+                   order);
+        struct matrix *A = assembled(BANDED, &GAUSS2,
+                                     trial == 1 ? mixed : order, b);
+        for (int i = 0; i < N_node; i++) {
+            expect_close(b[i], b_common[i], ROUND_OFF, SIZE_B,
+                         "b[%d], elements in another order", i);
+            for (int j = 0; j < N_node; j++)
+                expect_close(matrix_get(A, i, j), matrix_get(C, i, j),
+                             ROUND_OFF, SIZE_A,
+                             "A[%d][%d], elements in another order", i, j);
+        }
+        matrix_free(A);
+    }
+    matrix_free(C);
+}
+
+static void assembling_twice_changes_nothing(void)
+{
+    double b[N_node], b_again[N_node];
+    struct matrix *A = assembled(BANDED, &MIDPOINT, mixed, b);
+    struct matrix *B = assembled(BANDED, &MIDPOINT, mixed, b_again);
+    assemble(n_elem, grid, beta_, load_, &MIDPOINT, mixed, B, b_again);
+    for (int i = 0; i < N_node; i++) {
+        expect_close(b_again[i], b[i], ROUND_OFF, SIZE_B,
+                     "b[%d] after assembling a second time", i);
+        expect_close(matrix_get(B, i, i), matrix_get(A, i, i), ROUND_OFF,
+                     SIZE_A, "A[%d][%d] after assembling a second time", i, i);
+    }
+    matrix_free(A);
+    matrix_free(B);
+}
+
+static void dense_and_banded_agree(void)
+{
+    double b[N_node], b_band[N_node];
+    struct matrix *A = assembled(DENSE, &GAUSS2, mixed, b);
+    struct matrix *B = assembled(BANDED, &GAUSS2, mixed, b_band);
+    for (int i = 0; i < N_node; i++) {
+        expect_close(b[i], b_band[i], ROUND_OFF, SIZE_B,
+                     "b[%d], dense against banded", i);
+        for (int j = 0; j < N_node; j++)
+            expect_close(matrix_get(A, i, j), matrix_get(B, i, j), ROUND_OFF,
+                         SIZE_A, "A[%d][%d], dense against banded", i, j);
+    }
+    matrix_free(A);
+    matrix_free(B);
+}
+
+/* The oracle's entries are exact here; its L2 errors are integrals, and ours
+ * come from five-point Gauss: 5e-8 of them at n = 4, less on finer grids. */
+static void exercise_5_is_reproduced(void)
+{
+    struct output *output =
+        run("--n 4 --grading 1 --order random --budget 0.0001");
+    for (int i = 0; i < 5; i++) {
+        for (int j = 0; j < 5; j++)
+            expect_close(cell(output, "A", "value", 5 * i + j),
+                         oracle_bvp_A4[5 * i + j], 1e-15, 14.0,
+                         "A[%d][%d] of exercise (5), n = 4", i, j);
+        expect_close(cell(output, "b", "value", i), oracle_bvp_b4_midpoint[i],
+                     1e-15, 1.0, "b[%d] of exercise (5), n = 4", i);
+        expect_close(cell(output, "nodes", "u", i), oracle_bvp_u4_midpoint[i],
+                     1e-13, 1.0, "u at node %d of exercise (5), n = 4", i);
+    }
+    for (int k = 0; k < COUNT(oracle_bvp_midpoint); k++) {
+        const double want = oracle_bvp_midpoint[k].L2;
+        const char *const name[] = {"L2_dense", "L2_banded"};
+        for (int s = 0; s < 2; s++)
+            expect_close(cell(output, "work", name[s], 2 * k), want, 1e-6,
+                         want, "%s of exercise (5), n = %d", name[s],
+                         oracle_bvp_midpoint[k].N);
+    }
+}
+
+/* The textbook loops on a band, counting what they do. */
+static double counted_flops(int N, int p)
+{
+    long count = 0;
+    for (int j = 0; j < N; j++)
+        for (int i = j; i <= j + p && i < N; i++) {
+            for (int k = i > p ? i - p : 0; k < j; k++)
+                count += 2;   /* L_ij -= L_ik L_jk */
+            count++;          /* a root when i = j, else a division */
+        }
+    for (int i = 0; i < N; i++) { /* L y = b */
+        for (int k = i > p ? i - p : 0; k < i; k++) count += 2;
+        count++;
+    }
+    for (int i = N - 1; i >= 0; i--) { /* L^T x = y */
+        for (int k = i + 1; k <= i + p && k < N; k++) count += 2;
+        count++;
+    }
+    return (double)count;
+}
+
+static void flops_are_those_of_the_loops(void)
+{
+    const int cases[][2] = {{1, 0}, {2, 1}, {5, 4},   {8, 1},
+                            {9, 3}, {40, 7}, {33, 32}, {200, 1}};
+    for (int k = 0; k < COUNT(cases); k++) {
+        const int N = cases[k][0], p = cases[k][1];
+        expect_close(cholesky_flops(N, p), counted_flops(N, p), 0.0, 1.0,
+                     "flops of order %d, half bandwidth %d, against the "
+                     "textbook loops with a counter in them", N, p);
+    }
+    /* large orders: the integers still fit */
+    expect_close(cholesky_flops(4097, 4096),
+                 4097.0 * 4098.0 * 8195.0 / 6.0 + 2.0 * 4097.0 * 4097.0, 1e-14,
+                 2.3e10, "flops of order 4097, dense");
+}
+
+/* A dense system of 64 elements; the left end fixed unless `singular`. */
+static struct matrix *trial_system(int singular, double b[65])
+{
+    double x[65];
+    const int left[] = {0};
+    const double value[] = {1.247};
+    struct matrix *A = matrix_alloc(DENSE, 65, 0);
+    grid_make(-0.2385, 2.385, 64, 3.714, x);
+    poisson_assemble(64, x, beta_, load_, &GAUSS2, A, b);
+    if (!singular) matrix_dirichlet(A, b, 1, left, value, KEEP_DIAGONAL);
+    return A;
+}
+
+static void expect_refused(const struct matrix *A, const double b[],
+                           const char *what)
+{
+    double u[65];
+    const struct point p = measure(A, b, 3, u);
+    expect(!p.valid, "%s: counted as valid", what);
+    expect(p.seconds == 0.0, "%s: not valid, but it has a time, %g s", what,
+           p.seconds);
+    expect(isfinite(p.backward), "not finite: the backward error of a run "
+           "that is not valid; set it to 0");
+}
+
+static void no_time_without_a_valid_answer(void)
+{
+    double b[65], b_before[65], u[65];
+    struct matrix *A = trial_system(0, b);
+    struct matrix *before = matrix_copy(A);
+    for (int i = 0; i < 65; i++) b_before[i] = b[i];
+
+    for (int repeats = 1; repeats <= 4; repeats++) {
+        const struct point p = measure(A, b, repeats, u);
+        for (int i = 0; i < 65; i++) {
+            expect_close(b[i], b_before[i], 0.0, 1.0, "b[%d] after measure()",
+                         i);
+            expect_close(matrix_get(A, i, i), matrix_get(before, i, i), 0.0,
+                         1.0, "A[%d][%d] after measure(), which factors a "
+                         "copy", i, i);
+        }
+        expect(p.status == OK && p.valid,
+               "a good system, %d repeats: status %s, valid = %d, backward "
+               "error %g eps", repeats, status_name(p.status), p.valid,
+               p.backward);
+        expect(p.seconds > 0.0 && p.seconds < 5.0,
+               "a good system took %g s", p.seconds);
+        expect_close(u[0], 1.247, 1e-12, 1.0, "u at the fixed node");
+    }
+
+    struct matrix *S = trial_system(1, b);
+    expect_refused(S, b, "no node fixed, singular matrix");
+    matrix_free(S);
+
+    /* right end fixed by its row only: Cholesky, which reads the lower
+     * triangle, solves another system without a word */
+    S = trial_system(1, b);
+    matrix_add(S, 64, 63, -matrix_get(S, 64, 63));
+    b[64] = 0.613 * matrix_get(S, 64, 64);
+    expect_refused(S, b, "not symmetric: fast, and wrong");
+    matrix_free(S);
+
+    b_before[31] = NAN;
+    expect_refused(A, b_before, "NaN in the load");
+    b_before[31] = 0.0;
+    matrix_add(A, 40, 40, NAN);
+    expect_refused(A, b_before, "NaN in the matrix");
+    matrix_free(A);
+    matrix_free(before);
+}
+
+/* 4 a doubling, to 2 % from n = 8 on (the next term of the error is O(h^2)
+ * smaller); L2 n^2 tends to 0.0318.  Errors above 1e-8 are free of round-off
+ * on any machine. */
+static void chart_is_second_order(void)
+{
+    struct output *output = run("--budget 0.02 --repeats 2");
+    const char *const name[] = {"chart_dense", "chart_banded"};
+    for (int s = 0; s < 2; s++) {
+        int rows;
+        const double *n = column(output, name[s], "n", &rows);
+        const double *L2 = column(output, name[s], "L2", NULL);
+        const double *seconds = column(output, name[s], "seconds", NULL);
+        const double *valid = column(output, name[s], "valid", NULL);
+        expect(rows >= 3, "%s has only %d points", name[s], rows);
+        for (int k = 0; k < rows; k++) {
+            expect(valid[k] == 1.0, "%s, n = %g: not valid", name[s], n[k]);
+            expect(seconds[k] >= 0.0 && (n[k] < 32 || seconds[k] > 0.0),
+                   "%s, n = %g: valid, but without a time", name[s], n[k]);
+            if (L2[k] < 1e-8) continue;
+            expect_close(L2[k] * n[k] * n[k], 0.0318, 0.02, 0.0318,
+                         "L2 error times n^2 in %s, n = %g", name[s], n[k]);
+            if (k > 0)
+                expect_close(L2[k - 1] / L2[k], 4.0, 0.02, 4.0,
+                             "error ratio of a doubling in %s, n = %g",
+                             name[s], n[k]);
+        }
+    }
+}
+
+static const struct claim claims[] = {
+    {"local_matrix_has_row_sums_0", local_matrix_has_row_sums_0, "8a"},
+    {"local_load_is_a_partition", local_load_is_a_partition, "8a"},
+    {"element_agrees_with_common", element_agrees_with_common, "8a"},
+    {"assembly_agrees_with_vertex_sums", assembly_agrees_with_vertex_sums,
+     "8b"},
+    {"dense_and_banded_agree", dense_and_banded_agree, "8b"},
+    {"order_of_elements_is_irrelevant", order_of_elements_is_irrelevant, "8b"},
+    {"assembling_twice_changes_nothing", assembling_twice_changes_nothing,
+     "8b"},
+    {"flops_are_those_of_the_loops", flops_are_those_of_the_loops, "8c"},
+    {"no_time_without_a_valid_answer", no_time_without_a_valid_answer, "8d"},
+    {"exercise_5_is_reproduced", exercise_5_is_reproduced, "8b"},
+    {"chart_is_second_order", chart_is_second_order, "8d"},
+};
+
+/* The chart is no one's to compare: a tiny budget keeps the runs short.  The
+ * runs with --solve no show matrices that cannot be factored. */
+static const char *const runs[] = {
+    "--budget 0.0001",
+    "--n 4 --grading 1 --order random --budget 0.0001 --repeats 1",
+    "--n 9 --grading 0.2385 --order reversed --rule gauss --solve no",
+    "--n 12 --grading 3.714 --order random --seed 371 --solve no",
+    "--n 1 --order reversed --rule trapezoid --budget 0.0001 --repeats 1",
+};
+
+#define OF_MACHINE "seconds, and the rows of a time budget, are the machine's"
+static const struct column_rule rules[] = {
+    {"K_local", "*", 1e-14, "a handful of roundings", 0},
+    {"A", "*", 1e-14, "sums of two element entries", 0},
+    {"b", "*", 1e-14, "sums of two element loads", 0},
+    {"assembly", "order", 0, "a name", 0},
+    {"assembly", "*", 4, "in units of eps: sums of two terms", 1},
+    {"nodes", "*", 1e-11, "direct solve, condition number below 1e3", 0},
+    {"validity", "wrong_by", 1e-10, "direct solve of 64 elements", 0},
+    {"validity", "*", 0, "yes or no", 0},
+    {"work", "L2_dense", 1e-9, "direct solve, n up to 256", 0},
+    {"work", "L2_banded", 1e-9, "direct solve, n up to 256", 0},
+    {"work", "*", 0, "exact integers", 0},
+    {"chart_dense", "*", NOT_COMPARED, OF_MACHINE, 0},
+    {"chart_banded", "*", NOT_COMPARED, OF_MACHINE, 0},
+};
+
+static const struct lesson lesson = {
+    "08_element_assembly", claims, COUNT(claims), runs, COUNT(runs), rules,
+    COUNT(rules),
+    "Both storages give one error; with 256 elements dense pays 2272 times the "
+    "flops for it (table `work`). Ten times the accuracy costs banded 3 times "
+    "the work, dense 32 times. And from some n on more work makes the banded "
+    "answer worse (table `chart_banded`, column roundoff).",
+    "Table `validity`, trial 2: let measure() judge by the status alone. The "
+    "run that is wrong by 0.8 then enters the chart with a fine time. Which "
+    "of the chart's two rules would still stop it?"};
+
+int main(int argc, char *argv[])
+{
+    return judge(&lesson, argc, argv);
+}
