@@ -7,8 +7,9 @@
 
 const char *status_name(enum status status)
 {
-    static const char *const name[] = {"OK", "NOT_SPD", "INCOMPATIBLE",
-                                       "NONFINITE"};
+    static const char *const name[] = {
+        "OK",       "NOT_SPD", "INCOMPATIBLE",  "NONFINITE",
+        "INVERTED", "STALLED", "MAX_ITERATIONS"};
     return name[status];
 }
 

@@ -15,7 +15,10 @@ enum status {
     OK,
     NOT_SPD,      /* a pivot of the Cholesky factorisation is not > 0 */
     INCOMPATIBLE, /* singular system, right-hand side outside the range */
-    NONFINITE     /* a NaN or an infinity where a number is due */
+    NONFINITE,    /* a NaN or an infinity where a number is due */
+    INVERTED,     /* det F left the domain of the material */
+    STALLED,      /* no step makes progress, and the residual is not small */
+    MAX_ITERATIONS
 };
 
 /* The status as the word that programs print: "OK", "NOT_SPD", ... */

@@ -223,7 +223,7 @@ static void gsl_band_cholesky_needs_unpadded_rows(void)
     matrix_free(A);
 }
 
-static const struct law laws[] = {
+static const struct unit_law laws[] = {
     {"solve_equals_lu_for_every_storage_and_bandwidth",
      solve_equals_lu_for_every_storage_and_bandwidth},
     {"both_storages_hold_the_same_matrix", both_storages_hold_the_same_matrix},

@@ -157,6 +157,7 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(NOT_SPD), "NOT_SPD");
     ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
+    ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
 }
 
 static void clock_moves_and_machine_has_a_name(void)
@@ -169,7 +170,7 @@ static void clock_moves_and_machine_has_a_name(void)
     ck_assert(strlen(machine) > 8 && !strchr(machine, '\n'));
 }
 
-static const struct law laws[] = {
+static const struct unit_law laws[] = {
     {"values_are_set", values_are_set},
     {"bad_input_is_one_line_and_status_2", bad_input_is_one_line_and_status_2},
     {"message_names_option_value_and_range",

@@ -186,7 +186,7 @@ static void a_nan_is_not_swallowed(void)
     ck_assert(isnan(error.nodal) && isnan(error.L2) && isnan(error.energy));
 }
 
-static const struct law laws[] = {
+static const struct unit_law laws[] = {
     {"grid_is_geometric_and_meets_its_ends",
      grid_is_geometric_and_meets_its_ends},
     {"rules_have_their_degree", rules_have_their_degree},

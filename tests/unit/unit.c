@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-int unit_run(const char *module, const struct law laws[], int n)
+int unit_run(const char *module, const struct unit_law laws[], int n)
 {
     int failed = 0;
     for (int i = 0; i < n; i++) {

@@ -12,12 +12,12 @@
 
 #include <check.h>
 
-struct law {
+struct unit_law {
     const char *name;
     void (*check)(void);
 };
 
-int unit_run(const char *module, const struct law laws[], int n);
+int unit_run(const char *module, const struct unit_law laws[], int n);
 
 #define UNIT_MAIN(module, laws)                                                \
     int main(void)                                                             \

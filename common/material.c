@@ -1,0 +1,113 @@
+/* material.c - see material.h. */
+#include "material.h"
+
+#include <assert.h>
+#include <gsl/gsl_sf_log.h>
+#include <math.h>
+
+struct material material_make(enum law law, double E, double nu)
+{
+    assert(E > 0.0 && nu >= 0.0 && nu < 0.5);
+    return (struct material){law, E / (2.0 * (1.0 + nu)),
+                             E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))};
+}
+
+double material_modulus(const struct material *material)
+{
+    return 2.0 * material->mu + material->lambda;
+}
+
+int material_defined(const struct material *material, double J)
+{
+    return material->law == LOG ? J > 0.0 : !isnan(J);
+}
+
+struct volumetric material_r(const struct material *material, double J)
+{
+    const double s = J - 1.0;
+    assert(material_defined(material, J));
+    if (material->law == LOG)
+        return (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
+    return (struct volumetric){s - s * s / 2.0 + s * s * s / 3.0,
+                               1.0 - s + s * s, -1.0 + 2.0 * s};
+}
+
+/* s - r(1 + s), which is s^2/2 - ... : no digits are lost near J = 1. */
+static double s_minus_r(const struct material *material, double s)
+{
+    return material->law == LOG ? -gsl_sf_log_1plusx_mx(s)
+                                : s * s / 2.0 - s * s * s / 3.0;
+}
+
+/* mu/2 (F^2 - 1) = mu e^2/2 + mu e with e = F - 1; see s_minus_r. */
+double material1_psi(const struct material *material, double F)
+{
+    const double mu = material->mu, lambda = material->lambda, e = F - 1.0;
+    if (material->law == LINEAR)
+        return 0.5 * material_modulus(material) * e * e;
+    const double r = material_r(material, F).r;
+    return 0.5 * mu * e * e + mu * s_minus_r(material, e) +
+           0.5 * lambda * r * r;
+}
+
+double material1_pk1(const struct material *material, double F)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law == LINEAR) return material_modulus(material) * (F - 1.0);
+    const struct volumetric v = material_r(material, F);
+    return mu * F + (lambda * v.r - mu) * v.dr;
+}
+
+double material1_dpk1(const struct material *material, double F)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law == LINEAR) return material_modulus(material);
+    const struct volumetric v = material_r(material, F);
+    return mu + lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+}
+
+/* With H = F - I and s = J - 1: F:F - 2 = H:H + 2 tr H = H:H + 2 (s - det H).
+ */
+double material2_psi(const struct material *material, mat2 F)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    const mat2 H = mat2_subtract(F, mat2_identity());
+    if (material->law == LINEAR) {
+        const mat2 eps = mat2_scale(0.5, mat2_add(H, mat2_transpose(H)));
+        const double trace = mat2_trace(eps);
+        return mu * mat2_dot(eps, eps) + 0.5 * lambda * trace * trace;
+    }
+    const double s = mat2_trace(H) + mat2_det(H);
+    const double r = material_r(material, 1.0 + s).r;
+    return 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H) +
+           mu * s_minus_r(material, s) + 0.5 * lambda * r * r;
+}
+
+mat2 material2_pk1(const struct material *material, mat2 F)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law == LINEAR) {
+        const mat2 H = mat2_subtract(F, mat2_identity());
+        return mat2_add(mat2_scale(mu, mat2_add(H, mat2_transpose(H))),
+                        mat2_scale(lambda * mat2_trace(H), mat2_identity()));
+    }
+    const struct volumetric v = material_r(material, mat2_det(F));
+    return mat2_add(mat2_scale(mu, F), mat2_scale((lambda * v.r - mu) * v.dr,
+                                                  mat2_cofactor(F)));
+}
+
+/* cof is linear in two dimensions: d(cof F) = cof(dF). */
+mat2 material2_dpk1(const struct material *material, mat2 F, mat2 dF)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law == LINEAR)
+        return mat2_add(mat2_scale(mu, mat2_add(dF, mat2_transpose(dF))),
+                        mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
+    const struct volumetric v = material_r(material, mat2_det(F));
+    const mat2 cof = mat2_cofactor(F);
+    const double dg = (lambda * v.r - mu) * v.dr;
+    const double ddg = lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+    return mat2_add(mat2_scale(mu, dF),
+                    mat2_add(mat2_scale(ddg * mat2_dot(cof, dF), cof),
+                             mat2_scale(dg, mat2_cofactor(dF))));
+}

@@ -1,0 +1,57 @@
+/*
+ * material.h - hyperelastic materials: energy, stress and tangent side by side.
+ *
+ *     LINEAR  psi = mu eps:eps + lambda/2 tr(eps)^2, eps = sym(F) - I
+ *                                                            [eq:psi-linear]
+ *     LOG     psi = mu/2 (F:F - d) - mu r + lambda/2 r^2, r = ln J
+ *     CUBIC   the same with r = s - s^2/2 + s^3/3, s = J - 1
+ *                                              [eq:psi-neohookean] [eq:r-cubic]
+ *
+ * J = det F, d the dimension: 1 (uniaxial strain, F a number) or 2 (plane
+ * strain).  P = d psi / d F; stresses in the unit of E, per undeformed area.
+ *
+ * Source: Bonet & Wood, Nonlinear Continuum Mechanics for Finite Element
+ * Analysis, 2nd ed., sec. 6.4.3 (LOG); the cubic r is the lecture notes'.
+ */
+#ifndef COMMON_MATERIAL_H
+#define COMMON_MATERIAL_H
+
+#include "tensor.h"
+
+enum law { LINEAR, LOG, CUBIC };
+
+struct material {
+    enum law law;
+    double mu, lambda; /* Lame parameters, unit of E */
+};
+
+/*
+ * mu = E / (2 (1 + nu)), lambda = E nu / ((1 + nu)(1 - 2 nu))  [eq:lame];
+ * for E > 0 and 0 <= nu < 1/2 (asserted).
+ */
+struct material material_make(enum law law, double E, double nu);
+
+/* 2 mu + lambda: the modulus of every law at F = 1 in uniaxial strain. */
+double material_modulus(const struct material *material);
+
+/* Whether psi exists at J: LOG needs J > 0 (false for NaN). */
+int material_defined(const struct material *material, double J);
+
+/* r, r', r'' at J for LOG (J > 0) and CUBIC. */
+struct volumetric {
+    double r, dr, ddr;
+};
+struct volumetric material_r(const struct material *material, double J);
+
+/* One dimension.  F must be where the material is defined (asserted). */
+double material1_psi(const struct material *material, double F);
+double material1_pk1(const struct material *material, double F);
+double material1_dpk1(const struct material *material, double F); /* dP/dF */
+
+/* Two dimensions; dpk1 is the change of P for a small change dF of F:
+ * dP_iJ = (dP_iJ / dF_kL) dF_kL  [eq:dpk1]. */
+double material2_psi(const struct material *material, mat2 F);
+mat2 material2_pk1(const struct material *material, mat2 F);
+mat2 material2_dpk1(const struct material *material, mat2 F, mat2 dF);
+
+#endif
