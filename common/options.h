@@ -33,6 +33,7 @@ struct option {
     double min, max;
     const char *unit; /* of a real, NULL when it has none */
     const char *help;
+    const char *why; /* the reason for the range, or NULL */
 };
 
 /*

@@ -10,13 +10,13 @@ if (!exists("data")) data = "build/data/08_element_assembly.tsv"
 if (!exists("out"))  out  = "figures/08_element_assembly_chart.svg"
 
 load "figures/style.gp"
-set terminal svg size 860,460
+set terminal svg size 860,440
 set output out
 
 # Measured slopes, in the seconds: least squares over the valid points before
-# round-off, without the small n whose time is mostly that of the call.
+# round-off (L2 > 1e-9), without the small n whose time is mostly the call.
 good(c) = column("valid") == 1 && column("roundoff") == 0 && \
-          column("n") >= 64 ? log(column(c)) : 1/0
+          column("n") >= 64 && column("L2") > 1e-9 ? log(column(c)) : 1/0
 do for [c in "seconds flops"] {
     stats data index "chart_dense" using (good(c)):(good("L2")) \
         name "D".c nooutput
@@ -29,14 +29,14 @@ failed(y) = column("valid") == 0 ? y : 1/0
 line(x, m, lx, ly, factor) = factor*exp(ly + m*(log(x) - lx))
 
 set multiplot layout 1,2
-set lmargin 10; set rmargin 3; set tmargin 5.5; set bmargin 6
+set lmargin 10; set rmargin 3; set tmargin 5.5; set bmargin 5
 set logscale xy
 set format xy "10^{%T}"
 top = 1e-3
 set yrange [1e-11:2*top]
 set ytics 10
 set mytics 1; set mxtics 1
-set ylabel "L^2 error (-)"
+set ylabel "L² error (-)"
 set key above left vertical maxrows 4 reverse Left samplen 2.5
 set label 1 machine(data) at screen 0.01,0.025 left font ",10"
 

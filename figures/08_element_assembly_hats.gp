@@ -22,15 +22,14 @@ stats data index "K_local" using (column("e") == mark ? column("x1") : 1/0) \
     name "x1" nooutput
 
 set multiplot layout 1,2
-set lmargin 8; set rmargin 2; set tmargin 4; set bmargin 4.5
-set style fill transparent solid 0.12 noborder
+set lmargin 10; set rmargin 2; set tmargin 3.5; set bmargin 4
+set style fill transparent solid 0.25 noborder
 set xlabel "x (-)"
-set ylabel "hat functions e_j (-)"
+set ylabel "hat functions (-)"
 set xrange [-0.03:1.03]
 set yrange [0:1.12]
 set ytics 0.25
 set key above left horizontal maxrows 1 samplen 2
-set label 1 sprintf("element %d", mark) at 0.5*(x0_min + x1_min),0.06 center
 is(e) = column("e") == e
 plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
          with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
@@ -38,7 +37,8 @@ plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
          with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
      "" index "K_local" \
          using (0.5*(column("x0")+column("x1"))):(is(mark) ? 0.5 : 1/0): \
-               "x0":"x1":(0):(1) with boxxyerror lc rgb "#E69F00" notitle, \
+               "x0":"x1":(0):(1) with boxxyerror lc rgb "#E69F00" \
+         title sprintf("element %d", mark), \
      "" index "K_local" using "x0":(is(mark) ? 1 : 1/0): \
                (column("x1")-column("x0")):(-1) \
          with vectors nohead ls 1 lw 3 title sprintf("e_%d", mark), \
@@ -50,7 +50,6 @@ plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
      "" index "nodes" using "x":(1.05):(sprintf("e_%d", column(0))) \
          with labels notitle
 
-unset label 1
 set xlabel "column j"
 set ylabel "row i"
 set xrange [-0.6:last + 1.6]
@@ -61,24 +60,25 @@ set size ratio 1
 unset grid
 set key above left horizontal maxrows 1 samplen 1
 set style fill transparent solid 0.30 border lc rgb "#666666"
-corner(e, d) = e + d
+inside(i, j) = i >= mark && i <= mark + 1 && j >= mark && j <= mark + 1
 plot data index "K_local" using "e":"e":(column("e")-0.46):(column("e")+1.46): \
          (column("e")-0.46):(column("e")+1.46) with boxxyerror \
-         lc rgb "#999999" title "each element adds to four entries", \
+         lc rgb "#999999" title "four entries of each element", \
      "" index "K_local" using "e":(is(mark) ? mark : 1/0): \
          (mark-0.46):(mark+1.46):(mark-0.46):(mark+1.46) with boxxyerror \
-         fs solid 0.9 border lc rgb "#E69F00" title sprintf("element %d", mark), \
-     "" index "A" using "j":(column("value") != 0 ? column("i") : 1/0) \
+         lc rgb "#F9E0AB" fs solid 1.0 border lc rgb "#E69F00" \
+         title sprintf("element %d", mark), \
+     "" index "A" using "j":(column("value") != 0 && \
+         !inside(column("i"), column("j")) ? column("i") : 1/0) \
          with points pt 7 ps 0.4 lc rgb "black" notitle, \
-     "" index "A" using "j":(column("value") == 0 ? column("i") : 1/0) \
-         with points pt 1 ps 0.01 lc rgb "#bbbbbb" notitle, \
-     "" index "K_local" using "e":(is(mark) ? mark - 0.25 : 1/0):("K_{00}") \
+     "" index "K_local" using "e":(is(mark) ? mark : 1/0):("K_{00}") \
          with labels notitle, \
-     "" index "K_local" using (mark + 1):(is(mark) ? mark - 0.25 : 1/0):("K_{01}") \
+     "" index "K_local" using (mark + 1):(is(mark) ? mark : 1/0):("K_{01}") \
          with labels notitle, \
-     "" index "K_local" using (mark):(is(mark) ? mark + 0.75 : 1/0):("K_{10}") \
+     "" index "K_local" using (mark):(is(mark) ? mark + 1 : 1/0):("K_{10}") \
          with labels notitle, \
-     "" index "K_local" using (mark + 1):(is(mark) ? mark + 0.75 : 1/0):("K_{11}") \
+     "" index "K_local" using (mark + 1):(is(mark) ? mark + 1 : 1/0): \
+         ("K_{11}") \
          with labels notitle
 unset multiplot
 set output

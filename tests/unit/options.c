@@ -30,7 +30,7 @@ static void parse(const char *line)
     const struct option table[] = {
         {"n", .integer = &got.n, .min = 1, .max = 1000, .help = "elements"},
         {"beta", .real = &got.beta, .min = 1e-9, .max = 1e9, .unit = "N",
-         .help = "coefficient"},
+         .help = "coefficient", .why = "negative is unstable"},
         {"way", .choice = &got.way, .choices = "keep one", .help = "way"},
     };
     options_parse("prog", table, COUNT(table), argc, argv);
@@ -84,7 +84,8 @@ static void message_names_option_value_and_range(void)
     line_given = "--beta -1";
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
-        "prog: --beta -1: must be a number from 1e-09 to 1000000000 N\n");
+        "prog: --beta -1: must be a number from 1e-09 to 1000000000 N; "
+        "negative is unstable\n");
     line_given = "--way two";
     ck_assert_str_eq(outcome_of(parse_given_line).err,
                      "prog: --way two: must be one of: keep one\n");
