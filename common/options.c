@@ -25,6 +25,7 @@ static void print_allowed(FILE *out, const struct option *option)
                 option->integer ? "a whole number" : "a number", option->min,
                 option->max, option->unit ? " " : "",
                 option->unit ? option->unit : "");
+    if (option->why) fprintf(out, "; %s", option->why);
 }
 
 static void print_usage(const char *program, const struct option table[], int n)
