@@ -1,0 +1,50 @@
+# 07_poisson_bvp_orders.gp - three errors against h, on the lines that the
+# theory predicts.
+#
+# Reads   data  table orders (n, three errors with their orders and constants)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 720,500 enhanced font "Helvetica,14" \
+    background rgb "white"
+set output out
+
+# orders and constants of the finest pair of grids: the last row stays
+finest(name) = sprintf("stats data index 'orders' using (p_%s = \
+column('%s_order'), C_%s = column('%s_constant')) nooutput", \
+    name, name, name, name)
+eval finest("nodal")
+eval finest("L2")
+eval finest("energy")
+entry(name, p, C) = sprintf("%s:  order %.2f,  constant %.4f", name, p, C)
+
+set logscale xy
+set xrange [1.0/760:1.0/2.6]
+set yrange [1.2e-8:0.12]
+set format y "10^{%T}"
+set xtics ("1/512" 1.0/512, "1/256" 1.0/256, "1/128" 1.0/128, "1/64" 1.0/64, \
+           "1/32" 1.0/32, "1/16" 1.0/16, "1/8" 1.0/8, "1/4" 1.0/4)
+unset mytics
+set xlabel "element length h (domain of length 1)"
+set ylabel "error (dimensionless)" offset 1
+set key above left maxrows 4 samplen 1.6 spacing 1.15
+
+# the theory, extended beyond the data at both ends
+energy(h) = sqrt(7.0) / 24.0 * h
+L2(h) = 0.0317641 * h**2
+nodal(h) = (1.0 / 144.0 + log(2.0) / 96.0) * h**2
+set label 1 "√7 h / 24" at 1.0/170, energy(1.0/170) * 2.1 right \
+    textcolor ls 1
+set label 2 "0.0318 h^2" at 1.0/38, L2(1.0/38) * 2.8 right textcolor ls 2
+set label 3 "(1/144 + ln2 / 96) h^2" at 1.0/28, nodal(1.0/28) * 0.42 left \
+    textcolor ls 3
+
+plot energy(x) with lines ls 8 title "theory: slopes 1 and 2", \
+     L2(x) with lines ls 8 notitle, \
+     nodal(x) with lines ls 8 notitle, \
+     data index "orders" using (1 / column("n")):"energy" with points \
+         ls 1 ps 1.0 title entry("energy norm", p_energy, C_energy), \
+     data index "orders" using (1 / column("n")):"L2" with points \
+         ls 2 ps 0.9 title entry("L_2 norm", p_L2, C_L2), \
+     data index "orders" using (1 / column("n")):"nodal" with points \
+         ls 3 ps 1.1 title entry("largest nodal error", p_nodal, C_nodal)
+set output
