@@ -1,12 +1,13 @@
 /*
- * poisson.h - linear finite elements for -(beta u')' = f on an interval.
+ * poisson.h - linear finite elements for -(beta u')' = f on an interval
+ * [eq:poisson-strong], from the weak form [eq:poisson-weak]:
  *
  *     A_ij = int beta e_i' e_j' dx,   b_i = int f e_i dx + q_i  [eq:poisson-A]
  *                                                               [eq:poisson-b]
  *
- * with hat functions e_j on nodes x_0 < x_1 < ... < x_n: n elements, n + 1
- * nodes; element j joins nodes j - 1 and j and has length h_j = x_j - x_{j-1}.
- * Everything is dimensionless.
+ * with hat functions e_j [eq:hat] on nodes x_0 < x_1 < ... < x_n: n elements,
+ * n + 1 nodes; element j joins nodes j - 1 and j and has length
+ * h_j = x_j - x_{j-1}.  Everything is dimensionless.
  */
 #ifndef COMMON_POISSON_H
 #define COMMON_POISSON_H

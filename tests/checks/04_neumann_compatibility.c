@@ -74,7 +74,8 @@ static void quadratic_form_is_vAv(void)
     matrix_multiply(s.A, values, Av);
     for (int i = 0; i < N_node; i++) want += values[i] * Av[i];
     expect_close(quadratic_form(n_elem, nodes, wavy_beta, values), want,
-                 ROUND_OFF, want, "v'Av on unequal elements, beta not constant");
+                 ROUND_OFF, want,
+                 "v'Av on unequal elements, beta not constant");
 
     /* only element 1 sees node 0, only element n sees node n */
     for (int end = 0; end <= n_elem; end += n_elem) {

@@ -219,7 +219,8 @@ static void numbers_are_what_the_storage_holds(void)
                 struct matrix *A = matrix_alloc((enum storage)s, N, p);
                 expect_close(cholesky_cost((enum storage)s, N, p).numbers,
                              (double)matrix_bytes(A) / sizeof(double),
-                             1e-13, 100.0, "numbers kept, N = %d, %s, p = %d", N,
+                             1e-13, 100.0,
+                             "numbers kept, N = %d, %s, p = %d", N,
                              s == DENSE ? "dense" : "banded", p);
                 matrix_free(A);
             }

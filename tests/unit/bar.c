@@ -56,9 +56,9 @@ static void pk1_and_dpk1_are_derivatives_in_2d(void)
         const mat2 difference =
             mat2_scale(0.5 / d, mat2_subtract(material2_pk1(&m, plus),
                                               material2_pk1(&m, minus)));
-        close_to(mat2_norm(mat2_subtract(difference,
-                                         material2_dpk1(&m, F, dF))),
-                 0.0, 1e-6);
+        close_to(
+            mat2_norm(mat2_subtract(difference, material2_dpk1(&m, F, dF))),
+            0.0, 1e-6);
     }
 }
 
@@ -71,8 +71,8 @@ static void neohookean_is_frame_invariant(void)
         const mat2 P = material2_pk1(&m, F);
         const mat2 PFt = mat2_multiply(P, mat2_transpose(F));
         close_to(material2_psi(&m, QF), material2_psi(&m, F), 1e-12);
-        close_to(mat2_norm(mat2_subtract(material2_pk1(&m, QF),
-                                         mat2_multiply(Q, P))),
+        close_to(mat2_norm(
+                     mat2_subtract(material2_pk1(&m, QF), mat2_multiply(Q, P))),
                  0.0, 1e-11);
         close_to(PFt.m[0][1], PFt.m[1][0], 1e-11);
         close_to(material2_psi(&m, Q), 0.0, 1e-12);
@@ -118,8 +118,8 @@ static void residual_is_the_gradient_of_the_energy(void)
 {
     double b[n + 1], u[n + 1], q[n + 1], plus, minus;
     weight(238.5, b);
-    const struct bar bar = {n, 1.0 / n, {1, 0}, b,
-                            material_make(CUBIC, 1000.0, 0.3)};
+    const struct bar bar = {
+        n, 1.0 / n, {1, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
     struct matrix *K = matrix_alloc(DENSE, n + 1, 0);
     for (int i = 0; i <= n; i++) u[i] = 0.05 * sin(2.385 * i);
     ck_assert_int_eq(bar_residual(&bar, u, q), OK);
@@ -162,24 +162,29 @@ static void bar_under_its_weight_equals_the_oracle(void)
         for (int search = 0; search < 2; search++) {
             double b[n + 1], u[n + 1] = {0};
             weight(oracle[k].c, b);
-            const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+            const struct bar bar = {n,
+                                    1.0 / n,
+                                    {1, 0},
+                                    b,
                                     material_make(oracle[k].law, 1000.0, 0.3)};
             const struct newton_control control = {1e-12, 60, search};
             const struct newton_report report =
                 bar_newton(&bar, &control, u, NULL);
-            ck_assert_msg(report.status == OK, "%s", status_name(report.status));
+            ck_assert_msg(report.status == OK, "%s",
+                          status_name(report.status));
             close_to(u[n], oracle[k].u1, 1e-10 * fabs(oracle[k].u1) + 1e-12);
         }
 }
 
-/* Log law from rest: the first step reaches F <= 0 iff p <= -(2 mu + lambda). */
+/* Log law from rest: the first step reaches F <= 0 iff p <= -(2 mu + lambda).
+ */
 static void failure_has_a_reason(void)
 {
     for (int k = 0; k < 2; k++) {
         double b[n + 1] = {0}, u[n + 1] = {0};
         b[n] = k == 0 ? -1346.0 : -1347.0;
-        const struct bar bar = {n, 1.0 / n, {1, 0}, b,
-                                material_make(LOG, 1000.0, 0.3)};
+        const struct bar bar = {
+            n, 1.0 / n, {1, 0}, b, material_make(LOG, 1000.0, 0.3)};
         struct newton_control control = {1e-10, 60, 0};
         const struct newton_report report = bar_newton(&bar, &control, u, NULL);
         ck_assert_int_eq(report.status, k == 0 ? OK : INVERTED);
@@ -193,7 +198,6 @@ static void failure_has_a_reason(void)
                          MAX_ITERATIONS);
     }
 }
-
 
 static const struct unit_law laws[] = {
     {"pk1_and_dpk1_are_derivatives_in_1d", pk1_and_dpk1_are_derivatives_in_1d},
