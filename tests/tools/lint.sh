@@ -71,14 +71,14 @@ for slug in $lessons; do
     chapter=$(awk -v lesson="$nn" '/^## / { here = ($0 ~ "^## Lesson " lesson) } here' workbook.md)
     for slot in $(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c"); do
         for level in 1 2 3; do
-            echo "$chapter" | grep -q "<summary>Hint $level: slot $slot" ||
+            printf '%s\n' "$chapter" | grep -q "<summary>Hint $level: slot $slot" ||
                 missing="$missing hint-$level-for-$slot"
         done
     done
-    echo "$chapter" | grep -q '<summary>Answer' || missing="$missing answer"
+    printf '%s\n' "$chapter" | grep -q '<summary>Answer' || missing="$missing answer"
     rule "lesson $nn is whole" "$missing"
     rule "hints of lesson $nn name checks or slots that exist" \
-        "$(echo "$chapter" | sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' |
+        "$(printf '%s\n' "$chapter" | sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' |
             while read -r what; do
                 case $what in
                 slot*) grep -q "SLOT ${what#slot }(" "solutions/$slug.c" || echo "$what" ;;
