@@ -70,9 +70,12 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
 /*
  * Cholesky factorisation A = L L^T in place [eq:cholesky].
  *
- * NOT_SPD when a pivot is not above n eps times its own diagonal entry (the
- * bound on the round-off in a pivot; NaN is caught as well): A is then partly
- * overwritten.  Newton's method reacts to it, so it is never an abort.
+ * NOT_SPD when a pivot is not above n eps times its own diagonal entry, which
+ * is where round-off leaves the last pivot of a singular matrix; NaN is caught
+ * as well.  A is then partly overwritten.  Newton's method reacts to it, so it
+ * is never an abort.  The test is invariant under scaling of the unknowns, and
+ * cannot be complete: on a strongly graded mesh (lengths 1 to 10 and more) the
+ * round-off of small elements may exceed it, and a singular matrix passes.
  */
 enum status matrix_factor(struct matrix *A);
 

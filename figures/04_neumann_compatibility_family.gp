@@ -4,19 +4,28 @@
 
 load "figures/style.gp"
 set output out
+set key maxrows 5
+
+# the constant of the exact solution x - e^x + C with nodal mean 0
+stats data index "family" using (column("exact") - column("x") + \
+    exp(column("x"))) name "C" nooutput
 
 set xlabel "position x (-)"
 set ylabel "u (-)"
-set yrange [-0.85:0.65]
-set xrange [-0.02:1.02]
+set xrange [0:1]
+set yrange [-0.9:0.7]
+unset grid
+set xzeroaxis ls 9
 
-plot data index "family" using "x":"above" with linespoints ls 2 \
-         title "another solution, c = +0.3", \
-     "" index "family" using "x":"minimum_norm" with linespoints ls 1 lw 4 \
-         ps 1 title "minimum norm, c = 0", \
+plot for [k = -4:4] data index "family" \
+         using "x":(column("minimum_norm") + 0.1 * k) with lines ls 9 lw 1 \
+         title (k == -4 ? "members of the family, c = -0.4, -0.3, ..., 0.4" : ""), \
+     data index "family" using "x":"above" with linespoints ls 2 \
+         title "c = +0.3", \
      "" index "family" using "x":"below" with linespoints ls 3 \
-         title "another solution, c = -0.3", \
-     "" index "family" using "x":"exact" with lines ls 8 lw 1.5 \
-         title "x - e^x, shifted to nodal mean 0", \
-     0 with lines ls 9 notitle
+         title "c = -0.3", \
+     "" index "family" using "x":"minimum_norm" with linespoints ls 1 lw 4 \
+         ps 1 title "c = 0: minimum norm, the nodal values add up to 0", \
+     x - exp(x) + C_mean with lines ls 8 lw 1.5 \
+         title "exact, x - e^x + C with the same nodal mean"
 set output

@@ -74,8 +74,7 @@ static void quadratic_form_is_vAv(void)
     matrix_multiply(s.A, values, Av);
     for (int i = 0; i < N_node; i++) want += values[i] * Av[i];
     expect_close(quadratic_form(n_elem, nodes, wavy_beta, values), want,
-                 ROUND_OFF, want,
-                 "v'Av on unequal elements, beta not constant");
+                 ROUND_OFF, want, "v'Av, unequal elements, beta not constant");
 
     /* only element 1 sees node 0, only element n sees node n */
     for (int end = 0; end <= n_elem; end += n_elem) {
@@ -129,6 +128,9 @@ static void defect_is_the_sum_of_b(void)
                    "loads of size 1e%d with sum %.1e times that: said %s", k,
                    sign * 1e-9 * scale, status_name(status));
         }
+    b[3] = NAN;
+    expect(compatibility(N_node, b, &defect) == INCOMPATIBLE,
+           "loads with a NaN among them are taken for compatible");
     matrix_free(A);
 }
 
