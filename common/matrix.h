@@ -3,7 +3,7 @@
  *
  * Two storages behind one interface.  Number the nodes along the bar and
  * A[i][j] = 0 whenever |i - j| > p.  Keeping only the band costs n (p + 1)
- * numbers and about n p^2 flops to factor, instead of n^2 and n^3 / 3
+ * numbers and about n (p + 1)^2 flops to factor, instead of n^2 and n^3 / 3
  * [eq:band-cost].  Half bandwidth p = 1 is the tridiagonal case.
  *
  *     A = | a0 b0  .  . |     DENSE   a[i*n + j]       = A[i][j]

@@ -1,6 +1,7 @@
 # What dense and banded storage cost: bytes and seconds against N.
 load "figures/style.gp"
-set terminal svg size 760,450 enhanced font "Helvetica,13" background rgb "white"
+set terminal svg size 760,450 enhanced font "Helvetica,13" \
+    background rgb "white"
 set output out
 
 dense = "times_dense"
@@ -43,11 +44,11 @@ unset label 1
 set lmargin at screen 0.60
 set rmargin at screen 0.98
 set key at screen 0.57, screen 0.985 left top vertical maxrows 4 reverse Left
-set ylabel "factor and solve, seconds" offset 0.5
+set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
 plot data index dense using "N":"seconds" with linespoints ls 1 lw 1 \
          title sprintf("dense: measured N^{%.2f}", p_dense), \
-     s_dense * (x / N_dense)**3 with lines ls 8 title "due: N^3 and N^1", \
+     s_dense * (x / N_dense)**3 with lines ls 8 title "due: N and N^3", \
      data index banded using "N":"seconds" with linespoints ls 2 lw 1 \
          title sprintf("banded, p = 1: measured N^{%.2f}", p_banded), \
      s_banded * (x / N_banded) with lines ls 8 notitle

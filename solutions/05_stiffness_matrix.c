@@ -210,7 +210,7 @@ static void print_structure(double grading)
 static void print_eigenvalues(const char *name, enum ends ends, int n)
 {
     const double h = 1.0 / n;
-    const double shift = 0.5 * (double)ends - 1.0; /* -1, -1/2, 0 */
+    const double shift = 0.5 * (int)ends - 1.0; /* -1, -1/2, 0 */
     double *lambda = allocate((size_t)n + 1, sizeof *lambda);
     const int order = eigenvalues_gsl(ends, n, 1.0, lambda);
 

@@ -216,11 +216,11 @@ static void numbers_are_what_the_storage_holds(void)
     for (int N = 1; N <= 11; N++)
         for (int p = 0; p < N; p++)
             for (int s = DENSE; s <= BANDED; s++) {
-                struct matrix *A = matrix_alloc((enum storage)s, N, p);
-                expect_close(cholesky_cost((enum storage)s, N, p).numbers,
-                             (double)matrix_bytes(A) / sizeof(double),
-                             1e-13, 100.0,
-                             "numbers kept, N = %d, %s, p = %d", N,
+                const enum storage storage = (enum storage)s;
+                struct matrix *A = matrix_alloc(storage, N, p);
+                const double held = (double)(matrix_bytes(A) / sizeof(double));
+                expect_close(cholesky_cost(storage, N, p).numbers, held, 1e-13,
+                             100.0, "numbers kept, N = %d, %s, p = %d", N,
                              s == DENSE ? "dense" : "banded", p);
                 matrix_free(A);
             }
