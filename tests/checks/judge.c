@@ -740,7 +740,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     if (first < 0) {
         const struct finding passed = {.verdict = PASS};
         write_result(&passed, "-");
-        printf("\n  Notice:\n");
+        printf("  Notice:\n");
         print_wrapped("    ", lesson->notice);
         printf("  Break it:\n");
         print_wrapped("    ", lesson->break_it);
@@ -749,7 +749,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         const struct claim claim = claim_at(lesson, first);
         const struct finding *bad = &finding[first];
         write_result(bad, claim.name);
-        printf("\n  %s", claim.name);
+        printf("  In %s", claim.name);
         if (*bad->slot) printf(" (slot %s)", bad->slot);
         printf(":\n");
         print_wrapped("    ", bad->text);
