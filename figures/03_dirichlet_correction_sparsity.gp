@@ -1,7 +1,7 @@
 # 03_dirichlet_correction_sparsity.gp - A before and after the correction, and
 # what the diagonal entry does to the condition number.
 #
-# Reads   data  tables A, A_corrected (i j value), condition (N kept one)
+# Reads   data  tables A, A_corrected (i j value), condition (n kept one)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,380 enhanced font "Helvetica,13" \
@@ -57,13 +57,13 @@ set logscale xy
 set xtics (4, 8, 16, 32, 64) scale 0.5
 set ytics auto scale 0.5
 set format y "10^{%T}"
-set xlabel "elements N, left end given"
+set xlabel "elements n, left end given"
 set ylabel "condition number" offset 1
 set key above left vertical maxrows 3 reverse Left
-plot data index "condition" using "N":"one" with linespoints ls 2 \
+plot data index "condition" using "n":"one" with linespoints ls 2 \
          title "diagonal 1", \
-     ""   index "condition" using "N":"kept" with linespoints ls 1 \
+     ""   index "condition" using "n":"kept" with linespoints ls 1 \
          title "diagonal kept", \
-     16*x**2/pi**2 with lines ls 8 title "16N²/π²"
+     16*x**2/pi**2 with lines ls 8 title "16n²/π²"
 unset multiplot
 set output

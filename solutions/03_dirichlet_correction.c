@@ -15,7 +15,7 @@
  *     |  .  a21  .  . | .. |   | .. |      |  .  a21  .   . | .. |   ...
  *
  * Run       make lesson-03, or with options: -h lists them
- * Expect    reactions and loads add up to 0; with the left end fixed, N = 16
+ * Expect    reactions and loads add up to 0; with the left end fixed, n = 16
  *           and beta = 1346.15: condition number 437.7 with the diagonal kept,
  *           85375 with ones on it
  * Plot: nodes x u
@@ -149,7 +149,7 @@ static double condition_number(int N, const double A[])
 /* What the new diagonal entry does to the conditioning: left end fixed. */
 static void print_condition(double beta)
 {
-    table_begin("condition", "N kept one");
+    table_begin("condition", "n kept one");
     for (int n = 4; n <= 64; n *= 2) {
         const int N = n + 1, node[] = {0};
         const double g[] = {2.385};

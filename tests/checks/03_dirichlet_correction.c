@@ -211,18 +211,18 @@ static void condition_numbers_are_the_oracles(void)
 {
     struct output *output = run("");
     for (int k = 0; k < COUNT(oracle_condition); k++) {
-        const int row = k == 0 ? 0 : k == 1 ? 2 : 4; /* N = 4, 16, 64 */
-        expect(lround(cell(output, "condition", "N", row)) ==
+        const int row = k == 0 ? 0 : k == 1 ? 2 : 4; /* n = 4, 16, 64 */
+        expect(lround(cell(output, "condition", "n", row)) ==
                    oracle_condition[k].N,
-               "row %d of table `condition` must be N = %d", row + 1,
+               "row %d of table `condition` must be n = %d", row + 1,
                oracle_condition[k].N);
         expect_close(cell(output, "condition", "kept", row),
                      oracle_condition[k].DN, 1e-9, oracle_condition[k].DN,
-                     "condition number, N = %d, diagonal kept",
+                     "condition number, n = %d, diagonal kept",
                      oracle_condition[k].N);
         expect_close(cell(output, "condition", "one", row),
                      oracle_condition[k].one, 1e-9, oracle_condition[k].one,
-                     "condition number, N = %d, diagonal 1",
+                     "condition number, n = %d, diagonal 1",
                      oracle_condition[k].N);
     }
 }
@@ -259,7 +259,7 @@ static const struct column_rule rules[] = {
     {"b_corrected", "*", 1e-13, "one product more an entry", 0},
     {"nodes", "x", 1e-14, "i / n", 0},
     {"nodes", "*", 1e-9, SOLVE, 0},
-    {"condition", "N", 0, "a count", 0},
+    {"condition", "n", 0, "a count", 0},
     {"condition", "*", 1e-8, "eigenvalues to eps times the condition", 0},
     {"row_only", "*", 1e-9, SOLVE, 0},
 };
