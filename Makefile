@@ -85,8 +85,8 @@ $(BUILD)/mine/%: lessons/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LIB) $(LDFLAGS) $(GSL_LIBS)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(BUILD)/tests/judge.o
-$(JUDGE): tests/checks/judge.c Makefile | $(DEPS)
+JUDGE = $(BUILD)/tests/judge.o $(BUILD)/tests/output.o
+$(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $(CHECK_CFLAGS) -c $< -o $@
 

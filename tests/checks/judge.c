@@ -1,28 +1,20 @@
 /* judge.c - see judge.h. */
 #include "judge.h"
 
+#include "output.h"
+
 #include <check.h>
-#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-enum {
-    SECONDS_A_CHECK = 5,
-    MEGABYTES_OUTPUT = 8,
-    GIGABYTES_MEMORY = 4,
-    WIDTH = 78,
-    MAX_TABLES = 64,
-    MAX_COLUMNS = 32
-};
+enum { WIDTH = 78 };
 
 static struct {
     const struct lesson *lesson;
@@ -33,219 +25,6 @@ static struct {
     const char *result;    /* file for "verdict check slot" */
     char work[256];        /* folder for captured output */
 } judging;
-
-_Noreturn static void quit(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    fputs("judge: ", stderr);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
-    va_end(arguments);
-    exit(2);
-}
-
-/* ---- output tables ------------------------------------------------------ */
-
-struct named_table {
-    char name[64];
-    int n_column, n_row;
-    char column[MAX_COLUMNS][64];
-    double *value; /* [n_column][capacity] by columns; owned */
-    int capacity;
-};
-
-struct output {
-    int status; /* exit status, or -signal */
-    int n_table;
-    struct named_table table[MAX_TABLES];
-    char error[512];   /* what is wrong with the format, or "" */
-    char stderr_[512]; /* last line on stderr, or "" */
-};
-
-static void read_row(struct output *output, struct named_table *table,
-                     char *line)
-{
-    if (table->n_row == table->capacity) {
-        const int capacity = table->capacity ? 2 * table->capacity : 64;
-        double *value =
-            malloc(sizeof *value * (size_t)capacity * (size_t)table->n_column);
-        if (!value) quit("out of memory");
-        for (int c = 0; c < table->n_column; c++)
-            for (int r = 0; r < table->n_row; r++)
-                value[c * capacity + r] = table->value[c * table->capacity + r];
-        free(table->value);
-        table->value = value;
-        table->capacity = capacity;
-    }
-    char *rest = line;
-    for (int c = 0; c < table->n_column; c++) {
-        char *end;
-        const double value = strtod(rest, &end);
-        if (end == rest || (*end != '\t' && *end != '\0' && *end != ' ')) {
-            snprintf(output->error, sizeof output->error,
-                     "table `%s`, row %d: no number under `%s`", table->name,
-                     table->n_row + 1, table->column[c]);
-            return;
-        }
-        table->value[c * table->capacity + table->n_row] = value;
-        rest = end;
-    }
-    table->n_row++;
-}
-
-static void read_header(struct named_table *table, char *line)
-{
-    for (char *word = strtok(line, "\t ");
-         word && table->n_column < MAX_COLUMNS; word = strtok(NULL, "\t "))
-        snprintf(table->column[table->n_column++], sizeof table->column[0],
-                 "%.60s", word);
-}
-
-/* Tables as common/table.h describes them; comment lines after the name and
- * blank lines between tables are free. */
-static void read_tables(struct output *output, const char *path)
-{
-    FILE *file = fopen(path, "r");
-    char line[4096];
-    struct named_table *table = NULL;
-
-    if (!file) quit("cannot read %s: %s", path, strerror(errno));
-    while (!*output->error && fgets(line, sizeof line, file)) {
-        line[strcspn(line, "\r\n")] = '\0';
-        if (line[strspn(line, " \t")] == '\0') {
-            table = NULL;
-        } else if (line[0] == '#') {
-            if (table) continue;
-            if (output->n_table == MAX_TABLES) {
-                snprintf(output->error, sizeof output->error,
-                         "more than %d tables", MAX_TABLES);
-                break;
-            }
-            table = &output->table[output->n_table++];
-            snprintf(table->name, sizeof table->name, "%.60s",
-                     line + 1 + strspn(line + 1, " \t"));
-        } else if (!table) {
-            snprintf(output->error, sizeof output->error,
-                     "a line that belongs to no table: %.60s", line);
-        } else if (table->n_column == 0) {
-            read_header(table, line);
-        } else {
-            read_row(output, table, line);
-        }
-    }
-    fclose(file);
-}
-
-static void output_free(struct output *output)
-{
-    if (!output) return;
-    for (int t = 0; t < output->n_table; t++) free(output->table[t].value);
-    free(output);
-}
-
-static const struct named_table *find_table(const struct output *output,
-                                            const char *name)
-{
-    for (int t = 0; t < output->n_table; t++)
-        if (strcmp(output->table[t].name, name) == 0) return &output->table[t];
-    return NULL;
-}
-
-static const double *find_column(const struct named_table *table,
-                                 const char *name)
-{
-    for (int c = 0; c < table->n_column; c++)
-        if (strcmp(table->column[c], name) == 0)
-            return table->value + c * table->capacity;
-    return NULL;
-}
-
-/* ---- running a program -------------------------------------------------- */
-
-static void limit(int resource, rlim_t value)
-{
-    struct rlimit rule;
-    if (getrlimit(resource, &rule) < 0) return;
-    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > value)
-        rule.rlim_cur = value;
-    setrlimit(resource, &rule);
-}
-
-static void set_limits(void)
-{
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, (rlim_t)MEGABYTES_OUTPUT << 20);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__APPLE__)
-    limit(RLIMIT_AS, (rlim_t)GIGABYTES_MEMORY << 30);
-#endif
-}
-
-static void redirect(int fd, const char *path)
-{
-    const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (file < 0 || dup2(file, fd) < 0) _exit(2);
-    close(file);
-}
-
-/* The last line of a file that is not empty. */
-static void last_line(const char *path, size_t size, char text[])
-{
-    FILE *file = fopen(path, "r");
-    char line[512];
-    text[0] = '\0';
-    while (file && fgets(line, sizeof line, file)) {
-        line[strcspn(line, "\n")] = '\0';
-        if (*line) snprintf(text, size, "%s", line);
-    }
-    if (file) fclose(file);
-}
-
-/* Run `program`, or program_main() when it is NULL, in a child. */
-static struct output *run_any(const char *program, const char *options)
-{
-    char out[320], err[320], words[512], *argv[64];
-    int argc = 0;
-    struct output *output = calloc(1, sizeof *output);
-
-    if (!output) quit("out of memory");
-    snprintf(out, sizeof out, "%s/out.%ld", judging.work, (long)getpid());
-    snprintf(err, sizeof err, "%s/err.%ld", judging.work, (long)getpid());
-    snprintf(words, sizeof words, "%s", options);
-    argv[argc++] = (char *)(program ? program : judging.lesson->name);
-    for (char *w = strtok(words, " "); w && argc < 63; w = strtok(NULL, " "))
-        argv[argc++] = w;
-    argv[argc] = NULL;
-
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child < 0) quit("cannot fork: %s", strerror(errno));
-    if (child == 0) {
-        redirect(STDOUT_FILENO, out);
-        redirect(STDERR_FILENO, err);
-        set_limits();
-        alarm(SECONDS_A_CHECK);
-        if (!program) exit(program_main(argc, argv));
-        execv(program, argv);
-        _exit(127);
-    }
-    int status;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) quit("cannot wait: %s", strerror(errno));
-    output->status =
-        WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-    last_line(err, sizeof output->stderr_, output->stderr_);
-    if (output->status == 0)
-        read_tables(output, out);
-    else {
-        FILE *file = fopen(out, "r"); /* to tell whether anything was printed */
-        if (file && fgetc(file) != EOF) output->n_table = 1;
-        if (file) fclose(file);
-    }
-    remove(out);
-    remove(err);
-    return output;
-}
 
 /* ---- inside a check ------------------------------------------------------ */
 
@@ -308,7 +87,7 @@ static void expect_finite(const struct output *output)
 
 struct output *run(const char *options)
 {
-    struct output *output = run_any(NULL, options);
+    struct output *output = output_of(NULL, options, judging.work);
     pass_on(output, options);
     if (*output->error) wrong("the output cannot be read: %s", output->error);
     if (output->n_table == 0)
@@ -320,7 +99,7 @@ struct output *run(const char *options)
 
 void expect_refusal(const char *options, int status, const char *word)
 {
-    struct output *output = run_any(NULL, options);
+    struct output *output = output_of(NULL, options, judging.work);
     if (output->status == 3 || output->status < 0) pass_on(output, options);
     expect(output->status == status,
            "with %s the program must stop with exit status %d, not %d", options,
@@ -457,7 +236,8 @@ static void check_same_numbers_as_reference(void)
     for (int r = 0; r < judging.lesson->n_run; r++) {
         const char *options = judging.lesson->runs[r];
         char text[900];
-        struct output *want = run_any(judging.reference, options);
+        struct output *want =
+            output_of(judging.reference, options, judging.work);
         if (want->status != 0 || *want->error)
             quit("the reference solution fails with '%s': %s%s", options,
                  want->stderr_, want->error);
@@ -530,8 +310,9 @@ static void diagnose(void)
     if (!judging.mistakes || n_run > MAX_RUNS) return;
     if (judging.prepare && system(judging.prepare) != 0) return;
     for (int r = 0; r < n_run; r++) {
-        mine[r] = run_any(NULL, judging.lesson->runs[r]);
-        right[r] = run_any(judging.reference, judging.lesson->runs[r]);
+        mine[r] = output_of(NULL, judging.lesson->runs[r], judging.work);
+        right[r] =
+            output_of(judging.reference, judging.lesson->runs[r], judging.work);
     }
     struct dirent **entry;
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
@@ -543,7 +324,8 @@ static void diagnose(void)
                    !strchr(entry[i]->d_name, '.') && access(program, X_OK) == 0;
         int tells = 0; /* the mistake shows in the numbers at all */
         for (int r = 0; r < n_run && same; r++) {
-            struct output *other = run_any(program, judging.lesson->runs[r]);
+            struct output *other =
+                output_of(program, judging.lesson->runs[r], judging.work);
             same = coincide(mine[r], other);
             tells |= !coincide(right[r], other);
             output_free(other);

@@ -49,7 +49,8 @@ judge() {
         return 2
     fi
     log=$BUILD/mine/$slug.log
-    if ! "$MAKE" "$BUILD/solutions/$slug" "$BUILD/tests/judge.o" >"$log" 2>&1; then
+    if ! "$MAKE" "$BUILD/solutions/$slug" \
+        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" >"$log" 2>&1; then
         cat "$log" >&2
         return 2
     fi
