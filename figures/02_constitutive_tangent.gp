@@ -1,0 +1,65 @@
+# 02_constitutive_tangent.gp - dP/dF over F for several nu; shaded: negative.
+# Reads   data  tables tangent_cubic, tangent_log, thresholds
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/02_constitutive.tsv"
+if (!exists("out"))  out  = "figures/02_constitutive_tangent.svg"
+load "figures/style.gp"
+set terminal svg size 860,450
+set output out
+
+stats data index "thresholds" using "nu_cubic" nooutput
+nu_cubic = STATS_max
+stats data index "thresholds" using "nu_log" nooutput
+nu_log = STATS_max
+stats data index "thresholds" using "F_cubic" nooutput
+F_cubic = STATS_max
+stats data index "thresholds" using "F_log" nooutput
+F_log = STATS_max
+
+set multiplot
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
+    fc rgb "#f6dcd0" fs solid noborder behind
+set label 1 "softening: dP/dF < 0" at graph 0.03, graph 0.05 \
+    font ",12" textcolor rgb "#8a3c00"
+set xlabel "deformation gradient F (-)"
+set tmargin at screen 0.74
+set bmargin at screen 0.13
+
+set key at screen 0.09, screen 0.975 left top vertical maxrows 4 reverse Left
+set lmargin at screen 0.09
+set rmargin at screen 0.49
+set xrange [0:5]
+set yrange [-0.8:2.4]
+set ylabel "dP/dF over its value at rest, 2μ + λ"
+plot data index "tangent_cubic" using "F":"nu_03" with lines ls 1 \
+         title "cubic, ν = 0.3", \
+     "" index "tangent_cubic" using "F":"nu_01" with lines ls 3 \
+         title "cubic, ν = 0.1", \
+     "" index "tangent_cubic" using "F":"nu_critical" with lines ls 2 \
+         title sprintf("cubic, ν = %.7f: touches 0", nu_cubic), \
+     "" index "tangent_cubic" using "F":"nu_002" with lines ls 4 dt 4 \
+         title "cubic, ν = 0.02", \
+     0 with lines ls 9 lw 1 notitle, \
+     "+" using (F_cubic):(0) every ::0::0 with points pt 7 ps 0.8 \
+         lc rgb "#D55E00" notitle
+
+set key at screen 0.59, screen 0.975 left top vertical maxrows 4 reverse Left
+set lmargin at screen 0.59
+set rmargin at screen 0.985
+set logscale x
+set xrange [1:32]
+set xtics (1, 2, 4, 8, 16, 32)
+set yrange [-0.06:0.32]
+unset ylabel
+plot data index "tangent_log" using "F":"nu_03" with lines ls 1 \
+         title "log, ν = 0.3", \
+     "" index "tangent_log" using "F":"nu_045" with lines ls 3 \
+         title "log, ν = 0.45", \
+     "" index "tangent_log" using "F":"nu_critical" with lines ls 2 \
+         title sprintf("log, ν = %.7f: touches 0", nu_log), \
+     "" index "tangent_log" using "F":"nu_0499" with lines ls 4 dt 4 \
+         title "log, ν = 0.499", \
+     0 with lines ls 9 lw 1 notitle, \
+     "+" using (F_log):(0) every ::0::0 with points pt 7 ps 0.8 \
+         lc rgb "#D55E00" notitle
+unset multiplot

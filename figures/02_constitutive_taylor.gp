@@ -1,0 +1,49 @@
+# 02_constitutive_taylor.gp - Taylor remainders of the energy against the step,
+# for the right law, a wrong stress, a wrong tangent.
+# Expected slopes: 2 and 3; 1 and 1; 2 and 2.
+# Reads   data  tables taylor, taylor_slopes
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/02_constitutive.tsv"
+if (!exists("out"))  out  = "figures/02_constitutive_taylor.svg"
+load "figures/style.gp"
+set terminal svg size 860,400
+set output out
+
+slope(name) = real(system(sprintf( \
+    "awk -F'\t' -v c='%s' '$0 == \"# taylor_slopes\" { on = 1; next } \
+     on == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i; on = 2; next } \
+     on == 2 { print $k; exit }' '%s'", name, data)))
+
+set logscale xy
+set format x "2^{%L}"
+set xtics ("2^{-10}" 2**-10, "2^{-8}" 2**-8, "2^{-6}" 2**-6, "2^{-4}" 2**-4, \
+           "2^{-2}" 2**-2)
+set xrange [7e-4:0.35]
+set yrange [1e-7:1e3]
+set xlabel "step t (-)"
+set key above left vertical maxrows 2 reverse Left samplen 2 width -1 font ",12"
+array Pre[3] = ["", "wrongP_", "wrongdP_"]
+array Say[3] = ["all right", "wrong stress: adj F for cof F", \
+                "wrong tangent: that of rest"]
+set multiplot layout 1,3 margins 0.085,0.985,0.15,0.84 spacing 0.03,0
+do for [panel = 1:3] {
+    P = Pre[panel]."P"
+    dP = Pre[panel]."dP"
+    if (panel == 1) {
+        set ylabel "Taylor remainder of ψ (J/m^3)"
+        set format y "10^{%T}"
+    } else {
+        unset ylabel
+        set format y ""
+    }
+    set label 1 Say[panel] at graph 0.04, graph 0.95 font ",13"
+    a = panel == 2 ? 1 : 2
+    b = panel == 1 ? 3 : a
+    plot data index "taylor" using "t":P with linespoints ls 1 \
+             title sprintf("less tP:H, slope %.2f", slope(P)), \
+         "" index "taylor" using "t":dP with linespoints ls 2 \
+             title sprintf("and t^2H:dP/2, slope %.2f", slope(dP)), \
+         (panel == 2 ? 900 : 1800) * x**a with lines ls 8 notitle, \
+         (panel == 1 ? 30 : NaN) * x**b with lines ls 8 notitle
+}
+unset multiplot
