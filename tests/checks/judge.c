@@ -295,6 +295,8 @@ static void print_explanation(const char *folder, const char *name)
     if (!file) quit("cannot read %s", path);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
     fclose(file);
+    for (char *c = text; *c; c++)
+        if (*c == '\n') *c = ' ';
     printf("  Your numbers are those of a program with a known mistake (%s):\n",
            name);
     print_wrapped("    ", text);
@@ -486,9 +488,17 @@ static struct claim claim_at(const struct lesson *lesson, int i)
                           check_same_numbers_as_reference, NULL};
 }
 
+/* The names collected so far, several to a line, and begin again. */
+static void print_passed(char names[])
+{
+    if (*names) print_wrapped("  ok         ", names + 1);
+    *names = '\0';
+}
+
 int judge(const struct lesson *lesson, int argc, char *argv[])
 {
-    enum { MAX_CLAIMS = 24 };
+    enum { MAX_CLAIMS = 24, MAX_LINES = 13 };
+    char passed[MAX_CLAIMS * 64] = ""; /* names that share lines, if many */
     struct finding finding[MAX_CLAIMS] = {0};
     const int n = lesson->n_claim + 1;
     int first = -1;
@@ -515,8 +525,14 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         else
             examine(&claim, &finding[i]);
         if (first < 0 && finding[i].verdict != PASS) first = i;
+        if (finding[i].verdict == PASS && n > MAX_LINES) {
+            strcat(strcat(passed, " "), claim.name);
+            continue;
+        }
+        print_passed(passed);
         printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
     }
+    print_passed(passed);
 
     char number[3] = {lesson->name[0], lesson->name[1], '\0'};
     if (first < 0) {

@@ -20,8 +20,8 @@ result() { # result STATUS WHAT WHY
 case $kind in
 solution)
     said=$(judge_one "$BUILD/solutions/$slug.judge")
-    echo "$said" | sed -n "s/^  \([A-Za-z]*\)  *\([a-z0-9A-Z_]*\)$/\1 $nn: \2/p" |
-        sed '/^ok /!s/^\([A-Za-z]*\) \(.*\)/FAIL \2: \1/'
+    echo "$said" | awk -v nn="$nn" '/^  ok / || /^  [A-Z]+  / {
+        for (i = 2; i <= NF; i++) print ($1 == "ok" ? "ok " : "FAIL ") nn ": " $i }'
     echo "$said" | grep -q "^VERDICT $nn: OK"
     result $? "$nn: solution is judged OK" "$said"
     [ "$(echo "$said" | wc -l)" -le 24 ]
