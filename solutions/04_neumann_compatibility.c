@@ -21,7 +21,7 @@
  *     |  .  . -k  k |
  *
  * Run       make lesson-04, or with options: -h lists them
- * Expect    N = 4: rank 4 of 5, sum b = -0.0044665, u(0) = 0.2577505; the
+ * Expect    n = 4: rank 4 of 5, sum b = -0.0044665, u(0) = 0.2577505; the
  *           defect tends to 0 like -(e - 1) h^2 / 24
  * Plot: family x minimum_norm
  */
@@ -347,8 +347,8 @@ static struct defect defect_of(int n, double grading,
 static void print_compatibility(double grading)
 {
     table_begin_note("compatibility",
-                     "N h sum_b leading ratio order incompatible",
-                     "midpoint rule; h = 1 / N, the mean length");
+                     "n h sum_b leading ratio order incompatible",
+                     "midpoint rule; h = 1 / n, the mean length");
     for (int n = 4; n <= 256; n *= 2) {
         const struct defect d = defect_of(n, grading, &MIDPOINT);
         const double halved =

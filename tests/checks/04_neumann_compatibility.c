@@ -165,7 +165,7 @@ static void every_equation_holds(void)
     grid_make(0.0, 1.0, 4, 1.0, x);
     poisson_assemble(4, x, one, one, &MIDPOINT, A, b);
     expect(solve_neumann(A, load, u) == OK,
-           "solve_neumann fails for N = 4 equal elements");
+           "solve_neumann fails for n = 4 equal elements");
     matrix_multiply(A, u, Au);
     for (int i = 0; i < 5; i++)
         expect_close(Au[i], load[i], ROUND_OFF, 10.0,
@@ -247,8 +247,8 @@ static void numbers_are_the_oracles(void)
 {
     struct output *output = run("");
     for (int k = 0; k < COUNT(oracle_neumann); k++) {
-        const int row = k == 0 ? 0 : 2; /* N = 4, 16 */
-        expect(lround(cell(output, "compatibility", "N", row)) ==
+        const int row = k == 0 ? 0 : 2; /* n = 4, 16 */
+        expect(lround(cell(output, "compatibility", "n", row)) ==
                    oracle_neumann[k].N,
                "row %d of table `compatibility` must be N = %d", row + 1,
                oracle_neumann[k].N);
@@ -259,7 +259,7 @@ static void numbers_are_the_oracles(void)
     for (int i = 0; i < COUNT(oracle_neumann_u4); i++)
         expect_close(cell(output, "family", "minimum_norm", i),
                      oracle_neumann_u4[i], ROUND_OFF, 1.0,
-                     "u[%d] of minimum norm for N = 4", i);
+                     "u[%d] of minimum norm for n = 4", i);
     expect(lround(cell(output, "definiteness", "rank", 0)) == 4,
            "the matrix of two flux ends, order 5, has rank 4");
 }
@@ -348,7 +348,7 @@ static const struct column_rule rules[] = {
     {"family", "*", 1e-10, SOLVE, 0},
     {"norms", "c", 1e-15, "given", 0},
     {"norms", "*", 1e-10, SOLVE, 0},
-    {"compatibility", "N", 0, "a count", 0},
+    {"compatibility", "n", 0, "a count", 0},
     {"compatibility", "h", 1e-15, "1 / N", 0},
     {"compatibility", "sum_b", 1e-13, ADDED, 3.4},
     {"compatibility", "leading", 1e-12, "a sum of N terms", 0},
