@@ -25,6 +25,7 @@ do for [c in "seconds flops"] {
 }
 ok(c) = column("valid") == 1 && column("roundoff") == 0 ? column(c) : 1/0
 turned(c) = column("valid") == 1 && column("roundoff") == 1 ? column(c) : 1/0
+any(c) = column("valid") == 1 ? column(c) : 1/0
 failed(y) = column("valid") == 0 ? y : 1/0
 line(x, m, lx, ly, factor) = factor*exp(ly + m*(log(x) - lx))
 
@@ -46,8 +47,10 @@ plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2 \
          title sprintf("dense, slope %.2f", Dseconds_slope), \
      "" index "chart_banded" using (ok("seconds")):"L2" with linespoints ls 1 \
          title sprintf("banded, slope %.2f", Bseconds_slope), \
-     "" index "chart_banded" using (turned("seconds")):"L2" with linespoints \
-         ls 1 pt 6 lw 1 title "banded, round-off governs", \
+     "" index "chart_banded" using (any("seconds")):"L2" with lines ls 1 lw 1 \
+         notitle, \
+     "" index "chart_banded" using (turned("seconds")):"L2" with points \
+         ls 1 pt 6 title "banded, round-off governs", \
      line(x, -2.0/3, Dseconds_mean_x, Dseconds_mean_y, 2.2) with lines ls 8 \
          title "slopes -2/3 and -2 expected", \
      line(x, -2.0, Bseconds_mean_x, Bseconds_mean_y, 0.35) with lines ls 8 \
@@ -65,8 +68,10 @@ plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2 \
          title sprintf("dense, slope %.2f", Dflops_slope), \
      "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1 \
          title sprintf("banded, slope %.2f", Bflops_slope), \
-     "" index "chart_banded" using (turned("flops")):"L2" with linespoints \
-         ls 1 pt 6 lw 1 title "banded, round-off governs", \
+     "" index "chart_banded" using (any("flops")):"L2" with lines ls 1 lw 1 \
+         notitle, \
+     "" index "chart_banded" using (turned("flops")):"L2" with points \
+         ls 1 pt 6 title "banded, round-off governs", \
      line(x, -2.0/3, Dflops_mean_x, Dflops_mean_y, 2.2) with lines ls 8 \
          title "slopes -2/3 and -2 expected", \
      line(x, -2.0, Bflops_mean_x, Bflops_mean_y, 0.35) with lines ls 8 \

@@ -536,8 +536,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
 
     char number[3] = {lesson->name[0], lesson->name[1], '\0'};
     if (first < 0) {
-        const struct finding passed = {.verdict = PASS};
-        write_result(&passed, "-");
+        const struct finding none = {.verdict = PASS};
+        write_result(&none, "-");
         printf("  Notice:\n");
         print_wrapped("    ", lesson->notice);
         printf("  Break it:\n");

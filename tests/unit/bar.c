@@ -1,5 +1,6 @@
 /* bar.c - laws of common/material.h, tensor.h and bar.h. */
 #include "bar.h"
+#include "bar_fast.h"
 
 #include "unit.h"
 
@@ -56,9 +57,9 @@ static void pk1_and_dpk1_are_derivatives_in_2d(void)
         const mat2 difference =
             mat2_scale(0.5 / d, mat2_subtract(material2_pk1(&m, plus),
                                               material2_pk1(&m, minus)));
-        close_to(
-            mat2_norm(mat2_subtract(difference, material2_dpk1(&m, F, dF))),
-            0.0, 1e-6);
+        close_to(mat2_norm(mat2_subtract(difference,
+                                         material2_dpk1(&m, F, dF))),
+                 0.0, 1e-6);
     }
 }
 
@@ -71,8 +72,8 @@ static void neohookean_is_frame_invariant(void)
         const mat2 P = material2_pk1(&m, F);
         const mat2 PFt = mat2_multiply(P, mat2_transpose(F));
         close_to(material2_psi(&m, QF), material2_psi(&m, F), 1e-12);
-        close_to(mat2_norm(
-                     mat2_subtract(material2_pk1(&m, QF), mat2_multiply(Q, P))),
+        close_to(mat2_norm(mat2_subtract(material2_pk1(&m, QF),
+                                         mat2_multiply(Q, P))),
                  0.0, 1e-11);
         close_to(PFt.m[0][1], PFt.m[1][0], 1e-11);
         close_to(material2_psi(&m, Q), 0.0, 1e-12);
@@ -118,8 +119,8 @@ static void residual_is_the_gradient_of_the_energy(void)
 {
     double b[n + 1], u[n + 1], q[n + 1], plus, minus;
     weight(238.5, b);
-    const struct bar bar = {
-        n, 1.0 / n, {1, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
+    const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+                            material_make(CUBIC, 1000.0, 0.3)};
     struct matrix *K = matrix_alloc(DENSE, n + 1, 0);
     for (int i = 0; i <= n; i++) u[i] = 0.05 * sin(2.385 * i);
     ck_assert_int_eq(bar_residual(&bar, u, q), OK);
@@ -162,10 +163,7 @@ static void bar_under_its_weight_equals_the_oracle(void)
         for (int search = 0; search < 2; search++) {
             double b[n + 1], u[n + 1] = {0};
             weight(oracle[k].c, b);
-            const struct bar bar = {n,
-                                    1.0 / n,
-                                    {1, 0},
-                                    b,
+            const struct bar bar = {n, 1.0 / n, {1, 0}, b,
                                     material_make(oracle[k].law, 1000.0, 0.3)};
             const struct newton_control control = {1e-12, 60, search};
             const struct newton_report report =
@@ -183,8 +181,8 @@ static void failure_has_a_reason(void)
     for (int k = 0; k < 2; k++) {
         double b[n + 1] = {0}, u[n + 1] = {0};
         b[n] = k == 0 ? -1346.0 : -1347.0;
-        const struct bar bar = {
-            n, 1.0 / n, {1, 0}, b, material_make(LOG, 1000.0, 0.3)};
+        const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+                                material_make(LOG, 1000.0, 0.3)};
         struct newton_control control = {1e-10, 60, 0};
         const struct newton_report report = bar_newton(&bar, &control, u, NULL);
         ck_assert_int_eq(report.status, k == 0 ? OK : INVERTED);
@@ -199,6 +197,74 @@ static void failure_has_a_reason(void)
     }
 }
 
+/* Any ends, odd and even n, a tangent that is not definite: the iterates of
+ * bar_newton() to the round-off of a sweep over a few elements. */
+static void fused_sweep_is_newton(void)
+{
+    for (int n_ = 1; n_ <= n; n_++)
+        for (int ends = 1; ends < 4; ends++)
+            for (int k = 0; k < 2; k++) {
+                double b[n + 1], u[n + 1], v[n + 1];
+                for (int i = 0; i <= n_; i++) b[i] = 100.0 * cos(2.385 * i);
+                const struct bar bar = {n_, 2.385 / n_, {ends & 1, ends >> 1},
+                                        b, material_make(CUBIC, 1000.0,
+                                                         k ? 0.02 : 0.3)};
+                for (int steps = 1; steps <= 60; steps *= 60) {
+                    const struct newton_control control = {1e-11, steps, 0};
+                    struct newton_report want;
+                    for (int i = 0; i <= n_; i++) u[i] = 0.3 * sin(3.714 * i);
+                    want = bar_newton(&bar, &control, u, NULL);
+                    if (k && steps > 1) continue; /* it may go anywhere */
+                    for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
+                        for (int i = 0; i <= n_; i++)
+                            v[i] = 0.3 * sin(3.714 * i);
+                        const struct newton_report got = bar_fast_newton(
+                            &bar, &control, (enum sweep)s, v);
+                        ck_assert_int_eq(got.status, want.status);
+                        ck_assert_int_le(abs(got.iterations - want.iterations),
+                                         steps > 1);
+                        if (steps == 1 && want.iterations == 1)
+                            close_to(got.residual, want.residual,
+                                     1e-9 * want.residual + 1e-9);
+                        for (int i = 0; i <= n_; i++)
+                            close_to(v[i], u[i],
+                                     1e-9 * (1.0 + want.increment));
+                    }
+                }
+            }
+}
+
+static void fused_sweep_fails_with_a_reason(void)
+{
+    double b[n + 1] = {0}, u[n + 1] = {0};
+    struct bar bar = {n, 1.0 / n, {0, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
+    const struct newton_control control = {1e-11, 3, 0};
+    for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
+        const enum sweep sweep = (enum sweep)s;
+        b[n] = 1.0; /* nothing is held */
+        bar.fixed[0] = 0;
+        ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
+                         NOT_SPD);
+        bar.fixed[0] = 1;
+        b[n] = -1e5;
+        ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
+                         MAX_ITERATIONS);
+        for (int i = 1; i <= n; i++) { /* wherever the NaN is */
+            for (int j = 0; j <= n; j++) b[j] = u[j] = 0.0;
+            b[i] = NAN;
+            ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
+                             NONFINITE);
+            b[i] = 0.0;
+            u[i] = 1e300;
+            ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
+                             NONFINITE);
+        }
+        for (int i = 0; i <= n; i++) b[i] = u[i] = 0.0;
+        ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).iterations,
+                         0);
+    }
+}
+
 static const struct unit_law laws[] = {
     {"pk1_and_dpk1_are_derivatives_in_1d", pk1_and_dpk1_are_derivatives_in_1d},
     {"pk1_and_dpk1_are_derivatives_in_2d", pk1_and_dpk1_are_derivatives_in_2d},
@@ -210,5 +276,7 @@ static const struct unit_law laws[] = {
     {"bar_under_its_weight_equals_the_oracle",
      bar_under_its_weight_equals_the_oracle},
     {"failure_has_a_reason", failure_has_a_reason},
+    {"fused_sweep_is_newton", fused_sweep_is_newton},
+    {"fused_sweep_fails_with_a_reason", fused_sweep_fails_with_a_reason},
 };
 UNIT_MAIN("bar", laws)

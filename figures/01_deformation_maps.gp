@@ -1,0 +1,93 @@
+# 01_deformation_maps.gp - the notes' Figure 4 through a mesh: X^2 and
+# sin 2 pi X, each element coloured by the sign of its J; and the share of the
+# elements that sin 2 pi X inverts, against their number.
+# Reads   data  tables curve, bar, refine
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/01_deformation.tsv"
+if (!exists("out"))  out  = "figures/01_deformation_maps.svg"
+load "figures/style.gp"
+set terminal svg size 940,400
+set output out
+
+set key above left vertical maxrows 3 reverse Left samplen 2 font ",12"
+set multiplot
+set tmargin at screen 0.77
+set bmargin at screen 0.14
+
+# an element as an arrow along (X, phi): its ends are on the curve
+square(X) = X * X
+sine(X) = sin(2 * pi * X)
+rise(f, sign, want) = sign == want ? f : NaN
+
+set lmargin at screen 0.065
+set rmargin at screen 0.325
+set xrange [0:1]
+set yrange [-0.05:1.02]
+set xlabel "X (m)"
+set ylabel "φ(X) (m)" offset 1.5
+set xtics 0.25
+set ytics 0.25
+set label 1 "φ' = 0 at X = 0" at 0.03, 0.16 font ",12"
+set arrow 1 from 0.1, 0.13 to 0.012, 0.012 lw 1 lc rgb "black" size 0.03, 20
+plot data index "curve" using "X":"square" with lines ls 8 title "φ = X^2", \
+     data index "bar" using "X0":(square(column("X0"))): \
+         (column("X1") - column("X0")): \
+         (rise(square(column("X1")) - square(column("X0")), \
+               column("square_sign"), 1)) \
+         with vectors nohead ls 1 lw 3 title "elements, J > 0", \
+     data index "bar" using "X0":(square(column("X0"))) with points \
+         pt 7 ps 0.45 lc rgb "black" notitle, \
+     data index "bar" using "X1":(square(column("X1"))) with points \
+         pt 7 ps 0.45 lc rgb "black" notitle
+unset arrow 1
+unset label 1
+
+set lmargin at screen 0.40
+set rmargin at screen 0.66
+set yrange [-1.1:1.1]
+set ytics 0.5
+set object 1 rect from 0.25, graph 0 to 0.75, graph 1 behind \
+    fc rgb "#D55E00" fs transparent solid 0.10 noborder
+set label 1 "φ' < 0" at 0.5, 0.93 center font ",12"
+plot data index "bar" using "X0":(sine(column("X0"))): \
+         (column("X1") - column("X0")): \
+         (rise(sine(column("X1")) - sine(column("X0")), \
+               column("sine_sign"), 1)) \
+         with vectors nohead ls 1 lw 3 title "J > 0", \
+     data index "bar" using "X0":(sine(column("X0"))): \
+         (column("X1") - column("X0")): \
+         (rise(sine(column("X1")) - sine(column("X0")), \
+               column("sine_sign"), -1)) \
+         with vectors nohead ls 2 lw 3 dt (6,2) title "J < 0, inverted", \
+     data index "bar" using "X0":(sine(column("X0"))): \
+         (column("X1") - column("X0")): \
+         (rise(sine(column("X1")) - sine(column("X0")), \
+               column("sine_sign"), 0)) \
+         with vectors nohead ls 3 lw 4 dt (2,2) title "J = 0, collapsed", \
+     data index "curve" using "X":"sine" with lines ls 8 \
+         title "φ = sin 2πX", \
+     data index "bar" using "X0":(sine(column("X0"))) with points \
+         pt 7 ps 0.45 lc rgb "black" notitle, \
+     data index "bar" using "X1":(sine(column("X1"))) with points \
+         pt 7 ps 0.45 lc rgb "black" notitle
+unset object 1
+unset label 1
+
+set lmargin at screen 0.745
+set rmargin at screen 0.985
+set xrange [0:33]
+set yrange [0:0.72]
+set xtics 4
+set ytics 0.1
+set xlabel "elements n of (0, 1)"
+set ylabel "share inverted" offset 1
+only(n, want) = int(n) % 4 == want ? n : NaN
+odd(n) = int(n) % 2 == 1 ? n : NaN
+plot data index "refine" using (only(column("n"), 0)):"share" \
+         with points ls 1 ps 0.8 title "n = 4k: one half", \
+     data index "refine" using (odd(column("n"))):"share" \
+         with points ls 4 title "n odd", \
+     data index "refine" using (only(column("n"), 2)):"share" \
+         with points ls 3 title "n = 4k + 2: two collapse", \
+     0.5 with lines ls 8 notitle
+unset multiplot

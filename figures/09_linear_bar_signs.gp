@@ -1,0 +1,53 @@
+# 09_linear_bar_signs.gp - the modulus with the right and with the printed
+# sign, and the displacements of a pulled bar.
+# Reads   data  tables moduli, end_loads, printed_modulus
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/09_linear_bar.tsv"
+if (!exists("out"))  out  = "figures/09_linear_bar_signs.svg"
+load "figures/style.gp"
+set terminal svg size 900,400 enhanced font "Helvetica,13" \
+    background rgb "white"
+set output out
+
+set multiplot layout 1,2 margins 0.075,0.985,0.145,0.80 spacing 0.11,0
+set key above left vertical maxrows 3 reverse Left samplen 2
+
+set xrange [0:0.5]
+set yrange [-4:6]
+set xtics 0.1
+set ytics 2
+set xlabel "Poisson's ratio ν"
+set ylabel "modulus / E" offset 0.5
+set arrow 1 from 1./3, -4 to 1./3, 6 nohead ls 8
+set label 1 "nothing holds the bar" at 0.02, -3.1 tc rgb "#555555" font ",12"
+set label 2 "2μ − λ = 0 at ν = 1/3:" at 0.02, -2.5 tc rgb "#555555" font ",12"
+set label 3 "K negative\ndefinite" at 0.345, -2.6 tc rgb "#555555" font ",12"
+set object 1 rectangle from 1./3, -4 to 0.5, 0 behind \
+    fc rgb "#F0E442" fs transparent solid 0.30 noborder
+plot data index "moduli" using "nu":"modulus" with lines ls 1 \
+         title "2μ + λ", \
+     data index "moduli" using "nu":"printed" with lines ls 2 dt 4 \
+         title "2μ − λ, as printed", \
+     0 ls 9 notitle
+
+unset arrow 1
+unset label 1
+unset label 2
+unset label 3
+unset object 1
+set xrange [0:1]
+set yrange [-0.12:0.6]
+set xtics 0.25
+set ytics 0.1
+set xlabel "X (m)"
+set ylabel "u (m) with +100 N/m² at X = 1" offset 0.5
+stats data index "printed_modulus" using "u_printed" every ::0::0 \
+    name "SOFT" nooutput
+plot SOFT_max * x with lines ls 2 dt 4 title "printed modulus, ν = 0.3", \
+     data index "end_loads" using (column("end") == 1 ? column("X") : NaN):"u" \
+         with linespoints ls 1 title "right", \
+     data index "end_loads" \
+         using (column("end") == 1 ? column("X") : NaN):"u_printed" \
+         with linespoints ls 3 title "printed sign of the end load"
+unset multiplot
+set output

@@ -1,0 +1,58 @@
+# 10_neohookean_bar_chart.gp - the speed-accuracy chart of the bar: what an
+# error costs with four programs, and what they need an unknown and step.
+# Expected: error ~ n^-2 and cost ~ n, slope -2.
+# Reads   data  tables chart_readable, chart_gsl, chart_fused, chart_both (n
+#               iterations error valid seconds ns_an_unknown), machine
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/10_neohookean_bar.tsv"
+if (!exists("out"))  out  = "figures/10_neohookean_bar_chart.svg"
+load "figures/style.gp"
+set terminal svg size 860,460
+set output out
+array Table[4] = ["chart_readable", "chart_gsl", "chart_fused", "chart_both"]
+array Name[4] = ["readable", "GSL tridiagonal", "fused sweep", \
+                 "fused, from both ends"]
+array Style[4] = [2, 4, 3, 1]
+# The entry of a column in row r = 0, 1, ... of a table.
+cell(table, name, r) = system(sprintf( \
+    "awk -F'\t' -v t='# %s' -v c='%s' -v r=%d \
+     '$0 == t { on = 1; next } /^# / { next } \
+      on == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i; on = 2; next } \
+      on == 2 && r-- == 0 { print $k; exit }' '%s'", \
+    table, name, r, data)) + 0.0
+
+# Slope from the first to the last valid point with n >= 256.
+last(t) = int(system(sprintf("awk -v t='# %s' '$0 == t { on = 1 } \
+    on && /^[0-9]/ { k++ } on && /^$/ { print k - 1; exit }' '%s'", t, data)))
+slope(t) = log(cell(t, "error", last(t)) / cell(t, "error", 2)) / \
+           log(cell(t, "seconds", last(t)) / cell(t, "seconds", 2))
+ok(c) = column("valid") == 1 ? column(c) : 1/0
+
+set multiplot layout 1,2 margins 0.085,0.985,0.165,0.80 spacing 0.11,0
+set key above left vertical maxrows 5 reverse Left samplen 2 font ",12"
+set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set logscale xy
+set format xy "10^{%T}"
+set xrange [3e-7:0.3]
+set yrange [1e-14:1e-3]
+set xlabel "time of the whole solve (s)"
+set ylabel "relative error of u(1)"
+plot for [s = 1:4] data index Table[s] using (ok("seconds")):"error" \
+         with linespoints ls Style[s] \
+         title sprintf("%s, slope %.2f", Name[s], slope(Table[s])), \
+     4e-17 * x**-2 with lines ls 8 title "slope -2 expected"
+
+unset label 1
+set format y "%g"
+set ytics (2, 5, 10, 20, 50, 100, 200)
+set xrange [8:3e6]
+set yrange [3:200]
+set xlabel "elements n"
+set ylabel "time an unknown and step (ns)"
+plot for [s = 1:4] data index Table[s] using "n":(ok("ns_an_unknown")) \
+         with linespoints ls Style[s] \
+         title sprintf("%s, %.1f ns at n = 10^6", Name[s], \
+                       cell("large", "ns_an_unknown", s - 1)), \
+     for [s = 1:4] data index "large" every ::s-1::s-1 \
+         using "n":"ns_an_unknown" with points ls Style[s] ps 1.2 notitle
+unset multiplot

@@ -1,0 +1,382 @@
+/* 01_deformation.c - what F, J and the strain measures satisfy. */
+#include "judge.h"
+
+#define main program_main
+#include PROGRAM
+#undef main
+
+#include "../oracle/01_deformation.h"
+#include "bar.h"
+
+#include <string.h>
+
+/* A quotient or a 2x2 product of numbers of size 1 from edges of length 1. */
+static const double ROUND_OFF = 1e-13;
+
+static const mat2 A_ = {{{1.247, -0.613}, {0.385, 0.731}}}; /* J > 0 */
+static const double shift[] = {-0.731, 2.385};
+
+static void expect_tensor(mat2 got, const double want[4], double scale,
+                          const char *what)
+{
+    for (int k = 0; k < 4; k++)
+        expect_close(got.m[k / 2][k % 2], want[k], ROUND_OFF, scale,
+                     "%s, entry %d%d", what, k / 2 + 1, k % 2 + 1);
+}
+
+/* x = F X + c at n points. */
+static void move(int n, const double X[], mat2 F, double x[])
+{
+    for (int p = 0; p < n; p++)
+        for (int i = 0; i < 2; i++)
+            x[2 * p + i] = F.m[i][0] * X[2 * p] + F.m[i][1] * X[2 * p + 1] +
+                           shift[i];
+}
+
+static void collapsed_element_has_F_zero(void)
+{
+    const double place = 0.613, near = place * (1.0 + 2.0 * DBL_EPSILON);
+    double F = 7.0;
+    int sign = bar_gradient(0.137, 0.385, place, place, 1.0, &F);
+    expect_close(F, 0.0, ROUND_OFF, 1.0, "F of an element of length 0");
+    expect(sign == 0, "both ends at one place: sign is %d, not 0", sign);
+
+    for (int k = -1; k <= 1; k += 2) {
+        sign = bar_gradient(0.137, 0.385, k < 0 ? near : place,
+                            k < 0 ? place : near, 1.0, &F);
+        expect(sign == 0,
+               "ends apart by the last digit of %g only: sign is %d; what "
+               "round-off can do is neither upright nor inverted",
+               place, sign);
+        sign = bar_gradient(0.137, 0.385, place, place + k * 1e-9, 1.0, &F);
+        expect(sign == k, "x1 - x0 = %g is no round-off: sign is %d, not %d",
+               k * 1e-9, sign, k);
+    }
+    /* the same bar in kilometres and in micrometres */
+    for (double unit = 1e-6; unit < 1e7; unit *= 1e12) {
+        sign = bar_gradient(0.137 * unit, 0.385 * unit, place * unit,
+                            0.612 * unit, unit, &F);
+        expect(sign == -1, "sign is %d, not -1, in a bar of size %g", sign,
+               unit);
+        expect_close(F, -0.001 / 0.248, 1e-12, 1.0,
+                     "F in a bar of size %g", unit);
+    }
+}
+
+static void affine_bar_is_exact(void)
+{
+    const double X[] = {-0.731, 0.137, 0.385, 2.385}, slope[] = {
+        1.0, 2.385, 0.137, -1.247};
+    for (int k = 0; k < COUNT(slope); k++)
+        for (int e = 0; e < 3; e++) {
+            double F = 0.0, G = 0.0;
+            const double x0 = slope[k] * X[e] + 0.613;
+            const double x1 = slope[k] * X[e + 1] + 0.613;
+            const int sign = bar_gradient(X[e], X[e + 1], x0, x1, 4.0, &F);
+            expect_close(F, slope[k], ROUND_OFF, 3.0,
+                         "F of element %d under x = %g X + 0.613", e,
+                         slope[k]);
+            expect(sign == (slope[k] > 0.0 ? 1 : -1),
+                   "sign of an element with F = %g is %d", slope[k], sign);
+            const int back = bar_gradient(X[e + 1], X[e], x1, x0, 4.0, &G);
+            expect_close(G, slope[k], ROUND_OFF, 3.0,
+                         "F of the element with its ends exchanged");
+            expect(back == sign, "exchanging the ends of an element changes "
+                                 "its sign from %d to %d", sign, back);
+        }
+}
+
+static void sine_inverts_by_midpoints(void)
+{
+    struct output *output = run("--n 10");
+    for (int k = 0; k < COUNT(oracle_sine); k++) {
+        const int n = oracle_sine[k].n;
+        expect(lround(cell(output, "refine", "n", k)) == n,
+               "row %d of table `refine` must be n = %d", k + 1, n);
+        const long inverted = lround(cell(output, "refine", "inverted", k));
+        const long collapsed = lround(cell(output, "refine", "collapsed", k));
+        expect(inverted == oracle_sine[k].inverted &&
+                   collapsed == oracle_sine[k].collapsed,
+               "sin 2 pi X on %d elements: %ld inverted and %ld collapsed, "
+               "must be %d and %d",
+               n, inverted, collapsed, oracle_sine[k].inverted,
+               oracle_sine[k].collapsed);
+        expect_close(cell(output, "refine", "square_min_F", k), 1.0 / n,
+                     ROUND_OFF, 1.0, "smallest F of X^2 on %d elements", n);
+    }
+    /* the secant of sin is the slope at the midpoint times sin(pi h)/(pi h) */
+    for (int e = 0; e < 10; e++)
+        expect_close(cell(output, "bar", "sine_F", e),
+                     20.0 * sin(0.1 * M_PI) * cos(2.0 * M_PI * (e + 0.5) / 10),
+                     1e-12, 6.3, "F of element %d of sin 2 pi X", e + 1);
+}
+
+/* Five triangles round a vertex that is nowhere in particular. */
+static void affine_map_on_a_distorted_mesh(void)
+{
+    const double X[] = {0.137, 0.242,  1.385, -0.371, 0.613, 1.714,
+                        -1.1,  0.9385, -0.8,  -0.731, 0.4,   -1.247};
+    const double inverting[] = {0.385, 0.731, 1.247, -0.613};
+    double x[12], want[4];
+    for (int k = 0; k < 3; k++) {
+        mat2 A = k == 0 ? mat2_identity() : A_;
+        for (int i = 0; i < 4 && k == 2; i++) A.m[i / 2][i % 2] = inverting[i];
+        for (int i = 0; i < 4; i++) want[i] = A.m[i / 2][i % 2];
+        move(6, X, A, x);
+        for (int t = 1; t <= 5; t++) {
+            const int node[] = {0, t, t % 5 + 1};
+            mat2 F = {{{0.0, 0.0}, {0.0, 0.0}}};
+            const double J = triangle_gradient(node, X, x, &F);
+            expect_tensor(F, want, 10.0,
+                          k == 0   ? "F of a translation"
+                          : k == 1 ? "F of x = A X + c"
+                                   : "F of x = A X + c, det A < 0");
+            expect_close(J, mat2_det(A), ROUND_OFF, 10.0, "J of x = A X + c");
+        }
+    }
+}
+
+static void order_of_vertices_is_irrelevant(void)
+{
+    static const int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                    {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    for (int k = 0; k < 6; k++) {
+        mat2 F = {{{0.0, 0.0}, {0.0, 0.0}}};
+        const double J = triangle_gradient(order[k], oracle_X, oracle_x, &F);
+        expect_tensor(F, oracle_triangle_F, 10.0,
+                      k < 3 ? "F, vertices anticlockwise"
+                            : "F, vertices clockwise");
+        expect_close(J, oracle_triangle_J, ROUND_OFF, 10.0,
+                     k < 3 ? "J, vertices anticlockwise"
+                           : "J, vertices clockwise");
+    }
+}
+
+static void J_is_the_ratio_of_signed_areas(void)
+{
+    /* the third vertex goes through the opposite edge */
+    double x[6];
+    memcpy(x, oracle_x, sizeof x);
+    const int node[] = {0, 1, 2};
+    const double area = signed_area(oracle_X, oracle_X + 2, oracle_X + 4);
+    for (int k = 0; k <= 8; k++) {
+        mat2 F = {{{0.0, 0.0}, {0.0, 0.0}}};
+        for (int i = 0; i < 2; i++)
+            x[4 + i] = oracle_x[4 + i] +
+                       k / 4.0 * (0.5 * (x[i] + x[2 + i]) - oracle_x[4 + i]);
+        const double J = triangle_gradient(node, oracle_X, x, &F);
+        expect_close(J, signed_area(x, x + 2, x + 4) / area, ROUND_OFF, 10.0,
+                     "J with the third vertex %d/4 of the way to the opposite "
+                     "edge", k);
+        expect_close(J, mat2_det(F), ROUND_OFF, 10.0, "J, against det F");
+    }
+}
+
+/* J is a null Lagrangian: its integral knows the boundary only. */
+static void held_boundary_keeps_the_sum_of_J(void)
+{
+    struct output *output = run("--m 8 --push 1.385");
+    int n;
+    const double *s = column(output, "push", "s", &n);
+    const double *sum = column(output, "push", "signed_area", NULL);
+    const double *all = column(output, "push", "absolute_area", NULL);
+    const double *min_J = column(output, "push", "min_J", NULL);
+    const double *exact = column(output, "push", "exact_min_J", NULL);
+    const double *inverted = column(output, "push", "inverted", NULL);
+    for (int k = 0; k < n; k++) {
+        expect_close(sum[k], 4.0, ROUND_OFF, 10.0,
+                     "sum of J times area at push %g, boundary held", s[k]);
+        /* a mean of J over an element of length 1/4 */
+        expect_close(min_J[k], exact[k], 0.1, 1.0 + fabs(s[k]),
+                     "smallest J at push %g", s[k]);
+        expect((inverted[k] > 0) == (min_J[k] <= 0.0),
+               "%g inverted triangles with a smallest J of %g", inverted[k],
+               min_J[k]);
+        expect(min_J[k] <= 0.0 ? all[k] > 4.0 + 1e-6
+                               : fabs(all[k] - 4.0) < 1e-12,
+               "sum of |J| times area is %.10g at push %g", all[k], s[k]);
+    }
+    expect(inverted[0] == 0 && inverted[n - 1] > 0,
+           "a push of 1.385 inverts some triangles, none inverts none");
+}
+
+static void positive_J_is_not_one_to_one(void)
+{
+    struct output *output = run("--n 3");
+    expect(cell(output, "bend", "inverted", -1) == 0.0,
+           "%g triangles of the bent strip are inverted, must be none",
+           cell(output, "bend", "inverted", -1));
+    /* chords for arcs of 4.5 degrees */
+    expect_close(cell(output, "bend", "min_J", -1), 1.0 - 0.15 * M_PI, 0.005,
+                 1.0, "smallest J of the strip bent by 270 degrees");
+    /* two tails of width w = 0.6 cross at right angles: 2 w^2 of 6 w */
+    expect_close(cell(output, "bend", "shared", -1), 0.2, 0.02, 1.0,
+                 "share of the strip that is covered twice");
+    expect_close(cell(output, "bend", "shared", 3), 0.0, 0.0, 1.0,
+                 "share covered twice at 180 degrees");
+}
+
+static void rotation_is_no_strain_but_linear(void)
+{
+    for (int degrees = -143; degrees <= 180; degrees += 17) {
+        const double angle = degrees * M_PI / 180.0;
+        const mat2 R = mat2_rotation(angle);
+        const double zero[4] = {0.0};
+        const double shrink[4] = {cos(angle) - 1.0, 0.0, 0.0,
+                                  cos(angle) - 1.0};
+        mat2 linear, green, left;
+        strains(R, &linear, &green, &left);
+        expect_tensor(linear, shrink, 1.0, "linear strain of a rotation");
+        expect_tensor(green, zero, 1.0, "Green strain of a rotation");
+        expect_tensor(left, zero, 1.0, "left strain of a rotation");
+
+        /* rotate after the deformation, and before it */
+        mat2 green_A, left_A, turned, other;
+        strains(A_, &linear, &green_A, &left_A);
+        strains(mat2_multiply(R, A_), &linear, &green, &left);
+        turned = mat2_multiply(mat2_multiply(R, left_A), mat2_transpose(R));
+        expect_close(max_difference(green, green_A), 0.0, ROUND_OFF, 1.0,
+                     "change of the Green strain under x -> R x");
+        expect_close(max_difference(left, turned), 0.0, ROUND_OFF, 1.0,
+                     "left strain of R F, against R (left strain of F) R^T");
+        strains(mat2_multiply(A_, R), &linear, &other, &left);
+        turned = mat2_multiply(mat2_multiply(mat2_transpose(R), green_A), R);
+        expect_close(max_difference(other, turned), 0.0, ROUND_OFF, 1.0,
+                     "Green strain of F R, against R^T (Green strain of F) R");
+        expect_close(max_difference(left, left_A), 0.0, ROUND_OFF, 1.0,
+                     "change of the left strain under X -> R X");
+    }
+}
+
+static void common_agrees(void)
+{
+    mat2 linear, green, left;
+    strains(A_, &linear, &green, &left);
+    expect_tensor(linear, oracle_linear, 1.0, "linear strain");
+    expect_tensor(green, oracle_green, 1.0, "Green strain");
+    expect_tensor(left, oracle_left, 1.0, "left strain");
+
+    /* the linear energy of lesson 02 from the linear strain of this one */
+    const struct material law = material_make(LINEAR, 2.385, 0.371);
+    const double trace = mat2_trace(linear);
+    expect_close(law.mu * mat2_dot(linear, linear) +
+                     0.5 * law.lambda * trace * trace,
+                 material2_psi(&law, A_), ROUND_OFF, 1.0,
+                 "linear energy, against common/material.c");
+
+    /* the bar's energy from F, against common/bar.c */
+    const double u[] = {0.0, 0.137, -0.242, 0.0385}, b[4] = {0.0};
+    const struct bar bar = {3, 0.371, {1, 1}, b, law};
+    double energy, sum = 0.0;
+    expect(bar_energy(&bar, u, &energy) == OK, "bar_energy failed");
+    for (int e = 0; e < 3; e++) {
+        const double X0 = e * bar.h, X1 = (e + 1) * bar.h;
+        double F = 0.0;
+        bar_gradient(X0, X1, X0 + u[e], X1 + u[e + 1], 2.0, &F);
+        sum += bar.h * material1_psi(&law, F);
+    }
+    expect_close(sum, energy, ROUND_OFF, 10.0,
+                 "energy of a bar from your F, against common/bar.c");
+}
+
+static void rigid_motions_give_the_oracles_numbers(void)
+{
+    struct output *output = run("");
+    const char *const names[] = {"linear", "green", "left", "stress",
+                                 "energy"};
+    const double w = M_PI / 6.0, c = oracle_stress_collapsed;
+    const double want[5][5] = {
+        {0, 0, 0, 0, 0},
+        {-1, 0.5 * (w * w - 1), 0.5 * (w * w - 1), c, -c},
+        {0, 0.5 * w * w, 0.5 * w * w, 0, 0},
+        {-1, -0.5, -0.5, c, -c},
+        {oracle_strain_30, 0, 0, oracle_stress_30, oracle_energy_30}};
+    for (int k = 0; k < 5; k++)
+        for (int q = 0; q < 5; q++)
+            expect_close(cell(output, "rigid", names[q], k), want[k][q],
+                         ROUND_OFF, q < 3 ? 10.0 : 1e4,
+                         "table `rigid`, case %d, %s", k, names[q]);
+    for (int k = 0; k < COUNT(oracle_rotation); k++)
+        expect_close(cell(output, "thresholds", "degrees", k),
+                     oracle_rotation[k].degrees, 1e-10, 90.0,
+                     "angle where the linear strain of a rotation is %g",
+                     oracle_rotation[k].level);
+    for (int k = 0; k < COUNT(oracle_log_stress); k++)
+        expect_close(cell(output, "near_zero", "log_stress", k),
+                     oracle_log_stress[k], ROUND_OFF,
+                     -10.0 * oracle_log_stress[k],
+                     "log stress of X^2 at X = 1e-%d", k + 1);
+}
+
+static const struct claim claims[] = {
+    {"collapsed_element_has_F_zero", collapsed_element_has_F_zero, "1a"},
+    {"affine_bar_is_exact", affine_bar_is_exact, "1a"},
+    {"affine_map_on_a_distorted_mesh", affine_map_on_a_distorted_mesh, "1b"},
+    {"order_of_vertices_is_irrelevant", order_of_vertices_is_irrelevant, "1b"},
+    {"J_is_the_ratio_of_signed_areas", J_is_the_ratio_of_signed_areas, "1b"},
+    {"rotation_is_no_strain_but_linear", rotation_is_no_strain_but_linear,
+     "1c"},
+    {"common_agrees", common_agrees, "1c"},
+    {"sine_inverts_by_midpoints", sine_inverts_by_midpoints, "1a"},
+    {"held_boundary_keeps_the_sum_of_J", held_boundary_keeps_the_sum_of_J,
+     "1b"},
+    {"positive_J_is_not_one_to_one", positive_J_is_not_one_to_one, "1b"},
+    {"rigid_motions_give_the_oracles_numbers",
+     rigid_motions_give_the_oracles_numbers, "1c"},
+};
+
+static const char *const runs[] = {
+    "",
+    "--n 6 --m 5 --push -0.731 --bend 137 --angle -77 --stretch 0.6",
+    "--n 9 --left -0.371 --m 3 --push 2.385 --bend 340 --angle 143",
+    "--n 1 --m 1 --stretch 2.385 --E 3.714 --nu 0.1247",
+    "--n 40 --left -1 --m 2 --push 0.613",
+};
+
+#define COUNTED "a count"
+#define GRADIENT "a quotient of differences of coordinates of size 1"
+#define TENSOR "a product of two 2x2 matrices; strains of size 1"
+static const struct column_rule rules[] = {
+    {"curve", "*", 1e-14, "given functions", 0},
+    {"bar", "square_sign", 0, COUNTED, 0},
+    {"bar", "sine_sign", 0, COUNTED, 0},
+    {"bar", "*", 1e-12, GRADIENT, 1.0},
+    {"refine", "square_min_F", 1e-12, GRADIENT, 0},
+    {"refine", "share", 1e-14, "a quotient of counts", 1.0},
+    {"refine", "*", 0, COUNTED, 0},
+    {"near_zero", "*", 1e-12, "given functions", 0},
+    {"push", "inverted", 0, COUNTED, 0},
+    {"push", "*", 1e-12, GRADIENT, 1.0},
+    {"square", "*", 1e-12, GRADIENT, 0},
+    {"bend", "degrees", 1e-14, "given", 0},
+    {"bend", "inverted", 0, COUNTED, 0},
+    {"bend", "shared", NOT_COMPARED,
+     "a point on an edge belongs to either triangle by round-off", 0},
+    {"bend", "*", 1e-12, GRADIENT, 1.0},
+    {"strip", "owners", NOT_COMPARED,
+     "a point on an edge belongs to either triangle by round-off", 0},
+    {"strip", "*", 1e-12, GRADIENT, 0},
+    {"rigid", "stress", 1e-12, "modulus times strain", 0},
+    {"rigid", "energy", 1e-12, "modulus times strain squared", 0},
+    {"rigid", "*", 1e-12, TENSOR, 1.0},
+    {"angles", "degrees", 0, "given", 0},
+    {"angles", "*", 1e-12, TENSOR, 1.0},
+    {"thresholds", "*", 1e-10,
+     "bisection; strain grows with the sine of the angle", 0},
+};
+
+static const struct lesson lesson = {
+    "01_deformation", claims, COUNT(claims), runs, COUNT(runs), rules,
+    COUNT(rules),
+    "A mesh of 10 elements collapses two elements of sin 2 pi X, one of 8 "
+    "collapses none: what a mesh sees of phi' is its value at the midpoints "
+    "(tables `bar`, `refine`). And sum J A of the pushed square is 4 to "
+    "round-off, inverted or not (table `push`).",
+    "Bend the strip by 270 degrees and look at tables `bend` and `strip`: J is "
+    "above 0.52 everywhere, yet a fifth of the strip shares its place. Which "
+    "test on single elements could find that out?"};
+
+int main(int argc, char *argv[])
+{
+    return judge(&lesson, argc, argv);
+}
