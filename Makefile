@@ -130,7 +130,7 @@ course: $(LESSONS:%=$(BUILD)/solutions/%.verdict) $(FIGURES)
 
 # ---- the student's commands -------------------------------------------------
 
-STUDENT = BUILD=$(BUILD) FORCE=$(FORCE) sh tests/tools/student.sh
+STUDENT = BUILD=$(BUILD) FORCE=$(FORCE) TABLE=$(TABLE) sh tests/tools/student.sh
 status: ; @$(STUDENT) status
 
 define lesson_rules

@@ -362,6 +362,14 @@ static int check_stopped_with(const char *message, const char *what)
     return strncmp(message, what, strlen(what)) == 0;
 }
 
+/* Check says "Received signal N (name)". */
+static int killed_by(const char *message, int number)
+{
+    char text[32];
+    snprintf(text, sizeof text, "signal %d ", number);
+    return strstr(message, text) != NULL;
+}
+
 static void enter_check(void)
 {
     char path[320];
@@ -406,7 +414,7 @@ static void classify(TestResult *result, const struct claim *claim,
         if (check_stopped_with(message, "not finite: "))
             finding->verdict = NONFINITE_;
     } else if (strstr(message, "timeout expired") ||
-               strstr(message, "signal 9 ") || strstr(message, "signal 24 ")) {
+               killed_by(message, SIGKILL) || killed_by(message, SIGXCPU)) {
         finding->verdict = TIMEOUT;
         finding->costly = 1;
         snprintf(finding->text, sizeof finding->text,
@@ -428,7 +436,7 @@ static void classify(TestResult *result, const struct claim *claim,
         }
     } else {
         finding->verdict = CRASHED;
-        if (strstr(message, "File size")) {
+        if (killed_by(message, SIGXFSZ)) {
             finding->costly = 1;
             snprintf(finding->text, sizeof finding->text,
                      "more than %d MB of output: is there a loop that prints "

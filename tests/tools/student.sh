@@ -97,6 +97,9 @@ last_result() { # the last verdict's word, failed check and slot
     if [ -f "$state.result" ]; then read -r word failed at <"$state.result"; fi
 }
 
+# The table and the two columns that the solution's header says to plot.
+plot_spec() { sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1; }
+
 out=$BUILD/mine/$slug.tsv
 run_mine() { # with limits, so that an endless loop or endless output ends
     (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
@@ -128,7 +131,8 @@ hint() {
     fi
     [ -n "$text" ] || text=$(hints "$level" "slot $at")
     [ -n "$text" ] || text=$(hints "$level" "")
-    printf '%s\n' "$text" # not echo: dash's turns \t into a tab
+    # not echo, which in dash turns \t into a tab; $ is for the typeset book
+    printf '%s\n' "$text" | tr -d '$'
     if [ "$level" -lt 3 ]; then
         echo "(hint $level of 3; make hint-$nn again for the next)"
     else
@@ -160,9 +164,11 @@ case $command in
 run)
     run_mine
     status=$?
-    awk -f tests/tools/show.awk "$out"
+    table=${TABLE:-$(plot_spec | cut -d ' ' -f 1)}
+    awk -f tests/tools/show.awk -v show="$table" "$out"
     case $status in
-    0) echo "All of it: $out    next: make check-$nn" ;;
+    0) echo "TABLE=name shows another; all are in $out"
+       echo "next: make check-$nn" ;;
     3) echo "Write the slot in $mine; make hint-$nn helps." ;;
     *) echo "The program ended with status $status. make check-$nn says more." ;;
     esac
@@ -182,8 +188,7 @@ watch)
         sleep 1
     done ;;
 plot)
-    spec=$(sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1)
-    set -- $spec
+    set -- $(plot_spec)
     run_mine || exit $?
     given="mine='$out'; reference='$BUILD/data/$slug.tsv'"
     given="$given; name='$1'; x='$2'; y='$3'"
