@@ -269,7 +269,7 @@ all: $(PROGRAMS) $(PROGRAMS:=.judge) $(UNITS:%=$(BUILD)/unit/%) \
 
 # what any test may rest on
 EVERYTHING := Makefile README.md workbook.md $(wildcard common/* solutions/* \
-              lessons/* tests/*/* figures/*)
+              lessons/* tests/*/* figures/*.gp)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
@@ -278,6 +278,15 @@ $(T)/workbook.result: workbook.md $(DATA) tests/tools/workbook.awk solutions/*.c
 	$(Q)mkdir -p $(@D) && if said=$$(sh tests/tools/workbook.sh check); \
 	    then echo 'ok workbook is in step with the programs'; \
 	    else echo "FAIL workbook: $$said"; fi > $@
+# every figure can be drawn; those in figures/ are left as they are
+$(T)/figures.result: $(DATA) $(wildcard figures/*.gp) tests/tools/figure.sh
+	$(call say,test,figures)
+	$(Q)mkdir -p $(@D) && for f in $(FIGURES:.svg=); do \
+	    name=$${f##*/}; slug=$$(ls $(BUILD)/data | sed 's/\.tsv$$//' | \
+	        while read -r l; do case $$name in $${l}_*) echo $$l ;; esac; done); \
+	    if said=$$(sh tests/tools/figure.sh $$f.gp $(BUILD)/data/$$slug.tsv \
+	        $(@D)/$$name.svg 2>&1); then echo "ok figure $$name"; \
+	    else echo "FAIL figure $$name: $$said"; fi; done > $@
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	+$(Q)mkdir -p $(@D) && BUILD=$(BUILD) sh tests/cli/cli.sh > $@
@@ -290,7 +299,8 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) \
            $(UNIT_MISTAKES:%=$(T)/unit-mistake.%.result) \
            $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
-           $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(T)/lint.result $(T)/workbook.result $(T)/figures.result \
+           $(T)/cli.result \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)
 	@cat $^ | sh tests/tools/count.sh
