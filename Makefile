@@ -202,11 +202,12 @@ workbook: $(DATA)
 # the last recipe fails.  A test runs again when anything it rests on changed.
 VERIFY = BUILD=$(BUILD) sh tests/tools/verify.sh
 T := $(BUILD)/test
-$(T)/%.solution.result: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
+$(T)/%.solution.result: $(BUILD)/solutions/%.judge $(BUILD)/solutions/% \
+                        tests/tools/verify.sh
 	$(call say,test,$* solution)
 	$(Q)mkdir -p $(@D) && $(VERIFY) solution $* > $@
 $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
-                       lessons/%.c
+                       lessons/%.c tests/tools/verify.sh
 	$(call say,test,$* starter)
 	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
 # ---- unit laws of common/, and deliberate mistakes that they must catch
@@ -244,7 +245,7 @@ $(foreach m,$(UNIT_MISTAKES),$(eval $(call unit_mistake,$m)))
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
 $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(JUDGE) $(call mistakes_of,$1) \
-        tests/tools/student.sh tests/checks/$1.c Makefile
+        tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
 	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
 .PHONY: verify-$(call number,$1)
@@ -255,7 +256,7 @@ endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
-        $(call mistakes_of,$(patsubst %/,%,$(dir $1)))
+        $(call mistakes_of,$(patsubst %/,%,$(dir $1))) tests/tools/verify.sh
 	$$(call say,test,$1)
 	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
 endef
