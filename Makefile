@@ -2,7 +2,7 @@
 #
 # One file, not recursive; everything is compiled under build/.  Lessons are
 # found by wildcard: solutions/NN_slug.c makes NN a lesson.
-# V=1 shows the commands; CC, CFLAGS and LDFLAGS may be given.
+# V=1 shows the commands; CC, CFLAGS, LDFLAGS and NATIVE may be given.
 
 CC      ?= cc
 CFLAGS  ?= -O2 -g
@@ -14,6 +14,12 @@ GSL_LIBS     = $(shell gsl-config --libs 2>/dev/null || \
                        echo -lgsl -lgslcblas -lm)
 CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
+# Flags for common/banded.c alone, where they count: those of the list that the
+# compiler takes.  They make the build one for this machine; `make clean` and
+# NATIVE= give one for any.
+NATIVE ?= $(shell for flag in -O3 -march=native -mprefer-vector-width=512 \
+              -ffp-contract=fast; do $(CC) -Werror $$flag -x c -c /dev/null \
+              -o /dev/null 2>/dev/null && echo $$flag; done)
 COMPILE = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS) -MMD -MP
 BUILD   ?= build
 Q       := $(if $(V),,@)
@@ -40,8 +46,8 @@ export CC MAKE
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help deps status figures course starters workbook test memcheck \
-        clean
+.PHONY: help deps status figures course starters workbook test bench \
+        programs memcheck clean
 .DEFAULT_GOAL := help
 
 help:
@@ -59,6 +65,7 @@ help:
 	@echo '  make figures      draw every figure from the reference solutions'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
+	@echo '  make bench        the solvers against others, on this machine'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
 
@@ -74,7 +81,8 @@ $(LIB): $(OBJECTS)
 
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
+	    $(if $(filter banded,$*),$(NATIVE)) -c $< -o $@
 
 $(BUILD)/solutions/%: solutions/%.c $(LIB)
 	$(call say,cc,$<)
@@ -263,9 +271,24 @@ endef
 $(foreach v,$(MISTAKES),$(eval $(call variant_test,$v,mistake)))
 $(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))
 
+# ---- speed: measured, never asserted; tables on stdout
+# LAPACK takes part where there is one; GSL keeps the BLAS of its own.
+LAPACK = $(shell for l in -lopenblas -llapack; do \
+             echo 'int dpbtrf_(void); int main(void) { return dpbtrf_(); }' | \
+             $(CC) -w -x c - -o /dev/null $$l 2>/dev/null && echo $$l && break; \
+         done)
+$(BUILD)/bench/%: tests/bench/%.c $(LIB)
+	$(call say,cc,$<)
+	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && $(COMPILE) $< -o $@ \
+	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
+	    $${lapack:+-DLAPACK="\"$$lapack\""} $(LIB) $(LDFLAGS) $(GSL_LIBS) $$lapack
+bench: $(BUILD)/bench/solve
+	@OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $<
+
 # ---- the whole, in other builds, and the closing line
 .PHONY: all
-all: $(PROGRAMS) $(PROGRAMS:=.judge) $(UNITS:%=$(BUILD)/unit/%) \
+programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
+all: programs $(PROGRAMS:=.judge) $(BUILD)/bench/solve \
      $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
 
 # what any test may rest on

@@ -1,5 +1,7 @@
-/* matrix.c - see matrix.h.  GSL does the factoring and the solving. */
+/* matrix.c - see matrix.h.  GSL does what is dense, banded.h the wide bands. */
 #include "matrix.h"
+
+#include "banded.h"
 
 #include <assert.h>
 #include <float.h>
@@ -8,17 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t row_length(const struct matrix *A)
-{
-    return A->storage == DENSE ? (size_t)A->n : (size_t)A->p + 1;
-}
-
 /* Where entry (i, j) lives; banded storage holds i >= j only. */
 static double *entry(const struct matrix *A, int i, int j)
 {
     const size_t row = (size_t)(A->storage == DENSE ? i : j);
     const size_t at = (size_t)(A->storage == DENSE ? j : i - j);
-    return &A->a[row * row_length(A) + at];
+    return &A->a[row * A->stride + at];
 }
 
 struct matrix *matrix_alloc(enum storage storage, int n, int p)
@@ -28,7 +25,9 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p)
     A->storage = storage;
     A->n = n;
     A->p = storage == DENSE || p >= n ? n - 1 : p;
-    A->a = allocate((size_t)n * row_length(A), sizeof *A->a);
+    A->stride = A->p >= BAND_WIDE && storage == BANDED ? band_stride(A->p)
+                                                       : (size_t)A->p + 1;
+    A->a = allocate((size_t)n * A->stride, sizeof *A->a);
     return A;
 }
 
@@ -90,43 +89,77 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
     }
 }
 
-static gsl_matrix_view gsl_view(const struct matrix *A)
+static enum status dense_factor(struct matrix *A)
 {
-    return gsl_matrix_view_array(A->a, (size_t)A->n, row_length(A));
+    const size_t n = (size_t)A->n;
+    gsl_matrix_view view = gsl_matrix_view_array(A->a, n, n);
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    const int failed = gsl_linalg_cholesky_decomp1(&view.matrix);
+    gsl_set_error_handler(old);
+    if (failed) return NOT_SPD;
+    for (int k = 0; k < A->n; k++) { /* A_kk = sum_j L_kj^2 */
+        const double pivot = *entry(A, k, k) * *entry(A, k, k);
+        double A_kk = 0.0;
+        for (int j = 0; j <= k; j++) A_kk += *entry(A, k, j) * *entry(A, k, j);
+        if (!(pivot > A->n * DBL_EPSILON * A_kk)) return NOT_SPD; /* NaN too */
+    }
+    return OK;
 }
 
-/* (A_kk - pivot) was summed from squares of row k of L: A_kk = sum_j L_kj^2. */
-static int pivot_is_positive(const struct matrix *L, int k)
+/* The textbook's three loops: what column k contributes to a later column j. */
+static enum status narrow_factor(struct matrix *A)
 {
-    const double pivot = *entry(L, k, k) * *entry(L, k, k);
-    double A_kk = 0.0;
-    for (int j = k - L->p > 0 ? k - L->p : 0; j <= k; j++)
-        A_kk += *entry(L, k, j) * *entry(L, k, j);
-    return pivot > L->n * DBL_EPSILON * A_kk; /* false for NaN */
+    const int n = A->n, p = A->p;
+    for (int j = 0; j < n; j++) {
+        double *column = entry(A, j, j);
+        const double A_jj = column[0];
+        for (int k = j > p ? j - p : 0; k < j; k++) {
+            const double *L_k = entry(A, j, k);
+            for (int d = 0; d <= p - (j - k); d++) column[d] -= L_k[0] * L_k[d];
+        }
+        if (!(column[0] > n * DBL_EPSILON * A_jj)) return NOT_SPD; /* NaN too */
+        const double inverse = 1.0 / (column[0] = sqrt(column[0]));
+        for (int d = 1; d <= p; d++) column[d] *= inverse;
+    }
+    return OK;
+}
+
+static void narrow_solve(const struct matrix *L, double b[])
+{
+    const int n = L->n, p = L->p;
+    for (int j = 0; j < n; j++) {
+        const double *column = entry(L, j, j);
+        const int last = n - 1 - j < p ? n - 1 - j : p;
+        b[j] /= column[0];
+        for (int d = 1; d <= last; d++) b[j + d] -= column[d] * b[j];
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        const double *column = entry(L, j, j);
+        const int last = n - 1 - j < p ? n - 1 - j : p;
+        for (int d = 1; d <= last; d++) b[j] -= column[d] * b[j + d];
+        b[j] /= column[0];
+    }
 }
 
 enum status matrix_factor(struct matrix *A)
 {
-    gsl_error_handler_t *old = gsl_set_error_handler_off();
-    gsl_matrix_view view = gsl_view(A);
-    const int failed = A->storage == DENSE
-                           ? gsl_linalg_cholesky_decomp1(&view.matrix)
-                           : gsl_linalg_cholesky_band_decomp(&view.matrix);
-    gsl_set_error_handler(old);
-    if (failed) return NOT_SPD;
-    for (int k = 0; k < A->n; k++)
-        if (!pivot_is_positive(A, k)) return NOT_SPD;
-    return OK;
+    if (A->storage == DENSE) return dense_factor(A);
+    if (A->p < BAND_WIDE) return narrow_factor(A);
+    return band_factor(A->n, A->p, A->stride, A->a);
 }
 
 void matrix_solve(const struct matrix *L, double b[])
 {
-    gsl_matrix_view view = gsl_view(L);
-    gsl_vector_view x = gsl_vector_view_array(b, (size_t)L->n);
-    if (L->storage == DENSE)
+    if (L->storage == BANDED && L->p < BAND_WIDE) {
+        narrow_solve(L, b);
+    } else if (L->storage == BANDED) {
+        band_solve(L->n, L->p, L->stride, L->a, b);
+    } else {
+        const size_t n = (size_t)L->n;
+        gsl_matrix_view view = gsl_matrix_view_array(L->a, n, n);
+        gsl_vector_view x = gsl_vector_view_array(b, n);
         gsl_linalg_cholesky_svx(&view.matrix, &x.vector);
-    else
-        gsl_linalg_cholesky_band_svx(&view.matrix, &x.vector);
+    }
 }
 
 void matrix_multiply(const struct matrix *A, const double x[], double y[])
@@ -156,5 +189,5 @@ double matrix_residual(const struct matrix *A, const double x[],
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    return (size_t)A->n * row_length(A) * sizeof *A->a;
+    return (size_t)A->n * A->stride * sizeof *A->a;
 }

@@ -8,12 +8,14 @@
  *
  *     A = | a0 b0  .  . |     DENSE   a[i*n + j]       = A[i][j]
  *         | b0 a1 b1  . |
- *         |  . b1 a2 b2 |     BANDED  a[j*(p+1) + d]   = A[j+d][j],
+ *         |  . b1 a2 b2 |     BANDED  a[j*stride + d]  = A[j+d][j],
  *         |  .  . b2 a3 |             0 <= d <= p: the lower triangle by
  *                                     columns, a0 b0 | a1 b1 | a2 b2 | a3 *
  *
- * The banded layout is GSL's symmetric band format, and LAPACK's lower band
- * (uplo L, ldab = p + 1); the entries * beyond the last row are never read.
+ * The banded layout is LAPACK's lower band (uplo L, ldab = stride), and for a
+ * narrow band, where stride = p + 1, GSL's symmetric band format.  Columns of a
+ * wide one (BAND_WIDE, banded.h) have room behind them that holds zeros.  The
+ * entries * beyond the last row are zero and stay it.
  *
  * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.2, 4.3;
  *         GSL manual, "Linear Algebra", "Symmetric Banded Format".
@@ -30,9 +32,10 @@ enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
 
 struct matrix {
     enum storage storage;
-    int n;     /* order */
-    int p;     /* half bandwidth, 0 <= p < n; n - 1 when dense */
-    double *a; /* entries, see above; owned */
+    int n;         /* order */
+    int p;         /* half bandwidth, 0 <= p < n; n - 1 when dense */
+    size_t stride; /* numbers a row (dense) or a column (banded) */
+    double *a;     /* entries, see above; owned */
 };
 
 /* A zero matrix; p is not looked at when dense.  The caller frees it. */

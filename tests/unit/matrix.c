@@ -1,4 +1,5 @@
 /* matrix.c - laws of common/matrix.h; GSL's LU is the judge. */
+#include "banded.h"
 #include "matrix.h"
 
 #include "unit.h"
@@ -205,8 +206,119 @@ static void ill_conditioned_is_still_spd(void)
     matrix_free(A);
 }
 
+/* A random SPD band of order n: like random_matrix(), diagonal 1 + p / 2. */
+static struct matrix *random_band(int n, int p)
+{
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    struct matrix *A = matrix_alloc(BANDED, n, p);
+    for (int j = 0; j < n; j++)
+        for (int i = j; i < n && i <= j + A->p; i++)
+            matrix_add(A, i, j,
+                       i == j ? 1.613 + 0.5 * p : gsl_rng_uniform(rng) - 0.5);
+    gsl_rng_free(rng);
+    return A;
+}
+
+/* GSL's banded Cholesky of a copy without room behind the columns: its L, and
+ * x := A^{-1} x. */
+static gsl_matrix *gsl_band(const struct matrix *A, double x[])
+{
+    gsl_matrix *L = gsl_matrix_calloc((size_t)A->n, (size_t)A->p + 1);
+    gsl_vector_view view = gsl_vector_view_array(x, (size_t)A->n);
+    for (int j = 0; j < A->n; j++)
+        for (int d = 0; d <= A->p && j + d < A->n; d++)
+            gsl_matrix_set(L, (size_t)j, (size_t)d, matrix_get(A, j + d, j));
+    ck_assert_int_eq(gsl_linalg_cholesky_band_decomp(L), 0);
+    gsl_linalg_cholesky_band_svx(L, &view.vector);
+    return L;
+}
+
+static const int widths[] = {0,  1,  2,  7,  8,  9,  15, 16, 17,
+                             23, 24, 25, 31, 32, 47, 63, 67, 96};
+static const int excess[] = {1, 2, 5, 8, 9, 23, 24, 50, 131}; /* n - p */
+
+static void a_band_of_any_width_equals_gsl(void)
+{
+    for (int w = 0; w < COUNT(widths); w++)
+        for (int e = 0; e < COUNT(excess); e++) {
+            const int p = widths[w], n = p + excess[e];
+            struct matrix *A = random_band(n, p);
+            double *b = calloc((size_t)n, sizeof *b);
+            double *x = calloc((size_t)n, sizeof *x), largest = 0.0;
+            for (int i = 0; i < n; i++) b[i] = x[i] = sin(2.385 * i + 0.7);
+            gsl_matrix *L = gsl_band(A, x);
+            ck_assert_int_eq(matrix_factor(A), OK);
+            matrix_solve(A, b);
+            for (int j = 0; j < n; j++) {
+                const double L_jj = gsl_matrix_get(L, (size_t)j, 0);
+                for (int d = 0; d <= p && j + d < n; d++)
+                    close_to(matrix_get(A, j + d, j),
+                             gsl_matrix_get(L, (size_t)j, (size_t)d),
+                             1e-12 * L_jj);
+                largest = fmax(largest, fabs(x[j]));
+            }
+            for (int i = 0; i < n; i++) close_to(b[i], x[i], 1e-12 * largest);
+            gsl_matrix_free(L);
+            matrix_free(A);
+            free(b);
+            free(x);
+        }
+}
+
+/* What banded.h asks for and promises; a tile that reaches too far shows. */
+static void the_room_behind_a_column_stays_zero(void)
+{
+    for (int p = BAND_WIDE; p <= 40; p++) {
+        const int n = 2 * p + 29;
+        struct matrix *A = random_band(n, p);
+        ck_assert_uint_eq(A->stride, band_stride(p));
+        ck_assert_uint_eq(A->stride % 16, 8);
+        ck_assert_uint_eq(matrix_bytes(A), 8 * (size_t)n * A->stride);
+        ck_assert_int_eq(matrix_factor(A), OK);
+        for (int j = 0; j < n; j++)
+            for (int d = 0; d < (int)A->stride; d++)
+                if (d > p || j + d >= n)
+                    ck_assert(A->a[(size_t)j * A->stride + (size_t)d] == 0.0);
+        matrix_free(A);
+    }
+}
+
+static void a_wide_band_that_is_not_spd_is_reported(void)
+{
+    const int n = 83, wide[] = {16, 21, 63, 82};
+    for (int w = 0; w < COUNT(wide); w++) {
+        for (int k = 0; k < n; k++)
+            for (int bad = 0; bad < 4; bad++) {
+                struct matrix *A = random_band(n, wide[w]);
+                matrix_add(A, k, bad == 3 && k > 4 ? k - 5 : k,
+                           bad == 0   ? -2.0 * matrix_get(A, k, k)
+                           : bad == 1 ? -matrix_get(A, k, k)
+                           : bad == 2 ? (double)INFINITY
+                                      : (double)NAN);
+                ck_assert_int_eq(matrix_factor(A), NOT_SPD);
+                matrix_free(A);
+            }
+        /* singular: springs between all neighbours, nothing held; stiff ones,
+         * so that the round-off in the last pivot is large */
+        struct matrix *A = matrix_alloc(BANDED, n, wide[w]);
+        for (int i = 0; i < n; i++)
+            for (int j = i - wide[w] > 0 ? i - wide[w] : 0; j < i; j++) {
+                const double k = 2.385e9 * (1.0 + 0.5 * sin(3.714 * i + j));
+                matrix_add(A, i, i, k);
+                matrix_add(A, j, j, k);
+                matrix_add(A, i, j, -k);
+            }
+        struct matrix *held = matrix_copy(A);
+        matrix_add(held, 41, 41, 1e3); /* a weak spring, and it is SPD */
+        ck_assert_int_eq(matrix_factor(A), NOT_SPD);
+        ck_assert_int_eq(matrix_factor(held), OK);
+        matrix_free(held);
+        matrix_free(A);
+    }
+}
+
 /* GSL ignores the row padding of a band and says nothing: the reason why
- * matrix_alloc() makes rows without any. */
+ * it judges on a copy without any. */
 static void gsl_band_cholesky_needs_unpadded_rows(void)
 {
     struct matrix *A = random_matrix(BANDED, 2);
@@ -234,6 +346,11 @@ static const struct unit_law laws[] = {
      dirichlet_keeps_symmetry_and_solution},
     {"not_spd_is_reported", not_spd_is_reported},
     {"ill_conditioned_is_still_spd", ill_conditioned_is_still_spd},
+    {"a_band_of_any_width_equals_gsl", a_band_of_any_width_equals_gsl},
+    {"the_room_behind_a_column_stays_zero",
+     the_room_behind_a_column_stays_zero},
+    {"a_wide_band_that_is_not_spd_is_reported",
+     a_wide_band_that_is_not_spd_is_reported},
     {"gsl_band_cholesky_needs_unpadded_rows",
      gsl_band_cholesky_needs_unpadded_rows},
 };

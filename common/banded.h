@@ -1,0 +1,31 @@
+/*
+ * banded.h - Cholesky factorisation of a wide band, when seconds count.
+ *
+ * The lower triangle by columns, every column with room to spare:
+ *
+ *     a[j*stride + d] = A[j+d][j], 0 <= d <= p,   stride >= band_stride(p)
+ *
+ * which is LAPACK's lower band with ldab = stride.  The room, p < d < stride,
+ * and what lies below the last row hold zeros; they stay zeros.
+ */
+#ifndef COMMON_BANDED_H
+#define COMMON_BANDED_H
+
+#include "status.h"
+
+#include <stddef.h>
+
+/* From this half bandwidth on the routines below may be used. */
+enum { BAND_WIDE = 16 };
+
+/* Numbers a column: an odd multiple of 8, so that columns neither share their
+ * place in the cache nor let a tile reach into the next one. */
+size_t band_stride(int p);
+
+/* A = L L^T in place [eq:cholesky]; statuses as matrix_factor() of matrix.h. */
+enum status band_factor(int n, int p, size_t stride, double a[]);
+
+/* b := A^{-1} b, for L from band_factor(). */
+void band_solve(int n, int p, size_t stride, const double l[], double b[]);
+
+#endif

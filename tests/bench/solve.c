@@ -1,0 +1,366 @@
+/*
+ * solve.c - how fast the linear solvers are, on the machine at hand.
+ *
+ * Two dimensions: one factorisation and one solve of an SPD band as linear
+ * triangles on n x n squares give it, two unknowns a node: order 2 (n + 1)^2,
+ * half bandwidth 2 n + 3.  The band is full of random numbers: a band solver
+ * does not look at them.  One dimension: ns an unknown for tridiagonal systems
+ * and for whole Newton steps of the bar.
+ *
+ * The solvers take turns; medians, and spread = (largest - smallest) / median.
+ * An answer whose residual is not small has no time: nan.  Nothing is asserted:
+ * times are not what a test can hold.
+ */
+#include "bar_fast.h"
+#include "clock.h"
+#include "matrix.h"
+#include "options.h"
+#include "table.h"
+
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_rng.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef NATIVE_FLAGS
+#define NATIVE_FLAGS ""
+#endif
+
+enum { RUNS = 31 };
+struct times {
+    int runs;
+    double second[RUNS];
+};
+
+static void record(struct times *t, double seconds, int valid)
+{
+    t->second[t->runs++] = valid ? seconds : (double)NAN;
+}
+
+static double median(const struct times *t)
+{
+    double sorted[RUNS];
+    if (t->runs == 0) return (double)NAN;
+    for (int i = 0; i < t->runs; i++)
+        if (isnan(t->second[i])) return (double)NAN;
+    memcpy(sorted, t->second, sizeof sorted);
+    gsl_sort(sorted, 1, (size_t)t->runs);
+    return gsl_stats_median_from_sorted_data(sorted, 1, (size_t)t->runs);
+}
+
+static double spread(const struct times *t)
+{
+    double low, high;
+    if (isnan(median(t))) return (double)NAN;
+    gsl_stats_minmax(&low, &high, t->second, 1, (size_t)t->runs);
+    return (high - low) / median(t);
+}
+
+/* ---- the band ------------------------------------------------------------ */
+
+enum solver { OURS, GSL_BAND, LAPACK_BAND, GSL_DENSE, SOLVERS };
+static const char *const solver_name[] = {"ours", "gsl_banded",
+                                          "lapack_dpbtrf", "gsl_dense"};
+
+static struct matrix *random_band(int n, int p)
+{
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_taus2);
+    struct matrix *A = matrix_alloc(BANDED, n, p);
+    for (int j = 0; j < n; j++) {
+        matrix_add(A, j, j, 2.385 + 0.5 * p);
+        for (int i = j + 1; i < n && i <= j + p; i++)
+            matrix_add(A, i, j, gsl_rng_uniform(rng) - 0.5);
+    }
+    gsl_rng_free(rng);
+    return A;
+}
+
+/* A in rows of p + 1 (banded) or n (dense) numbers, as GSL wants it. */
+static double *plain_copy(const struct matrix *A, enum storage storage)
+{
+    const size_t n = (size_t)A->n;
+    const size_t row = storage == DENSE ? n : (size_t)A->p + 1;
+    double *a = allocate(n * row, sizeof *a);
+    for (int j = 0; j < A->n; j++)
+        for (int d = 0; d <= A->p && j + d < A->n; d++) {
+            const double value = matrix_get(A, j + d, j);
+            if (storage == BANDED)
+                a[(size_t)j * row + (size_t)d] = value;
+            else
+                a[(size_t)(j + d) * n + (size_t)j] =
+                    a[(size_t)j * n + (size_t)(j + d)] = value;
+        }
+    return a;
+}
+
+#ifdef LAPACK
+void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
+             const int *lda, int *info, size_t length);
+void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
+             const double a[], const int *lda, double b[], const int *ldb,
+             int *info, size_t length);
+static void lapack_solve(int n, int p, double a[], double b[])
+{
+    const int lda = p + 1, one = 1;
+    int info;
+    dpbtrf_("L", &n, &p, a, &lda, &info, 1);
+    if (info == 0) dpbtrs_("L", &n, &p, &one, a, &lda, b, &n, &info, 1);
+}
+#endif
+
+/* Seconds to overwrite x by A^{-1} x; < 0 where there is no such solver. */
+static double solve(enum solver solver, const struct matrix *A, double x[])
+{
+    const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
+    gsl_vector_view v = gsl_vector_view_array(x, n);
+    struct matrix *L = solver == OURS ? matrix_copy(A) : NULL;
+    double *a = solver == OURS ? NULL
+                               : plain_copy(A, solver == GSL_DENSE ? DENSE
+                                                                   : BANDED);
+    double start = clock_seconds();
+    if (solver == OURS) {
+        if (matrix_factor(L) == OK) matrix_solve(L, x);
+    } else if (solver == GSL_BAND) {
+        gsl_matrix_view view = gsl_matrix_view_array(a, n, row);
+        gsl_linalg_cholesky_band_decomp(&view.matrix);
+        gsl_linalg_cholesky_band_svx(&view.matrix, &v.vector);
+    } else if (solver == GSL_DENSE) {
+        gsl_matrix_view view = gsl_matrix_view_array(a, n, n);
+        gsl_linalg_cholesky_decomp1(&view.matrix);
+        gsl_linalg_cholesky_svx(&view.matrix, &v.vector);
+    } else {
+#ifdef LAPACK
+        lapack_solve(A->n, A->p, a, x);
+#else
+        start = INFINITY;
+#endif
+    }
+    const double seconds = clock_seconds() - start;
+    matrix_free(L);
+    free(a);
+    return seconds;
+}
+
+enum { SIZES = 4 };
+static const int size[SIZES] = {16, 32, 64, 128};
+static const int runs_at[SIZES] = {31, 21, 11, 5};
+static int order_of(int n) { return 2 * (n + 1) * (n + 1); }
+static int band_of(int n) { return 2 * n + 3; }
+
+/* Multiplications and additions, to leading order [eq:band-cost]. */
+static double flops(enum solver solver, int n)
+{
+    const double N = order_of(n), p = band_of(n);
+    return solver == GSL_DENSE ? N * N * N / 3.0 + 2.0 * N * N
+                               : N * (p + 1) * (p + 1) + 4.0 * N * (p + 1);
+}
+
+static int takes_part(enum solver solver, int s, int run)
+{
+    return solver != GSL_DENSE || s == 0 || (s == 1 && run < 3);
+}
+
+static void measure_band(struct times t[SIZES][SOLVERS],
+                         double difference[SIZES])
+{
+    for (int s = 0; s < SIZES; s++) {
+        const int N = order_of(size[s]);
+        struct matrix *A = random_band(N, band_of(size[s]));
+        double *b = allocate((size_t)N, sizeof *b);
+        double *x = allocate((size_t)N, sizeof *x);
+        double *ours = allocate((size_t)N, sizeof *ours);
+        for (int i = 0; i < N; i++) b[i] = sin(2.385 * i + 0.7);
+        for (int run = 0; run < runs_at[s]; run++)
+            for (int k = 0; k < SOLVERS; k++) {
+                if (!takes_part((enum solver)k, s, run)) continue;
+                memcpy(x, b, (size_t)N * sizeof *x);
+                const double seconds = solve((enum solver)k, A, x);
+                if (seconds < 0.0) continue;
+                record(&t[s][k], seconds, matrix_residual(A, x, b) <= 1e-12);
+                double largest = 0.0, apart = 0.0;
+                for (int i = 0; i < N; i++) {
+                    if (k == OURS) ours[i] = x[i];
+                    largest = fmax(largest, fabs(x[i]));
+                    apart = fmax(apart, fabs(x[i] - ours[i]));
+                }
+                if (k == GSL_BAND) difference[s] = apart / largest;
+            }
+        matrix_free(A);
+        free(b);
+        free(x);
+        free(ours);
+    }
+}
+
+static void print_band(struct times t[SIZES][SOLVERS],
+                       const double difference[SIZES])
+{
+    table_begin_note("ratios",
+                     "n order p gsl_banded lapack_dpbtrf gsl_dense "
+                     "difference_from_gsl",
+                     "their seconds over ours, factor and one solve");
+    for (int s = 0; s < SIZES; s++) {
+        const double ours = median(&t[s][OURS]);
+        table_row(size[s], order_of(size[s]), band_of(size[s]),
+                  median(&t[s][GSL_BAND]) / ours,
+                  median(&t[s][LAPACK_BAND]) / ours,
+                  median(&t[s][GSL_DENSE]) / ours, difference[s]);
+    }
+    table_end();
+    for (int k = 0; k < SOLVERS; k++) {
+        if (t[0][k].runs == 0) continue;
+        table_begin(solver_name[k],
+                    "n runs milliseconds spread megaflop gigaflop_a_second");
+        for (int s = 0; s < SIZES && t[s][k].runs > 0; s++) {
+            const double work = flops((enum solver)k, size[s]);
+            table_row(size[s], t[s][k].runs, 1e3 * median(&t[s][k]),
+                      spread(&t[s][k]), 1e-6 * work,
+                      1e-9 * work / median(&t[s][k]));
+        }
+        table_end();
+    }
+    table_begin_note("growth",
+                     "n ours gsl_banded lapack_dpbtrf gsl_dense band_flops "
+                     "dense_flops",
+                     "exponent of n in seconds and in flops, from n to 2 n; "
+                     "4 and 6 in the limit");
+    for (int s = 0; s + 1 < SIZES; s++) {
+        double power[SOLVERS];
+        for (int k = 0; k < SOLVERS; k++)
+            power[k] = log2(median(&t[s + 1][k]) / median(&t[s][k]));
+        table_row(size[s], power[OURS], power[GSL_BAND], power[LAPACK_BAND],
+                  power[GSL_DENSE],
+                  log2(flops(OURS, 2 * size[s]) / flops(OURS, size[s])),
+                  log2(flops(GSL_DENSE, 2 * size[s]) /
+                       flops(GSL_DENSE, size[s])));
+    }
+    table_end();
+}
+
+/* ---- the bar ------------------------------------------------------------- */
+
+enum line { FUSED_BOTH, FUSED_LEFT, NEWTON, TRIDIAGONAL, GSL_TRIDIAGONAL,
+            GSL_BAND_1, LINES };
+
+/* A tridiagonal system, the stiffness of a bar held by weak springs. */
+static void solve_line(enum line line, int n, struct times *t)
+{
+    const size_t size_n = (size_t)n;
+    struct matrix *A = matrix_alloc(BANDED, n, 1);
+    double *b = allocate(size_n, sizeof *b), *x = allocate(size_n, sizeof *x);
+    for (int i = 0; i < n; i++) {
+        b[i] = x[i] = sin(2.385 * i + 0.7);
+        matrix_add(A, i, i, 2.0 + 1e-2);
+        if (i > 0) matrix_add(A, i, i - 1, -1.0);
+    }
+    struct matrix *L = matrix_copy(A);
+    gsl_vector *d = gsl_vector_alloc(size_n), *e = gsl_vector_alloc(size_n - 1);
+    gsl_vector *out = gsl_vector_calloc(size_n); /* touched before the clock */
+    gsl_vector_view v = gsl_vector_view_array(x, size_n);
+    gsl_matrix_view view = gsl_matrix_view_array(L->a, size_n, 2);
+    gsl_vector_set_all(d, 2.0 + 1e-2);
+    gsl_vector_set_all(e, -1.0);
+
+    const double start = clock_seconds();
+    if (line == TRIDIAGONAL) {
+        if (matrix_factor(L) == OK) matrix_solve(L, x);
+    } else if (line == GSL_TRIDIAGONAL) {
+        gsl_linalg_solve_symm_tridiag(d, e, &v.vector, out);
+    } else {
+        gsl_linalg_cholesky_band_decomp(&view.matrix);
+        gsl_linalg_cholesky_band_svx(&view.matrix, &v.vector);
+    }
+    const double seconds = clock_seconds() - start;
+    record(t, seconds / n,
+           matrix_residual(A, line == GSL_TRIDIAGONAL ? out->data : x, b) <=
+               1e-12);
+    gsl_vector_free(d);
+    gsl_vector_free(e);
+    gsl_vector_free(out);
+    matrix_free(A);
+    matrix_free(L);
+    free(b);
+    free(x);
+}
+
+/* Newton's method for the bar, held at the left, pulled at the right: seconds
+ * an unknown an iteration. */
+static void newton_line(enum line line, int n, struct times *t)
+{
+    const size_t size_n = (size_t)n + 1;
+    double *b = allocate(size_n, sizeof *b), *u = allocate(size_n, sizeof *u);
+    const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+                            material_make(CUBIC, 1000.0, 0.3)};
+    const struct newton_control control = {fmax(1e-12, 3e-15 * n), 30, 0};
+    b[n] = 238.5;
+    memset(u, 0, size_n * sizeof *u);
+    const double start = clock_seconds();
+    const struct newton_report report =
+        line == NEWTON
+            ? bar_newton(&bar, &control, u, NULL)
+            : bar_fast_newton(&bar, &control,
+                              line == FUSED_LEFT ? FROM_LEFT : FROM_BOTH_ENDS,
+                              u);
+    const double seconds = clock_seconds() - start;
+    record(t, seconds / n / report.iterations, report.status == OK);
+    free(b);
+    free(u);
+}
+
+static void bench_bar(void)
+{
+    const int sizes[] = {1000, 1000000};
+    table_begin_note("bar",
+                     "unknowns gsl_tridiagonal_over_tridiagonal_p1 "
+                     "gsl_banded_over_tridiagonal_p1 "
+                     "gsl_tridiagonal_over_fused_both fused_both fused_left "
+                     "newton tridiagonal_p1 gsl_tridiagonal gsl_banded "
+                     "spread_fused_both spread_gsl_tridiagonal",
+                     "ns an unknown; fused and newton: a whole iteration, the "
+                     "others: a linear solve without assembly");
+    for (int s = 0; s < COUNT(sizes); s++) {
+        struct times t[LINES] = {{0, {0.0}}};
+        double ns[LINES];
+        for (int run = 0; run < (s == 0 ? RUNS : 9); run++)
+            for (int k = 0; k < LINES; k++)
+                if (k <= NEWTON)
+                    newton_line((enum line)k, sizes[s], &t[k]);
+                else
+                    solve_line((enum line)k, sizes[s], &t[k]);
+        for (int k = 0; k < LINES; k++) ns[k] = 1e9 * median(&t[k]);
+        table_row(sizes[s], ns[GSL_TRIDIAGONAL] / ns[TRIDIAGONAL],
+                  ns[GSL_BAND_1] / ns[TRIDIAGONAL],
+                  ns[GSL_TRIDIAGONAL] / ns[FUSED_BOTH], ns[FUSED_BOTH],
+                  ns[FUSED_LEFT], ns[NEWTON], ns[TRIDIAGONAL],
+                  ns[GSL_TRIDIAGONAL], ns[GSL_BAND_1], spread(&t[FUSED_BOTH]),
+                  spread(&t[GSL_TRIDIAGONAL]));
+    }
+    table_end();
+}
+
+int main(int argc, char *argv[])
+{
+    static struct times t[SIZES][SOLVERS];
+    double difference[SIZES] = {0.0};
+    char machine[512];
+
+    options_parse("bench", NULL, 0, argc, argv);
+    gsl_set_error_handler_off();
+    clock_machine(sizeof machine, machine);
+    printf("# machine: %s\n# banded.c also with: %s\n# LAPACK: %s\n\n\n",
+           machine, *NATIVE_FLAGS ? NATIVE_FLAGS : "nothing",
+#ifdef LAPACK
+           LAPACK
+#else
+           "none found"
+#endif
+    );
+    measure_band(t, difference);
+    print_band(t, difference);
+    bench_bar();
+    return table_finish();
+}
