@@ -365,7 +365,8 @@ static double difference_eps(int n, const double v[], const double w[])
 {
     double largest = 0.0, scale = 0.0;
     for (int k = 0; k < n; k++) {
-        if (!(fabs(v[k] - w[k]) <= largest)) largest = fabs(v[k] - w[k]);
+        const double size = fabs(v[k] - w[k]);
+        if (isnan(size) || size > largest) largest = size; /* NaN stays */
         scale = fmax(scale, fabs(w[k]));
     }
     return largest / (DBL_EPSILON * scale);
