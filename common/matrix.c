@@ -162,6 +162,24 @@ void matrix_solve(const struct matrix *L, double b[])
     }
 }
 
+enum status matrix_solve_indefinite(const struct matrix *A, double b[])
+{
+    /* GSL wants rows of p + 1 numbers, without room behind them */
+    const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
+    double *copy = allocate(n * row, sizeof *copy);
+    gsl_matrix_view view = gsl_matrix_view_array(copy, n, row);
+    gsl_vector_view x = gsl_vector_view_array(b, n);
+    assert(A->storage == BANDED);
+    for (size_t j = 0; j < n; j++)
+        memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    const int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
+                       gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
+    gsl_set_error_handler(old);
+    free(copy);
+    return failed ? NOT_SPD : OK;
+}
+
 void matrix_multiply(const struct matrix *A, const double x[], double y[])
 {
     for (int i = 0; i < A->n; i++) {

@@ -85,6 +85,12 @@ enum status matrix_factor(struct matrix *A);
 /* b := A^{-1} b, for L from matrix_factor(). */
 void matrix_solve(const struct matrix *L, double b[]);
 
+/*
+ * b := A^{-1} b for a banded A that is not factored and need not be positive
+ * definite, by GSL's L D L^T without pivoting.  NOT_SPD: a pivot is 0.
+ */
+enum status matrix_solve_indefinite(const struct matrix *A, double b[]);
+
 /* y := A x, for an A that is not factored. */
 void matrix_multiply(const struct matrix *A, const double x[], double y[]);
 

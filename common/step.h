@@ -1,0 +1,74 @@
+/*
+ * step.h - implicit time steps of the body of body.h: Newton's method.
+ *
+ * A step of backward Euler minimises Phi over u with w = u0 + dt v0, then sets
+ * v = (u - u0) / dt [eq:backward-euler].  Other integrators use step_solve()
+ * with a dt and a w of their own.
+ */
+#ifndef COMMON_STEP_H
+#define COMMON_STEP_H
+
+#include "body.h"
+
+enum guess {
+    FROM_LAST,     /* u0, as the notes have it */
+    FROM_VELOCITY, /* u0 + dt v0 */
+    EXTRAPOLATED   /* u0 + dt (2 v0 - v_before) */
+};
+enum projection { NEVER, ON_DEMAND, ALWAYS };
+
+struct step_control {
+    double tolerance;   /* of max|du| (m), and of max|q| / max K_ii (m) */
+    int max_iterations; /* cap on linear systems solved */
+    enum guess guess;
+    int lift;        /* spread the jump of the boundary values: step_boundary */
+    int chord;       /* keep the factors while max|du| falls below 0.3 times
+                      * the one before [alg:chord] */
+    int line_search; /* halve the increment until Phi decreases */
+    enum projection projection; /* NEVER: what is indefinite is solved as it
+                                 * is, or NOT_SPD with line_search;
+                                 * ON_DEMAND: PROJECTED when K is not SPD */
+};
+
+struct step_report {
+    enum status status; /* OK, NOT_SPD, INVERTED, NONFINITE, STALLED,
+                         * MAX_ITERATIONS */
+    int iterations;     /* linear systems solved */
+    int factorisations; /* of them with new factors */
+    int projections;    /* of them with a projected K */
+    int indefinite;     /* of them with a K that was not SPD, as it was */
+    double residual;    /* the last max|q| / max K_ii of free unknowns (m) */
+    double increment;   /* the last max|du| (m) */
+};
+
+/*
+ * Newton's method for q(u) = 0 from u, whose prescribed vertices have their
+ * values [alg:body-newton]; guess and lift of control are not looked at.  u is
+ * the solution, or the last state reached when the status is not OK.
+ */
+struct step_report step_solve(struct body *body,
+                              const struct step_control *control, double dt,
+                              const double w[], const double f[], double u[]);
+
+/*
+ * Write the boundary values g (read at prescribed vertices only) into the guess
+ * u.  With lift the jump g - u is carried on into the body, linearly in X1
+ * between the prescribed ends of each row, constant beyond one [eq:lift-2d]:
+ * without it the triangles at the boundary take all of it.
+ */
+void step_boundary(const struct body *body, const double g[], int lift,
+                   double u[]);
+
+/*
+ * One step of backward Euler: guess, boundary values, step_solve(), velocity.
+ *
+ * u, v       in/out  state; unchanged when the status is not OK
+ * v_before   in/out  velocity of the step before, for EXTRAPOLATED; else NULL
+ */
+struct step_report step_backward_euler(struct body *body,
+                                       const struct step_control *control,
+                                       double dt, const double g[],
+                                       const double f[], double u[],
+                                       double v[], double v_before[]);
+
+#endif
