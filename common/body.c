@@ -193,7 +193,7 @@ static void projected_tangent(double area, double mu, double dG, double ddG,
     const mat2 U = mat2_rotation((axes + turn) / 2.0);
     const mat2 V = mat2_rotation((axes - turn) / 2.0);
     const double s1 = half_sum + half_difference;
-    const double s2 = half_sum - half_difference;
+    const double s2 = s1 > 0.0 ? mat2_det(F) / s1 : 0.0; /* no difference */
     const double A = mu + ddG * s2 * s2, C = mu + ddG * s1 * s1;
     const double B = ddG * s1 * s2 + dG;
     const double z = 0.5 * atan2(2.0 * B, A - C);
