@@ -60,7 +60,8 @@ static double *vector(const struct body *body, double size)
 {
     const int n = 2 * body->mesh->n_vertex;
     double *v = allocate((size_t)n, sizeof *v);
-    for (int r = 0; r < n; r++) v[r] = size * entropy(r + (int)(1e3 * size));
+    const int start = (int)(1e3 * size);
+    for (int r = 0; r < n; r++) v[r] = size * entropy(r + start);
     return v;
 }
 
@@ -363,7 +364,7 @@ static void projection_clamps_the_eigenvalues(void)
             clamp(&body->material, F, C, &least);
             clamped += least < -1.0;
             for (int e = 0; e < body->mesh->n_triangle; e++) {
-                const int *t = &body->mesh->triangle[3 * e];
+                const int *t = &body->vertex[3 * e];
                 const double *g = &body->gradient[6 * e];
                 for (int r = 0; r < 36; r++) {
                     const int a = r / 12, i = r / 6 % 2;
