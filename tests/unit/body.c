@@ -65,7 +65,7 @@ static double *vector(const struct body *body, double size)
     return v;
 }
 
-/* ---- mesh ----------------------------------------------------------------- */
+/* ---- mesh -------------------------------------------------------------- */
 
 static void gradients_reproduce_linear_fields(void)
 {
@@ -102,7 +102,7 @@ static void a_clockwise_triangle_is_found(void)
     mesh_free(mesh);
 }
 
-/* ---- body ----------------------------------------------------------------- */
+/* ---- body -------------------------------------------------------------- */
 
 static void band_is_as_narrow_as_promised(void)
 {
@@ -409,7 +409,7 @@ static void states_outside_are_reported(void)
     }
 }
 
-/* ---- steps ---------------------------------------------------------------- */
+/* ---- steps -------------------------------------------------------------- */
 
 /* dt = 1/30; u = (s X1 sin t, 0) or (sin t, 0) at both ends, from rest. */
 struct scene {
