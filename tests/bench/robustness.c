@@ -230,14 +230,35 @@ static void print_map(const char *name, enum law law,
     table_end();
 }
 
-/* The jump at which the plain step begins to fail, by bisection between 0.5
- * (OK) and 1.1 (fails); near it, success and failure alternate. */
-static double threshold(int n, enum law law)
+/* Whether the plain step from rest with this jump converges. */
+static int step_converges(int n, enum law law, double jump)
+{
+    return first_step(n, law, asin(jump * 2.0 / n), &cure[0]).status == OK;
+}
+
+/* Whether K at its start is positive definite (and exists). */
+static int start_is_spd(int n, enum law law, double jump)
+{
+    struct scene s = scene_alloc(n, law, 0.3, 1.0, 1);
+    double *q = s.w;
+    for (int r = 0; r < s.n_dof; r += 2) s.g[r] = jump * 2.0 / n;
+    step_boundary(s.body, s.g, 0, s.u);
+    const int spd = body_assemble(s.body, asin(jump * 2.0 / n), s.v, NULL, s.u,
+                                  EXACT, q) == OK &&
+                    matrix_factor(s.body->K) == OK;
+    scene_free(&s);
+    return spd;
+}
+
+/* The jump at which `holds` ends, by bisection between 0.5, where it does, and
+ * 1.1, where it does not; near the end of convergence both alternate. */
+static double threshold(int n, enum law law,
+                        int (*holds)(int n, enum law law, double jump))
 {
     double good = 0.5, bad = 1.1;
     while (bad - good > 0.002) {
         const double jump = 0.5 * (good + bad);
-        if (first_step(n, law, asin(jump * 2.0 / n), &cure[0]).status == OK)
+        if (holds(n, law, jump))
             good = jump;
         else
             bad = jump;
@@ -247,10 +268,14 @@ static double threshold(int n, enum law law)
 
 static void print_boundary_step(void)
 {
-    table_begin_note("boundary_step", "n cubic log",
-                     "jump dg / h at which the plain step begins to fail");
+    table_begin_note("boundary_step", "n cubic log cubic_spd log_spd",
+                     "jump dg / h at which the plain step begins to fail; at "
+                     "which K at its start is no longer SPD");
     for (int n = 8; n <= 32; n *= 2)
-        table_row(n, threshold(n, CUBIC), threshold(n, LOG));
+        table_row(n, threshold(n, CUBIC, step_converges),
+                  threshold(n, LOG, step_converges),
+                  threshold(n, CUBIC, start_is_spd),
+                  threshold(n, LOG, start_is_spd));
     table_end();
 }
 
@@ -268,6 +293,7 @@ struct run {
     enum status reason; /* of the first step that failed for good, or OK */
     int steps, failed;  /* of dt or a part of it; attempts that failed */
     int iterations, most, projections;
+    int useful;     /* iterations of the steps that did not fail */
     double least_J; /* of all states */
 };
 
@@ -283,6 +309,7 @@ static void run_step(struct scene *s, const struct step_control *control,
     if (report.status == OK) {
         run->t += dt;
         run->steps++;
+        run->useful += report.iterations;
         run->pressed = fmax(run->pressed, sin(run->t));
         run->least_J = fmin(run->least_J, body_min_J(s->body, s->u));
         return;
@@ -317,7 +344,7 @@ static void print_press(const char *name, enum law law)
     int cost[FRAMES];
     table_begin_note(name,
                      "n method time pressed reason steps failed iterations "
-                     "most projections least_J final_J",
+                     "most projections least_J final_J per_step",
                      "methods: 0 plain, 1 lift, 2 + line search, 3 always "
                      "projecting, 4 on demand, 5 all, 6 all and halving; 3 not "
                      "run at n = 16");
@@ -332,7 +359,8 @@ static void print_press(const char *name, enum law law)
             while (last + 1 < FRAMES && cost[last + 1] > 0) last++;
             table_row(n, m, run.t, run.pressed, run.reason, run.steps,
                       run.failed, run.iterations, run.most, run.projections,
-                      run.least_J, min_J[last]);
+                      run.least_J, min_J[last],
+                      (double)run.useful / run.steps);
         }
     table_end();
 }
@@ -356,6 +384,58 @@ static void print_press_path(const char *name, enum law law, int n,
         if (!alive) break;
     }
     table_end();
+}
+
+/* Phi [eq:incremental-potential] of a step of length dt to u from speed and
+ * state in w = u0 + dt v0; work: [2 n_dof]. */
+static double potential(const struct body *body, double dt, const double w[],
+                        const double u[], int n_dof, double work[])
+{
+    double phi = 0.0, elastic;
+    for (int r = 0; r < n_dof; r++) work[r] = u[r] - w[r];
+    body_mass(body, work, work + n_dof);
+    for (int r = 0; r < n_dof; r++) phi += 0.5 * work[r] * work[n_dof + r];
+    if (body_energy(body, u, &elastic) != OK) elastic = 0.0;
+    return phi + dt * dt * elastic;
+}
+
+/*
+ * The last step that the plain run with n = 8 survives: its answer and that of
+ * projection on demand, from the same state.  spd: is K there, the curvature of
+ * Phi, positive definite?
+ */
+static void print_two_answers(void)
+{
+    const double dt = 1.0 / 30.0;
+    const int n = 8, last = 22;
+    struct scene s = scene_alloc(n, CUBIC, 0.3, 1.0, 1);
+    double *state = allocate(4 * (size_t)s.n_dof, sizeof *state);
+    double *work = state + 2 * s.n_dof;
+    table_begin_note("two_answers",
+                     "way reason iterations indefinite projections phi min_J "
+                     "spd",
+                     "n = %d, cubic law, step %d; ways: 0 plain, 1 on demand "
+                     "and line search; phi in units of dt^2",
+                     n, last);
+    for (int k = 1; k < last; k++)
+        scene_step(&s, PRESS, &method[PLAIN], (k - 1) * dt, dt);
+    memcpy(state, s.u, 2 * (size_t)s.n_dof * sizeof *state); /* u and v */
+    for (int m = 0; m < 2; m++) {
+        memcpy(s.u, state, 2 * (size_t)s.n_dof * sizeof *state);
+        const struct step_report report = scene_step(
+            &s, PRESS, &method[m ? ON_NEED : PLAIN], (last - 1) * dt, dt);
+        for (int r = 0; r < s.n_dof; r++)
+            s.w[r] = state[r] + dt * state[s.n_dof + r];
+        const double phi =
+            potential(s.body, dt, s.w, s.u, s.n_dof, work) / (dt * dt);
+        body_assemble(s.body, dt, s.w, NULL, s.u, EXACT, work);
+        table_row(m, report.status, report.iterations, report.indefinite,
+                  report.projections, phi, body_min_J(s.body, s.u),
+                  matrix_factor(s.body->K) == OK);
+    }
+    table_end();
+    free(state);
+    scene_free(&s);
 }
 
 /* ---- locking: the first Newton increment is linear elasticity ------------ */
@@ -570,6 +650,7 @@ int main(int argc, char *argv[])
     print_press_path("path_demand", CUBIC, 8, ON_NEED, 0);
     print_press_path("path_log_plain", LOG, 8, PLAIN, 0);
     print_press_path("path_log_halved", LOG, 8, ALL, 4);
+    print_two_answers();
     print_locking();
     print_scattered();
     print_tangled();
