@@ -22,7 +22,7 @@
  * and space, the tangent as printed, and a first step that fails.
  *
  * Run       make lesson-12, or with options: -h lists them
- * Expect    --scene stretch --reach 0.5: elastic energy 339.307937720097 at t = 1
+ * Expect    --scene stretch --reach 0.5: elastic energy 339.307937720 at t = 1
  *           after 30 steps of 4 Newton iterations; orders 1 in time, 2 in space
  * Plot: steps t elastic
  */
@@ -409,9 +409,9 @@ static struct report step(const struct sheet *s, const struct load *load,
 
     for (size_t r = 0; r < size; r++) next[r] = u[r];
     if (control->lifted) spread_jump(s, g, next);
-    /* SLOT 12e(s, load, control, dt, g, u, v, history, &report, K, b, q, du,
-     * next): next is the start, without boundary values; report is filled on
-     * the way. */
+    /* SLOT 12e(load, dt, v, &report, history, tangent, increment, weight):
+     * write g into next, the start; then the loop, with report and history
+     * filled on the way; then v and u.  K, b, q, du are there to be used. */
     right_hand_side(s, load, dt, u, v, b);
     for (size_t r = 0; r < size; r++)
         if (s->held[r / 2]) next[r] = g[r];
@@ -1320,7 +1320,7 @@ int main(int argc, char *argv[])
          .help = "Poisson's ratio"},
         {"rho", .real = &set.rho, .min = 1e-3, .max = 1e3, .unit = "kg/m^2",
          .help = "density"},
-        {"reach", .real = &set.reach, .min = -2, .max = 2, .unit = "m",
+        {"reach", .real = &set.reach, .min = -20, .max = 20, .unit = "m",
          .help = "amplitude of the moving ends"},
         {"force", .real = &set.force, .min = -1e4, .max = 1e4,
          .unit = "N/m^2 or N/m", .help = "of gravity, traction"},
