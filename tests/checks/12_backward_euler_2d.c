@@ -81,7 +81,7 @@ static struct body *fast_body(const struct sheet *s, struct mesh *mesh)
                       s->lumped ? LUMPED : CONSISTENT, s->held);
 }
 
-/* ---- 12a ------------------------------------------------------------------ */
+/* ---- 12a ----------------------------------------------------------------- */
 
 static void traction_adds_up(void)
 {
@@ -145,7 +145,7 @@ static void b_is_mass_times_the_guess(void)
     }
 }
 
-/* ---- 12b ------------------------------------------------------------------ */
+/* ---- 12b ----------------------------------------------------------------- */
 
 static void rigid_motion_gives_no_force(void)
 {
@@ -283,7 +283,7 @@ static void force_is_the_gradient_of_the_energy(void)
     }
 }
 
-/* ---- 12c ------------------------------------------------------------------ */
+/* ---- 12c ----------------------------------------------------------------- */
 
 static void tangent_is_the_derivative_of_the_force(void)
 {
@@ -376,7 +376,7 @@ static void agrees_with_the_fast_body(void)
     }
 }
 
-/* ---- 12d ------------------------------------------------------------------ */
+/* ---- 12d ----------------------------------------------------------------- */
 
 static void increment_solves_the_held_system(void)
 {
@@ -419,7 +419,7 @@ static void increment_solves_the_held_system(void)
     sheet_free(s);
 }
 
-/* ---- 12e ------------------------------------------------------------------ */
+/* ---- 12e ----------------------------------------------------------------- */
 
 /* Three steps of a scene, and of the same body with step.h. */
 static void compare_steps(enum scene scene, enum law law, int lumped,
@@ -714,10 +714,12 @@ static const struct claim claims[] = {
 static const char *const runs[] = {
     "--n 3 --steps 4 --study off --scene gravity",
     "--n 4 --steps 6 --study off --scene rigid --law log --nu 0.2385",
-    "--n 3 --steps 3 --study off --scene both --dt 0.002385 --watch 3",
+    "--n 3 --steps 3 --study off --scene both --dt 0.001238 --watch 3",
     "--n 4 --steps 3 --study off --scene traction --force 37.14 --watch 2",
     "--n 3 --steps 8 --study off --scene spin --spin 2.385 --mass lumped",
     "--n 5 --steps 5 --study off --scene compress --rho 2.385 --E 371.4",
+    "--n 3 --steps 3 --study off --scene gravity --dt 0.7371 --force 23.85",
+    "--n 4 --steps 3 --study off --guess lifted",
     "--n 2 --steps 2 --finest 16",
 };
 
