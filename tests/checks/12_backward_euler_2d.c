@@ -752,6 +752,7 @@ static const struct column_rule rules[] = {
     {"readings", "*", 1e-8, STATE, 1},
     {"gallery", "*", 1e-8, STATE, 0},
     {"motion", "*", 1e-8, STATE, 0},
+    {"energies", "*", 1e-8, STATE, 1},
     {"spin", "momentum_error", 1e-8, "round-off", 1},
     {"spin", "*", 1e-8, STATE, 0},
     {"orders_time", "*", 1e-6, "differences of states", 0},

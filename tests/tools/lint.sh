@@ -94,10 +94,13 @@ for slug in $lessons; do
 done
 
 # ---- figures ------------------------------------------------------------------
-rule 'every figure is committed as SVG' \
-    "$(for f in figures/[0-9]*.gp; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
+picture() { # what a script makes
+    if grep -q '^set terminal gif' "$1"; then echo "${1%.gp}.gif"; else echo "${1%.gp}.svg"; fi
+}
+rule 'every figure is committed' \
+    "$(for f in figures/[0-9]*.gp; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
 rule 'every figure is in workbook.md' \
-    "$(for f in figures/[0-9]*.gp; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
+    "$(for f in figures/[0-9]*.gp; do grep -qF "($(picture "$f"))" workbook.md || echo "$f"; done)"
 rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
