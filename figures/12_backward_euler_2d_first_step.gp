@@ -40,7 +40,7 @@ set rmargin at screen 0.335
 set label 1 "the notes' start" at graph 0, graph 1.06
 splot triangles(0) using 1:2:3 with pm3d
 set lmargin at screen 0.345
-set rmargin at screen 0.615
+set rmargin at screen 0.605
 set label 1 "the solution"
 unset ylabel
 set format y ""
