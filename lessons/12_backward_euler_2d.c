@@ -634,10 +634,13 @@ static void run_scene(const struct setting *set, int steps, int watch)
         const int m = state.m + 1;
         const struct report report =
             state_step(&state, set, m == watch ? record->history : NULL);
-        if (report.status != OK)
+        if (report.status != OK) {
+            state_free(&state);
+            free(record);
             die("step %d, t = %g: Newton's method ends with %s after %d "
                 "iterations", m, m * set->dt, status_name(report.status),
                 report.iterations);
+        }
         record->report[m] = report;
         record_state(record, &state);
     }
@@ -706,7 +709,8 @@ static void print_gallery(void)
     const enum scene scenes[] = {STRETCH, COMPRESS, GRAVITY, SPIN};
     table_begin("gallery", triangle_columns);
     for (int k = 0; k < COUNT(scenes); k++) {
-        const struct setting set = notes_setting(scenes[k], CUBIC, 8);
+        struct setting set = notes_setting(scenes[k], CUBIC, 6);
+        set.reach = 0.6;
         struct state state = state_alloc(&set);
         for (int frame = 0; frame < 3; frame++) {
             if (advance(&state, &set, 10).status != OK) break;
@@ -728,6 +732,36 @@ static void print_motion(void)
     while (state.m < 45 && advance(&state, &set, 1).status == OK);
     table_end();
     state_free(&state);
+}
+
+/* The energy of the body under gravity, which an exact motion would keep at 0,
+ * with steps of 1/30, 1/120 and 1/480 s. */
+static void print_energies(void)
+{
+    enum { STEPS = 45 };
+    struct measures m[3][STEPS + 1];
+    for (int k = 0; k < 3; k++) {
+        const int each = 1 << 2 * k; /* steps a row */
+        struct setting set = notes_setting(GRAVITY, CUBIC, 4);
+        set.dt /= each;
+        struct state state = state_alloc(&set);
+        for (int row = 0; row <= STEPS; row++) {
+            m[k][row] = measure(state.sheet, &state.load, state.u, state.v);
+            if (advance(&state, &set, each).status != OK) die("gravity fails");
+        }
+        state_free(&state);
+    }
+    table_begin("energies", "t kinetic elastic external total total_120 "
+                            "total_480");
+    for (int row = 0; row <= STEPS; row++) {
+        double total[3];
+        for (int k = 0; k < 3; k++)
+            total[k] = m[k][row].kinetic + m[k][row].elastic +
+                       m[k][row].external;
+        table_row(row / 30.0, m[0][row].kinetic, m[0][row].elastic,
+                  m[0][row].external, total[0], total[1], total[2]);
+    }
+    table_end();
 }
 
 /*
@@ -1003,7 +1037,7 @@ static struct report slip_newton(struct state *state, const struct setting *set,
         int sign;
         report.status = residual(s, set->dt, state->u, b, q);
         report.residual = max_abs(s, q, 0);
-        if (report.status == OK && !(report.residual < 1e6))
+        if (report.status == OK && !(report.residual < 1e12))
             report.status = NONFINITE;
         if (report.status != OK) break;
         residual_[report.iterations] = report.residual;
@@ -1250,6 +1284,7 @@ int main(int argc, char *argv[])
         print_readings();
         print_gallery();
         print_motion();
+        print_energies();
         print_spin();
         print_orders_time();
         print_orders_space(set.law);

@@ -737,10 +737,13 @@ static void run_scene(const struct setting *set, int steps, int watch)
         const int m = state.m + 1;
         const struct report report =
             state_step(&state, set, m == watch ? record->history : NULL);
-        if (report.status != OK)
+        if (report.status != OK) {
+            state_free(&state);
+            free(record);
             die("step %d, t = %g: Newton's method ends with %s after %d "
                 "iterations", m, m * set->dt, status_name(report.status),
                 report.iterations);
+        }
         record->report[m] = report;
         record_state(record, &state);
     }
