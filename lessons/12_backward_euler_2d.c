@@ -568,9 +568,9 @@ static void print_steps(const struct setting *set, int steps,
 
 static void print_newton(const struct record *record, int watch)
 {
-    table_begin_note("newton", "k residual increment",
-                     "step %d of the scene; increment 0: none was made", watch);
-    for (int k = 0; k <= record->report[watch].iterations; k++)
+    table_begin_note("newton", "k residual increment", "step %d of the scene",
+                     watch);
+    for (int k = 0; k < record->report[watch].iterations; k++)
         table_row(k, record->history[k].residual,
                   record->history[k].increment);
     table_end();
@@ -1092,22 +1092,23 @@ static void print_slips(void)
     double residual_[2][4][SLIP_CAP + 1] = {{{0.0}}};
     int reached[2][4];
     table_begin_note("slips", "slip rest shear rotated general asym_rest "
-                     "asym_rotated iterations reason iterations_turned "
-                     "reason_turned",
-                     "slip: 1 column for row, 2 half of mu, 3 both");
+                     "asym_rotated iterations iterations_turned",
+                     "slip: 1 column for row, 2 half of mu, 3 both; iterations "
+                     "-1: none of %d was the last", SLIP_CAP);
     for (int slip = NO_SLIP; slip <= BOTH_SLIPS; slip++) {
         double error[4], asymmetry[4];
-        struct report report[2];
+        int iterations[2];
         for (int k = 0; k < 4; k++)
             slip_error(states[k], (enum slip)slip, &error[k], &asymmetry[k]);
         for (int turned = 0; turned < 2; turned++) {
-            report[turned] = let_go(turned * angle, (enum slip)slip,
-                                    residual_[turned][slip]);
-            reached[turned][slip] = report[turned].iterations;
+            const struct report report =
+                let_go(turned * angle, (enum slip)slip,
+                       residual_[turned][slip]);
+            reached[turned][slip] = report.iterations;
+            iterations[turned] = report.status == OK ? report.iterations : -1;
         }
         table_row(slip, error[0], error[1], error[2], error[3], asymmetry[0],
-                  asymmetry[2], report[0].iterations, report[0].status,
-                  report[1].iterations, report[1].status);
+                  asymmetry[2], iterations[0], iterations[1]);
     }
     table_end();
     table_begin_note("slip_history", "turned slip k residual",

@@ -113,8 +113,31 @@ static void traction_adds_up(void)
     }
 }
 
+/* The whole mass is rho times the area, 4, and lumping moves none of it from
+ * row to row. */
+static void mass_sums(void)
+{
+    double one[N_DOF], zero[N_DOF] = {0.0}, b[2][N_DOF], total[2] = {0.0, 0.0};
+    const struct load none = {zero, 0, NULL, {0.0, 0.0}};
+    for (int r = 0; r < N_DOF; r++) one[r] = 1.0;
+    for (int lumped = 0; lumped < 2; lumped++) {
+        struct sheet *s = skew_sheet(CUBIC, lumped);
+        right_hand_side(s, &none, 0.2385, one, zero, b[lumped]);
+        for (int r = 0; r < N_DOF; r++) total[r % 2] += b[lumped][r];
+        sheet_free(s);
+    }
+    for (int i = 0; i < 2; i++)
+        expect_close(total[i], 2.0 * 4.0 * 2.385, ROUND_OFF, 1.0,
+                     "u0 = 1: sum of b, both masses together, against 8 rho");
+    for (int r = 0; r < N_DOF; r++)
+        expect_close(b[0][r], b[1][r], ROUND_OFF, 1.0,
+                     "u0 = 1: b of vertex %d, consistent against lumped mass",
+                     r / 2);
+}
+
 static void b_is_mass_times_the_guess(void)
 {
+    mass_sums();
     for (int lumped = 0; lumped < 2; lumped++) {
         struct sheet *s = skew_sheet(CUBIC, lumped);
         struct mesh *mesh = mesh_square(N);
@@ -348,6 +371,14 @@ static void agrees_with_the_fast_body(void)
         for (int r = 0; r < N_DOF; r++) w[r] = odd_number(r + 29);
         body_mass(body, w, b);
         matrix_add(K, 0, 0, 2.385); /* tangent() has to forget it */
+        for (int e = 0; e < s->n_triangle; e++) {
+            expect_close(s->area[e], body->area[e], ROUND_OFF, 1.0,
+                         "area of triangle %d, against mesh.h", e);
+            for (int k = 0; k < 6; k++)
+                expect_close(s->gradient[6 * e + k], body->gradient[6 * e + k],
+                             ROUND_OFF, 1.0 * N,
+                             "gradients of triangle %d, against mesh.h", e);
+        }
         expect(body_assemble(body, dt, w, NULL, u, EXACT, want) == OK &&
                    residual(s, dt, u, b, q) == OK && tangent(s, dt, u, K) == OK,
                "residual() or tangent() does not return OK");
@@ -652,9 +683,16 @@ static void readings_are_the_oracles(const struct output *out)
     }
 }
 
+/* From here to there success and failure alternate: no two programs that
+ * round differently need to agree. */
+static int ragged(double jump)
+{
+    return jump > 0.82 && jump < 0.99;
+}
+
 static void studies_come_out(void)
 {
-    struct output *out = run("--n 2 --steps 2 --finest 16");
+    struct output *out = run("--n 2 --steps 2");
     readings_are_the_oracles(out);
     /* the limits are approached like 1 - dt, 1 - h^2 */
     expect_close(cell(out, "orders_time", "order", -1), 1.0, 0.01, 1.0,
@@ -670,6 +708,25 @@ static void studies_come_out(void)
     expect_close(cell(out, "orders_space", "gradient", -1),
                  cell(out, "orders_space", "interpolation", -1), 0.002, 0.036,
                  "error of the gradient, against that of the interpolant");
+    for (int k = 0; k < COUNT(oracle_first_step); k++) {
+        int n;
+        const double *size = column(out, "first_step", "n", &n);
+        for (int row = 0; row < n; row++) {
+            if (lround(size[row]) != oracle_first_step[k].n) continue;
+            expect(cell(out, "first_step", "log_lifted", row) > 0 &&
+                       cell(out, "first_step", "cubic_lifted", row) > 0,
+                   "first step, n = %d: the lifted start must succeed",
+                   oracle_first_step[k].n);
+            if (ragged(cell(out, "first_step", "jump", row))) continue;
+            expect((cell(out, "first_step", "log", row) > 0) ==
+                           oracle_first_step[k].log_ok &&
+                       (cell(out, "first_step", "cubic", row) > 0) ==
+                           oracle_first_step[k].cubic_ok,
+                   "first step from u0, n = %d: must %s",
+                   oracle_first_step[k].n,
+                   oracle_first_step[k].cubic_ok ? "succeed" : "fail");
+        }
+    }
     for (int k = 0; k < COUNT(oracle_jump); k++) {
         int n;
         const double *jump = column(out, "jump", "jump", &n);
@@ -677,8 +734,7 @@ static void studies_come_out(void)
             if (fabs(jump[row] - oracle_jump[k].jump) > 1e-9) continue;
             expect_close(cell(out, "jump", "min_J", row), oracle_jump[k].min_J,
                          CONVERGED, 1.0, "jump %g: least J", jump[row]);
-            /* between 0.8 and 1 rounding decides */
-            if (jump[row] > 0.8 && jump[row] < 1.0) continue;
+            if (ragged(jump[row])) continue;
             expect((cell(out, "jump", "log", row) > 0) ==
                            oracle_jump[k].log_ok &&
                        (cell(out, "jump", "cubic", row) > 0) ==
@@ -724,7 +780,7 @@ static const char *const runs[] = {
 };
 
 #define STATE "Newton's method to 1e-10, beyond which it is quadratic"
-#define THRESHOLD "between 0.8 and 1 rounding decides; see studies_come_out"
+#define THRESHOLD "ragged between 0.8 and 1; see studies_come_out"
 static const struct column_rule rules[] = {
     {"steps", "t", 1e-14, "m dt", 0},
     {"steps", "iterations", 1, "the last test may fall either way", 1},
@@ -759,8 +815,6 @@ static const struct column_rule rules[] = {
     {"orders_space", "*", 1e-8, STATE, 0},
     {"slips", "iterations", NOT_COMPARED, "a wrong tangent wanders", 0},
     {"slips", "iterations_turned", NOT_COMPARED, "a wrong tangent wanders", 0},
-    {"slips", "reason", NOT_COMPARED, "a wrong tangent wanders", 0},
-    {"slips", "reason_turned", NOT_COMPARED, "a wrong tangent wanders", 0},
     {"slips", "*", 1e-12, "closed forms", 1},
     {"slip_history", "*", NOT_COMPARED, "a wrong tangent wanders", 0},
     {"jump", "jump", 1e-14, "given", 0},
