@@ -31,7 +31,7 @@ LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # a script makes an SVG, or a GIF when it moves
 SCRIPTS  := $(sort $(wildcard figures/[0-9][0-9]_*.gp))
-MOVING   := $(shell grep -l '^set terminal gif' $(SCRIPTS))
+MOVING   := $(shell grep -l '^set terminal gif' /dev/null $(SCRIPTS))
 FIGURES  := $(patsubst %.gp,%.svg,$(filter-out $(MOVING),$(SCRIPTS))) \
             $(MOVING:.gp=.gif)
 # the lesson that a figure NN_slug_what belongs to
