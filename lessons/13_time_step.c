@@ -220,9 +220,9 @@ static enum status symplectic_euler(const struct model *model, double dt,
     const int n = model->n_dof;
     double *a = allocate((size_t)n, sizeof *a);
     enum status status = OK;
-    /* SLOT 13b(model, dt, u, v, n, a, &status): a[0..n-1] is for the
-     * acceleration; elastic_force() and accelerate() [eq:symplectic-euler]. */
-    todo("13b", model, dt, u, v, n, a, &status);
+    /* SLOT 13b(model, dt, u, v, n, a, &status, accelerate): a[0..n-1] is for
+     * the acceleration; elastic_force(), accelerate() [eq:symplectic-euler]. */
+    todo("13b", model, dt, u, v, n, a, &status, accelerate);
     /* END 13b */
     free(a);
     return status;
@@ -253,9 +253,9 @@ static struct step_report implicit_step(struct model *model,
     double *a = allocate(3 * (size_t)n, sizeof *a);
     double *b = a + n, *g_mid = b + n;
     struct step_report report = {.status = OK};
-    /* SLOT 13c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report): a, b
-     * and d of the method; solve(); u and v from u* and v* [eq:one-solve]. */
-    todo("13c", model, method, dt, g, s, u, v, n, a, b, g_mid, &report);
+    /* SLOT 13c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report, solve):
+     * a, b, d of the method; solve(); u, v from u*, v* [eq:one-solve]. */
+    todo("13c", model, method, dt, g, s, u, v, n, a, b, g_mid, &report, solve);
     /* END 13c */
     free(a);
     return report;
@@ -550,11 +550,12 @@ static void print_one_frame(void)
 
 /* ---- the bar: what damping costs ---------------------------------------- */
 
-/* (amplitude after a period, at w dt = z) - 0.99, period 2 pi / w. */
+/* (amplitude after a period, at w dt = z) - 0.99; a period of the computed
+ * motion has 2 pi / atan z steps. */
 static double loss_excess(double z, void *unused)
 {
     (void)unused;
-    return pow(1.0 + z * z, -M_PI / z) - 0.99;
+    return pow(1.0 + z * z, -M_PI / atan(z)) - 0.99;
 }
 
 /* The w dt at which backward Euler takes 1 % of the amplitude a period. */
@@ -919,6 +920,36 @@ static void print_chart(struct chart *chart)
 
 /* ---- the loop ----------------------------------------------------------- */
 
+/* One frame from rest, the right side struck inwards by `moved` and up by 0.3:
+ * what it takes, the middle of the square and its speed after it. */
+static void print_strike(void)
+{
+    enum { n = 8, middle = n / 2 * (n + 1) + n / 2 };
+    table_begin("strike", "law moved status first attempts substeps iterations "
+                          "factorisations u1 u2 speed");
+    for (int law = LOG; law <= CUBIC; law++)
+        for (int k = 1; k <= 7; k++) {
+            struct model model =
+                square_make(n, notes_material((enum law)law), CONSISTENT, 2);
+            struct state s = state_make(model.n_dof);
+            double *g = allocate((size_t)s.n, sizeof *g);
+            for (int a = n; a < model.mesh->n_vertex; a += n + 1) {
+                g[2 * a] = -0.3 * k;
+                g[2 * a + 1] = 0.3;
+            }
+            const struct frame frame =
+                frame_step(model.body, 1.0 / 30.0, g, NULL, &s);
+            table_row(law, 0.3 * k, frame.status, frame.first, frame.attempts,
+                      frame.substeps, frame.iterations, frame.factorisations,
+                      s.u[2 * middle], s.u[2 * middle + 1],
+                      hypot(s.v[2 * middle], s.v[2 * middle + 1]));
+            free(g);
+            state_free(&s);
+            model_free(&model);
+        }
+    table_end();
+}
+
 /* What the user does with the right side: until a time it goes smoothly to a
  * place (m), trembles about it, or is let go. */
 static const struct motion {
@@ -1149,6 +1180,7 @@ int main(int argc, char *argv[])
     print_cliff(n, 0.99, "cliff_below");
     print_cliff(n, 1.01, "cliff_above");
     print_chart(&chart);
+    print_strike();
     print_loop(loop_n, material, reach);
     print_realtime(material, reach, budget);
     return table_finish();

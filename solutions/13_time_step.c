@@ -223,8 +223,8 @@ static enum status symplectic_euler(const struct model *model, double dt,
     const int n = model->n_dof;
     double *a = allocate((size_t)n, sizeof *a);
     enum status status = OK;
-    /* SLOT 13b(model, dt, u, v, n, a, &status): a[0..n-1] is for the
-     * acceleration; elastic_force() and accelerate() [eq:symplectic-euler]. */
+    /* SLOT 13b(model, dt, u, v, n, a, &status, accelerate): a[0..n-1] is for
+     * the acceleration; elastic_force(), accelerate() [eq:symplectic-euler]. */
     status = elastic_force(model, u, a);
     for (int i = 0; i < n; i++) a[i] = model->f[i] - a[i];
     accelerate(model, a);
@@ -262,8 +262,8 @@ static struct step_report implicit_step(struct model *model,
     double *a = allocate(3 * (size_t)n, sizeof *a);
     double *b = a + n, *g_mid = b + n;
     struct step_report report = {.status = OK};
-    /* SLOT 13c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report): a, b
-     * and d of the method; solve(); u and v from u* and v* [eq:one-solve]. */
+    /* SLOT 13c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report, solve):
+     * a, b, d of the method; solve(); u, v from u*, v* [eq:one-solve]. */
     const int first = s->steps == 0;
     const int midpoint = method == MIDPOINT || (method == BDF2 && first);
     const int bdf2 = method == BDF2 && !first;
@@ -970,6 +970,36 @@ static void print_chart(struct chart *chart)
 
 /* ---- the loop ----------------------------------------------------------- */
 
+/* One frame from rest, the right side struck inwards by `moved` and up by 0.3:
+ * what it takes, the middle of the square and its speed after it. */
+static void print_strike(void)
+{
+    enum { n = 8, middle = n / 2 * (n + 1) + n / 2 };
+    table_begin("strike", "law moved status first attempts substeps iterations "
+                          "factorisations u1 u2 speed");
+    for (int law = LOG; law <= CUBIC; law++)
+        for (int k = 1; k <= 7; k++) {
+            struct model model =
+                square_make(n, notes_material((enum law)law), CONSISTENT, 2);
+            struct state s = state_make(model.n_dof);
+            double *g = allocate((size_t)s.n, sizeof *g);
+            for (int a = n; a < model.mesh->n_vertex; a += n + 1) {
+                g[2 * a] = -0.3 * k;
+                g[2 * a + 1] = 0.3;
+            }
+            const struct frame frame =
+                frame_step(model.body, 1.0 / 30.0, g, NULL, &s);
+            table_row(law, 0.3 * k, frame.status, frame.first, frame.attempts,
+                      frame.substeps, frame.iterations, frame.factorisations,
+                      s.u[2 * middle], s.u[2 * middle + 1],
+                      hypot(s.v[2 * middle], s.v[2 * middle + 1]));
+            free(g);
+            state_free(&s);
+            model_free(&model);
+        }
+    table_end();
+}
+
 /* What the user does with the right side: until a time it goes smoothly to a
  * place (m), trembles about it, or is let go. */
 static const struct motion {
@@ -1200,6 +1230,7 @@ int main(int argc, char *argv[])
     print_cliff(n, 0.99, "cliff_below");
     print_cliff(n, 1.01, "cliff_above");
     print_chart(&chart);
+    print_strike();
     print_loop(loop_n, material, reach);
     print_realtime(material, reach, budget);
     return table_finish();
