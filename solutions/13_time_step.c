@@ -318,10 +318,11 @@ static struct step_report advance(struct model *model, enum method method,
 
 /* ---- a frame of the loop ------------------------------------------------ */
 
-/* First what is fast; then what does not leave the path to the minimum. */
+/* First what is fast; then what goes downhill from a state that exists: after a
+ * sudden stop the velocity points the wrong way. */
 static const struct step_control FAST = {1e-8, 12, EXTRAPOLATED, 1, 1, 0,
                                          NEVER};
-static const struct step_control ROBUST = {1e-8, 40, FROM_VELOCITY, 1, 0, 1,
+static const struct step_control ROBUST = {1e-8, 40, FROM_LAST, 1, 0, 1,
                                            ON_DEMAND};
 enum { MOST_SUBSTEPS = 8 };
 
@@ -930,7 +931,7 @@ static struct chart chart_make(int n, double swing, int levels)
             if (run->total.status == OK)
                 run->error =
                     distance(&model, swing, run->u, chart.reference);
-            for (int j = 0; j < 4 && run->seconds < 5e-3; j++) {
+            for (int j = 0; j < 4 && run->seconds < 8e-3; j++) {
                 struct run again =
                     run_swing(&model, swing, (enum method)m, 1 << k);
                 run->seconds = fmin(run->seconds, again.seconds);
@@ -976,7 +977,7 @@ static void print_strike(void)
 {
     enum { n = 8, middle = n / 2 * (n + 1) + n / 2 };
     table_begin("strike", "law moved status first attempts substeps iterations "
-                          "factorisations u1 u2 speed");
+                          "factorisations u1 u2 speed min_J");
     for (int law = LOG; law <= CUBIC; law++)
         for (int k = 1; k <= 7; k++) {
             struct model model =
@@ -992,7 +993,8 @@ static void print_strike(void)
             table_row(law, 0.3 * k, frame.status, frame.first, frame.attempts,
                       frame.substeps, frame.iterations, frame.factorisations,
                       s.u[2 * middle], s.u[2 * middle + 1],
-                      hypot(s.v[2 * middle], s.v[2 * middle + 1]));
+                      hypot(s.v[2 * middle], s.v[2 * middle + 1]),
+                      body_min_J(model.body, s.u));
             free(g);
             state_free(&s);
             model_free(&model);
@@ -1012,6 +1014,11 @@ static const struct motion {
     {"slam", 1.9, {-0.9, 0.0}, 0.0, 1},  {"push", 2.4, {-1.1, 0.2}, 0.0, 1},
     {"hold", 2.7, {-1.1, 0.2}, 0.0, 1},  {"let go", 3.4, {0.0, 0.0}, 0.0, 0},
 };
+
+static int script_frames(void)
+{
+    return (int)lround(30.0 * SCRIPT[COUNT(SCRIPT) - 1].until);
+}
 
 /* The motion that holds at time t > 0, and the place of the right side; all
  * places are multiplied by reach. */
@@ -1053,7 +1060,7 @@ static struct loop run_loop(int n, enum law law, double reach, double budget,
                             double deadline, int print)
 {
     const double dt = 1.0 / 30.0;
-    const int frames = (int)lround(SCRIPT[COUNT(SCRIPT) - 1].until / dt);
+    const int frames = script_frames();
     struct model held = square_make(n, notes_material(law), CONSISTENT, 2);
     struct model free_ = square_make(n, notes_material(law), CONSISTENT, 1);
     struct state now = state_make(held.n_dof);
@@ -1146,9 +1153,8 @@ static void print_realtime(enum law law, double reach, double budget)
     while (no - yes > 1 && clock_seconds() < deadline) {
         const struct loop loop =
             run_loop(mesh[next], law, reach, 1.0 / 30.0, deadline, 0);
-        const int late = loop.misses * 100 > loop.frames;
-        const int ended =
-            loop.frames == (int)lround(30.0 * SCRIPT[COUNT(SCRIPT) - 1].until);
+        const int late = loop.misses * 100 > script_frames();
+        const int ended = loop.frames == script_frames();
         table_row(mesh[next], ended || late ? !late : -1, loop.frames,
                   loop.p50, loop.p99, loop.worst, loop.misses);
         if (!ended && !late) break;
@@ -1194,7 +1200,7 @@ static void print_residual(int n)
 int main(int argc, char *argv[])
 {
     int n = 8, levels = 9, loop_n = 32, law = 0;
-    double w_dt = 0.5, swing = 0.3, reach = 1.0, budget = 0.5;
+    double w_dt = 0.5, swing = 0.3, reach = 1.0, budget = 0.3;
     const struct option options[] = {
         {"n", .integer = &n, .min = 2, .max = 12,
          .help = "squares a side, all but the loop"},
@@ -1209,7 +1215,7 @@ int main(int argc, char *argv[])
          .help = "squares a side, loop"},
         {"law", .choice = &law, .choices = "log cubic",
          .help = "material of the loop"},
-        {"reach", .real = &reach, .min = 0.0, .max = 1.3,
+        {"reach", .real = &reach, .min = 0.0, .max = 1.8,
          .help = "how far the user of the loop goes"},
         {"budget", .real = &budget, .min = 0.0, .max = 600.0, .unit = "s",
          .help = "to look for the finest mesh in real time"},
