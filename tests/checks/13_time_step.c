@@ -412,13 +412,14 @@ static void one_percent_decides(void)
            "at 1.01 the energy passes 1e8 after %d steps", rows);
     const double slope = log(E[rows - 1] / E[rows - 11]) / 10.0;
     const double due = log(cell(out, "cliff_above", "growth", 0));
-    expect_close(slope, due, 0.02, due, "logarithm of the growth a step at 1.01");
+    expect_close(slope, due, 0.02, due,
+                 "logarithm of the growth a step at 1.01");
 }
 
 /*
- * Halving dt: 4 times less error for the midpoint rule at the fine end (the next
- * term is below a tenth), less for the others; explicit runs fail above the
- * critical step, not well below it.
+ * Halving dt: 4 times less error for the midpoint rule at the fine end (the
+ * next term is below a tenth), less for the others; explicit runs fail above
+ * the critical step, not well below it.
  */
 static void the_chart_converges_or_says_why_not(void)
 {
@@ -437,14 +438,15 @@ static void the_chart_converges_or_says_why_not(void)
                        dt, critical, status_name((enum status)status));
             if (k >= 3)
                 expect(status == OK, "%s, %d steps a frame: %s",
-                       method_name[m], 1 << k, status_name((enum status)status));
+                       method_name[m], 1 << k,
+                       status_name((enum status)status));
         }
         expect(error[6] < error[4] / 1.5, "%s: error %g with 16 steps a frame, "
                "%g with 64", method_name[m], error[4], error[6]);
         if (m == MIDPOINT) {
             expect_close(error[5] / error[6], 4.0, 0.4, 1.0,
-                         "error of the midpoint rule with 32 steps a frame over "
-                         "that with 64");
+                         "error of the midpoint rule with 32 steps a frame "
+                         "over that with 64");
             expect(cell(out, "reference", "error", 0) < 0.01 * error[6],
                    "the reference is good to %g only",
                    cell(out, "reference", "error", 0));
@@ -471,7 +473,8 @@ static void an_easy_frame_is_one_fast_step(void)
                "alone does it in %d", status_name(easy.status), easy.attempts,
                easy.iterations, report.iterations);
         for (int i = 0; i < s.n; i++) {
-            expect_close(s.u[i], t.u[i], ROUND_OFF, 1.0, "easy frame: u[%d]", i);
+            expect_close(s.u[i], t.u[i], ROUND_OFF, 1.0, "easy frame: u[%d]",
+                         i);
             expect_close(s.v[i], t.v[i], ROUND_OFF, 30.0, "easy frame: v[%d]",
                          i);
         }
@@ -515,7 +518,7 @@ static void same_by_hand(struct body *body, struct frame frame,
     state_free(&s);
 }
 
-/* The side is struck: some frames need ROBUST, some sub-steps, some are lost. */
+/* The side is struck: some frames need ROBUST, some parts, some are lost. */
 static void frames_fall_back_or_keep_the_state(void)
 {
     int robust = 0, cut = 0, lost = 0;
