@@ -18,6 +18,9 @@
 
 #include "tensor.h"
 
+#include <assert.h>
+#include <math.h>
+
 enum law { LINEAR, LOG, CUBIC };
 
 struct material {
@@ -35,13 +38,26 @@ struct material material_make(enum law law, double E, double nu);
 double material_modulus(const struct material *material);
 
 /* Whether psi exists at J: LOG needs J > 0 (false for NaN). */
-int material_defined(const struct material *material, double J);
+static inline int material_defined(const struct material *material, double J)
+{
+    return material->law == LOG ? J > 0.0 : !isnan(J);
+}
 
-/* r, r', r'' at J for LOG (J > 0) and CUBIC. */
+/* r, r', r'' at J for LOG (J > 0) and CUBIC [eq:r-cubic]; here, and not in
+ * material.c, because element loops live on it. */
 struct volumetric {
     double r, dr, ddr;
 };
-struct volumetric material_r(const struct material *material, double J);
+static inline struct volumetric material_r(const struct material *material,
+                                           double J)
+{
+    const double s = J - 1.0;
+    assert(material_defined(material, J));
+    if (material->law == LOG)
+        return (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
+    return (struct volumetric){s - s * s / 2.0 + s * s * s / 3.0,
+                               1.0 - s + s * s, -1.0 + 2.0 * s};
+}
 
 /* One dimension.  F must be where the material is defined (asserted). */
 double material1_psi(const struct material *material, double F);
