@@ -978,21 +978,22 @@ static void print_chart(struct chart *chart)
 static void print_strike(void)
 {
     enum { n = 8, middle = n / 2 * (n + 1) + n / 2 };
+    static const double moved[] = {0.3, 0.6, 0.9, 1.2, 1.5, 2.1};
     table_begin("strike", "law moved status first attempts substeps iterations "
                           "factorisations u1 u2 speed min_J");
     for (int law = LOG; law <= CUBIC; law++)
-        for (int k = 1; k <= 7; k++) {
+        for (int k = 0; k < COUNT(moved); k++) {
             struct model model =
                 square_make(n, notes_material((enum law)law), CONSISTENT, 2);
             struct state s = state_make(model.n_dof);
             double *g = allocate((size_t)s.n, sizeof *g);
             for (int a = n; a < model.mesh->n_vertex; a += n + 1) {
-                g[2 * a] = -0.3 * k;
+                g[2 * a] = -moved[k];
                 g[2 * a + 1] = 0.3;
             }
             const struct frame frame =
                 frame_step(model.body, 1.0 / 30.0, g, NULL, &s);
-            table_row(law, 0.3 * k, frame.status, frame.first, frame.attempts,
+            table_row(law, moved[k], frame.status, frame.first, frame.attempts,
                       frame.substeps, frame.iterations, frame.factorisations,
                       s.u[2 * middle], s.u[2 * middle + 1],
                       hypot(s.v[2 * middle], s.v[2 * middle + 1]),
