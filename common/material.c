@@ -17,21 +17,6 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
-int material_defined(const struct material *material, double J)
-{
-    return material->law == LOG ? J > 0.0 : !isnan(J);
-}
-
-struct volumetric material_r(const struct material *material, double J)
-{
-    const double s = J - 1.0;
-    assert(material_defined(material, J));
-    if (material->law == LOG)
-        return (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
-    return (struct volumetric){s - s * s / 2.0 + s * s * s / 3.0,
-                               1.0 - s + s * s, -1.0 + 2.0 * s};
-}
-
 /* s - r(1 + s), which is s^2/2 - ... : no digits are lost near J = 1. */
 static double s_minus_r(const struct material *material, double s)
 {
