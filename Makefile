@@ -277,18 +277,32 @@ LAPACK = $(shell for l in -lopenblas -llapack; do \
              echo 'int dpbtrf_(void); int main(void) { return dpbtrf_(); }' | \
              $(CC) -w -x c - -o /dev/null $$l 2>/dev/null && echo $$l && break; \
          done)
-$(BUILD)/bench/%: tests/bench/%.c $(LIB)
+BENCHES := $(patsubst tests/bench/%.c,%,$(filter-out %/bench.c,\
+               $(wildcard tests/bench/*.c)))
+BENCH_FLAGS = -Itests/bench -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
+              $(if $(LAPACK),-DLAPACK='"$(LAPACK)"')
+$(BUILD)/bench/bench.o: tests/bench/bench.c Makefile
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(BENCH_FLAGS) $(NATIVE) -c $< -o $@
+$(BUILD)/bench/%: tests/bench/%.c $(BUILD)/bench/bench.o $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && $(COMPILE) $< -o $@ \
-	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
-	    $${lapack:+-DLAPACK="\"$$lapack\""} $(LIB) $(LDFLAGS) $(GSL_LIBS) $$lapack
-bench: $(BUILD)/bench/solve
-	@OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $<
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(BENCH_FLAGS) $< -o $@ \
+	    $(BUILD)/bench/bench.o $(LIB) $(LDFLAGS) $(GSL_LIBS) $(LAPACK)
+# One after the other, each time anew; the tables stay in build/data, and
+# figures/bench_NAME_what.gp draws those of bench_NAME.tsv.
+bench: $(BENCHES:%=$(BUILD)/bench/%)
+	@mkdir -p $(BUILD)/data; for b in $(BENCHES); do \
+	    data=$(BUILD)/data/bench_$$b.tsv; \
+	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BUILD)/bench/$$b \
+	        > $$data.part && mv $$data.part $$data && cat $$data || exit 1; \
+	done
+	@for f in figures/bench_*.gp; do data=$${f%_*}.tsv; \
+	    sh tests/tools/figure.sh $$f $(BUILD)/data/$${data#*/} \
+	        $${f%.gp}.svg || exit 1; done
 
 # ---- the whole, in other builds, and the closing line
 .PHONY: all
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
-all: programs $(PROGRAMS:=.judge) $(BUILD)/bench/solve \
+all: programs $(PROGRAMS:=.judge) $(BENCHES:%=$(BUILD)/bench/%) \
      $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
 
 # what any test may rest on
