@@ -43,7 +43,7 @@ rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile)"
 
 # ---- equation labels ----------------------------------------------------------
 defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
-cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c | tr '\n' ' ' |
+cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c tests/bench/*.c | tr '\n' ' ' |
     grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule 'every label cited by code is defined in workbook.md' \
@@ -94,13 +94,14 @@ for slug in $lessons; do
 done
 
 # ---- figures ------------------------------------------------------------------
+drawn=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
 rule 'every figure is committed as SVG' \
-    "$(for f in figures/[0-9]*.gp; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
+    "$(for f in $drawn; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
 rule 'every figure is in workbook.md' \
-    "$(for f in figures/[0-9]*.gp; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
+    "$(for f in $drawn; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
 rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
 rule 'a figure that shows seconds names the machine' \
-    "$(grep -lE 'seconds' figures/[0-9]*.gp | while read -r f; do
+    "$(grep -lE 'seconds|\(ms\)|\(ns\)' $drawn | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"
