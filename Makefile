@@ -279,23 +279,26 @@ LAPACK = $(shell for l in -lopenblas -llapack; do \
          done)
 BENCHES := $(patsubst tests/bench/%.c,%,$(filter-out %/bench.c,\
                $(wildcard tests/bench/*.c)))
-BENCH_FLAGS = -Itests/bench -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
-              $(if $(LAPACK),-DLAPACK='"$(LAPACK)"')
+BENCH = lapack='$(LAPACK)' && $(COMPILE) -Itests/bench \
+        -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
+        $${lapack:+-DLAPACK="\"$$lapack\""}
 $(BUILD)/bench/bench.o: tests/bench/bench.c Makefile
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(BENCH_FLAGS) $(NATIVE) -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(BENCH) $(NATIVE) -c $< -o $@
 $(BUILD)/bench/%: tests/bench/%.c $(BUILD)/bench/bench.o $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(BENCH_FLAGS) $< -o $@ \
-	    $(BUILD)/bench/bench.o $(LIB) $(LDFLAGS) $(GSL_LIBS) $(LAPACK)
+	$(Q)mkdir -p $(@D) && $(BENCH) $< -o $@ $(BUILD)/bench/bench.o \
+	    $(LIB) $(LDFLAGS) $(GSL_LIBS) $$lapack
 # One after the other, each time anew; the tables stay in build/data, and
 # figures/bench_NAME_what.gp draws those of bench_NAME.tsv.
 bench: $(BENCHES:%=$(BUILD)/bench/%)
 	@mkdir -p $(BUILD)/data; for b in $(BENCHES); do \
 	    data=$(BUILD)/data/bench_$$b.tsv; \
+	    printf '  %-8s %s\n' bench "$$b, a minute or two" >&2; \
 	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BUILD)/bench/$$b \
 	        > $$data.part && mv $$data.part $$data && cat $$data || exit 1; \
 	done
-	@for f in figures/bench_*.gp; do data=$${f%_*}.tsv; \
+	@command -v gnuplot > /dev/null || exit 0; \
+	for f in figures/bench_*.gp; do data=$${f%_*}.tsv; \
 	    sh tests/tools/figure.sh $$f $(BUILD)/data/$${data#*/} \
 	        $${f%.gp}.svg || exit 1; done
 

@@ -13,7 +13,9 @@ array Table[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "LAPACK dpbtrf", \
                  "common/banded.c"]
 array Style[4] = [3, 2, 4, 1]
-there(k) = system(sprintf("grep -c '^# %s$' '%s'", Table[k], data)) + 0 > 0
+has(t) = system(sprintf("grep -c '^# %s$' '%s'", t, data)) > 0
+there = ""
+do for [k = 1:4] { if (has(Table[k])) { there = there." ".k } }
 ok(c) = column(c) > 0 ? column(c) : 1/0
 
 set multiplot layout 1,2 margins 0.08,0.985,0.165,0.79 spacing 0.085,0
@@ -23,19 +25,19 @@ set logscale xy
 set xtics (16, 32, 64, 128)
 set xrange [14:150]
 set format y "10^{%T}"
-set yrange [2e-2:1e3]
+set yrange [2e-2:5e3]
 set xlabel "squares a side n"
 set ylabel "time to factor and solve (ms)"
-plot for [k = 1:4] (there(k) ? data : "/dev/null") index Table[k] \
-         using "n":(ok("milliseconds")) with linespoints ls Style[k] \
-         title Name[k], \
+plot for [k in there] data index Table[int(k)] \
+         using "n":(ok("milliseconds")) with linespoints ls Style[int(k)] \
+         title Name[int(k)], \
      2.2e-7 * x**4 with lines ls 8 title "slope 4 expected"
 unset label 1
 unset logscale y
 set format y "%g"
 set yrange [0:*]
 set ylabel "flops a second (10^{9}/s)"
-plot for [k = 1:4] (there(k) ? data : "/dev/null") index Table[k] \
-         using "n":(ok("gigaflop_a_second")) with linespoints ls Style[k] \
+plot for [k in there] data index Table[int(k)] \
+         using "n":(ok("gigaflop_a_second")) with linespoints ls Style[int(k)] \
          notitle
 unset multiplot

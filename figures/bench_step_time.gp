@@ -1,5 +1,6 @@
-# bench_step_time.gp - what a whole time step costs, beside the limits of the
-# core [eq:roofline], and what an accuracy costs.  Expected: slope 4 in n for large n, where factoring is everything.
+# bench_step_time.gp - what a whole time step costs, beside the limits of a
+# core [eq:roofline], and what an accuracy costs.
+# Expected: slope 4 in n for large n, where factoring is everything.
 # Reads   data  tables notes, lapack (where there is one), blocked, best
 #               (n median_ms p99_ms), roofline (n predicted_ms), realtime,
 #               accuracy (n rms *_ms), machine; from `make bench`
@@ -18,11 +19,15 @@ cell(table, name) = system(sprintf( \
     "awk -F'\t' -v t='# %s' -v c='%s' \
      '$0 == t { on = 1; next } /^# / { next } \
       on == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i; on = 2; next } \
-      on == 2 { print $k; found = 1; exit } END { if (!found) print 0 }' '%s'", \
+      on == 2 { print $k; found = 1; exit } \
+      END { if (!found) print 0 }' '%s'", \
     table, name, data)) + 0.0
-there(k) = cell(Table[k], "n") > 0
 within(k) = cell("realtime", Table[k])
 ok(c) = column(c) > 0 ? column(c) : 1/0
+there = ""
+do for [k = 1:4] {
+    if (cell(Table[k], "n") > 0) { there = there." ".k }
+}
 
 set multiplot layout 1,2 margins 0.075,0.985,0.155,0.735 spacing 0.10,0
 set key above left vertical maxrows 6 reverse Left samplen 2 font ",12"
@@ -35,9 +40,10 @@ set yrange [1e-3:4e3]
 set xlabel "squares a side n"
 set ylabel "median time a step (ms)"
 set label 2 "1/30 s" at 7.4,50 left font ",11"
-plot for [k = 1:4] (there(k) ? data : "/dev/null") index Table[k] \
-         using "n":(ok("median_ms")) with linespoints ls Style[k] \
-         title sprintf("%s: n = %d in real time", Name[k], within(k)), \
+plot for [k in there] data index Table[int(k)] \
+         using "n":(ok("median_ms")) with linespoints ls Style[int(k)] \
+         title sprintf("%s: n = %d in real time", Name[int(k)], \
+                       within(int(k))), \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4 \
          title "limits of the core, slope 4 in the end", \
      1000.0 / 30.0 with lines ls 8 notitle
@@ -50,8 +56,9 @@ set xrange [1e-2:1e3]
 set yrange [3e-5:5e-3]
 set xlabel "median time a step (ms)"
 set ylabel "difference from half the elements, rms (m)"
-plot for [k = 1:4] data index "accuracy" \
-         using (ok(Table[k]."_ms")):"rms" with linespoints ls Style[k] \
+plot for [k in there] data index "accuracy" \
+         using (ok(Table[int(k)]."_ms")):"rms" \
+         with linespoints ls Style[int(k)] \
          notitle, \
      data index "accuracy" using (column("best_ms") * 0.85):"rms": \
          (sprintf("%d", column("n"))) with labels right font ",11" \
