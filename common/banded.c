@@ -12,127 +12,181 @@
  *              . . . . . |tt\          y   W rows of L at the panel
  *     i        x x x x x |ttt          x   H rows of L at the tile
  *                x x x x |ttt
+ *                    x x |ttt
  *
- * L is zero left of the x and the zeros behind each column stand for it.  The
- * compiler turns the plain loops into vector instructions: loops over r have a
- * constant length, and those over c are unrolled to keep t in registers.
+ * With next = stride - 1, entry (i, j) is a[i + j*next]; as next is a multiple
+ * of 8, rows i..i+7 lie in the cache alike for every j.
+ *
+ * A vec is V numbers in one register, an extension of C that gcc and clang have
+ * for any processor; to both of them it may alias the numbers.  Loops over vecs are unrolled, with constants for bounds:
+ * otherwise t would not stay in registers.  What is wanted 16 columns later is
+ * fetched from memory ahead of time.
  */
 #include "banded.h"
 
 #include <assert.h>
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 
-enum { W = 8, H = 24 };
+#if defined __AVX512F__
+enum { V = 8 };
+#elif defined __AVX__
+enum { V = 4 };
+#else
+enum { V = 2 };
+#endif
+enum { W = V, Q = 3, H = Q * V };
+typedef double vec __attribute__((vector_size(8 * V), aligned(8)));
+#define VEC(x) (*(vec *)&(x)) /* the vec that begins with x */
+#define INLINE __attribute__((always_inline)) static inline
+#ifdef __clang__ /* a loop left as it is costs time, it is no error */
+#pragma clang diagnostic ignored "-Wpass-failed"
+#define UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define UNROLL _Pragma("GCC unroll 8")
+#endif
 
 size_t band_stride(int p)
 {
-    return (((size_t)p + H + W - 1 + 7) / 8 | 1) * 8;
+    return (((size_t)p + 15) / 8 | 1) * 8 + 1;
 }
 
-/* t -= x y for columns first <= k < J of L; h is 8, 16 or H, a constant. */
-__attribute__((always_inline)) static inline void
-subtract(const int h, int first, int J, int i, size_t stride, const double a[],
-         double t[W][H])
+/* t -= x y for the columns of L from k up to end; of q vecs, a constant. */
+INLINE int subtract(const int q, int k, int end, int J, int i, ptrdiff_t next,
+                    const double a[], vec t[W][Q])
 {
-    double sum[W][H] = {{0.0}};
-    for (int k = first; k < J; k++) {
-        const double *x = &a[(size_t)k * stride + (size_t)(i - k)];
-        const double *y = &a[(size_t)k * stride + (size_t)(J - k)];
-#pragma GCC unroll 8
-        for (int c = 0; c < W; c++)
-            for (int r = 0; r < h; r++) sum[c][r] += y[c] * x[r];
+    const uintptr_t ahead = 16 * sizeof a[0] * (uintptr_t)next;
+    if (end > J) end = J;
+    for (; k < end; k++) {
+        const double *x = &a[i + k * next], *y = &a[J + k * next];
+        __builtin_prefetch((const void *)((uintptr_t)x + ahead));
+        UNROLL for (int c = 0; c < W; c++)
+            UNROLL for (int r = 0; r < q; r++)
+                t[c][r] -= y[c] * VEC(x[r * V]);
     }
-#pragma GCC unroll 8
-    for (int c = 0; c < W; c++)
-        for (int r = 0; r < h; r++) t[c][r] -= sum[c][r];
+    return k;
 }
 
-/* The tile at the diagonal, of w columns: a := L; l, 1 / l_cc for the rest. */
-static enum status first_tile(int n, int p, int J, int w, size_t stride,
-                              double a[], double l[W][W], double inverse[W])
+/* For all columns before J.  In the first of them the lower vecs are zero. */
+INLINE void subtract_all(const int q, int p, int J, int i, ptrdiff_t next,
+                         const double a[], vec t[W][Q])
 {
-    const int end = p + 1 < H ? p + 1 : H; /* of the rows of column J */
-    double t[W][H] = {{0.0}};
-    for (int c = 0; c < w; c++)
-        for (int r = c; r < H && r < end + c; r++)
-            t[c][r] = a[(size_t)(J + c) * stride + (size_t)(r - c)];
-    subtract(H, J > p ? J - p : 0, J, J, stride, a, t);
-    for (int c = 0; c < w; c++) {
-        double *column = &a[(size_t)(J + c) * stride];
-        for (int b = 0; b < c; b++) {
-            l[c][b] = t[b][c];
-            for (int r = 0; r < H; r++) t[c][r] -= l[c][b] * t[b][r];
-        }
-        if (!(t[c][c] > n * DBL_EPSILON * column[0])) return NOT_SPD;
-        inverse[c] = 1.0 / sqrt(t[c][c]);
-        for (int r = 0; r < H; r++) t[c][r] *= inverse[c];
-        for (int r = c; r < H && r < end + c; r++) column[r - c] = t[c][r];
+    int k = i > p ? i - p : 0;
+    if (q > 1) k = subtract(1, k, i - p + V, J, i, next, a, t);
+    if (q > 2) k = subtract(2, k, i - p + 2 * V, J, i, next, a, t);
+    subtract(q, k, J, J, i, next, a, t);
+}
+
+/* The tile at the diagonal, of w columns: a := L.  For the tiles below it,
+ * l[c][b] = L_bc / L_cc and inverse[c] = 1 / L_cc. */
+static enum status first_tile(int n, int p, int J, int w, ptrdiff_t next,
+                              double a[], vec l[W], double inverse[W])
+{
+    double *corner = &a[J + J * next];
+    vec t[W][Q] = {{{0.0}}};
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int r = 0; r < Q; r++)
+            if (c < w) t[c][r] = VEC(corner[c * next + r * V]);
+    subtract_all(Q, p, J, J, next, a, t);
+    UNROLL for (int c = 0; c < W; c++) {
+        const double pivot = t[c][0][c];
+        vec s[Q];
+        if (c >= w) break;
+        if (!(pivot > n * DBL_EPSILON * corner[c + c * next])) return NOT_SPD;
+        inverse[c] = 1.0 / sqrt(pivot);
+        UNROLL for (int r = 0; r < Q; r++) s[r] = t[c][r] * (1.0 / pivot);
+        l[c] = s[0];
+        UNROLL for (int b = c + 1; b < W; b++)
+            UNROLL for (int r = 0; r < Q; r++) t[b][r] -= t[c][0][b] * s[r];
+    }
+    UNROLL for (int c = 0; c < W; c++) {
+        for (int r = 0; r < c; r++) t[c][0][r] = 0.0; /* another's room */
+        UNROLL for (int r = 0; r < Q; r++)
+            if (c < w) VEC(corner[c * next + r * V]) = t[c][r] * inverse[c];
     }
     return OK;
 }
 
-/* A tile below it, of h rows: what sticks out of the band is zero. */
-__attribute__((always_inline)) static inline void
-lower_tile(const int h, int p, int J, int i, size_t stride, double a[],
-           double l[W][W], const double inverse[W])
+/* A tile below it, of q vecs a column: what sticks out of the band is zero. */
+INLINE void lower_tile(const int q, int p, int J, int i, ptrdiff_t next,
+                       double a[], const vec l[W], const double inverse[W])
 {
-    double *corner = &a[(size_t)J * stride + (size_t)(i - J)];
-    const size_t next = stride - 1; /* from A[i][j] to A[i][j+1] */
-    double t[W][H];
-    for (int c = 0; c < W; c++)
-        for (int r = 0; r < h; r++)
-            t[c][r] = corner[(size_t)c * next + (size_t)r];
-    subtract(h, i > p ? i - p : 0, J, i, stride, a, t);
-#pragma GCC unroll 8
-    for (int c = 0; c < W; c++) {
-#pragma GCC unroll 8
-        for (int b = 0; b < c; b++)
-            for (int r = 0; r < h; r++) t[c][r] -= l[c][b] * t[b][r];
-        for (int r = 0; r < h; r++) t[c][r] *= inverse[c];
-    }
-    for (int c = 0; c < W; c++)
-        for (int r = 0; r < h; r++)
-            corner[(size_t)c * next + (size_t)r] = t[c][r];
+    double *corner = &a[i + J * next];
+    vec t[W][Q];
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int r = 0; r < q; r++)
+            t[c][r] = VEC(corner[c * next + r * V]);
+    subtract_all(q, p, J, i, next, a, t);
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int b = c + 1; b < W; b++)
+            UNROLL for (int r = 0; r < q; r++) t[b][r] -= l[c][b] * t[c][r];
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int r = 0; r < q; r++)
+            VEC(corner[c * next + r * V]) = t[c][r] * inverse[c];
 }
 
 enum status band_factor(int n, int p, size_t stride, double a[])
 {
-    double l[W][W] = {{0.0}}, inverse[W] = {0.0}; /* L at the panel */
+    const ptrdiff_t next = (ptrdiff_t)stride - 1;
+    vec l[W] = {{0.0}};
+    double inverse[W] = {0.0};
 
     assert(p >= BAND_WIDE && stride >= band_stride(p));
     for (int J = 0; J < n; J += W) {
         const int w = n - J < W ? n - J : W;
         const int rows = n - J < w + p ? n : J + w + p;
-        if (first_tile(n, p, J, w, stride, a, l, inverse) != OK) return NOT_SPD;
+        if (first_tile(n, p, J, w, next, a, l, inverse) != OK) return NOT_SPD;
         for (int i = J + H; i < rows; i += H)
-            if (rows - i <= 8)
-                lower_tile(8, p, J, i, stride, a, l, inverse);
-            else if (rows - i <= 16)
-                lower_tile(16, p, J, i, stride, a, l, inverse);
+            if (rows - i <= V)
+                lower_tile(1, p, J, i, next, a, l, inverse);
+            else if (rows - i <= 2 * V)
+                lower_tile(2, p, J, i, next, a, l, inverse);
             else
-                lower_tile(H, p, J, i, stride, a, l, inverse);
+                lower_tile(Q, p, J, i, next, a, l, inverse);
     }
     return OK;
 }
 
+/* By panels as well: the triangle at the diagonal, then vecs of rows below. */
 void band_solve(int n, int p, size_t stride, const double l[], double b[])
 {
-    for (int j = 0; j < n; j++) {
-        const double *column = &l[(size_t)j * stride];
-        const int last = n - 1 - j < p ? n - 1 - j : p;
-        const double b_j = b[j] /= column[0];
-        for (int d = 1; d <= last; d++) b[j + d] -= column[d] * b_j;
+    const ptrdiff_t next = (ptrdiff_t)stride - 1;
+    const int height = (p + V - 1) / V * V; /* L is zero beyond p */
+    for (int J = 0; J < n; J += W) {
+        const int below = n - J < W ? n : J + W;
+        const int end = n - below < height ? n : below + height;
+        for (int j = J; j < below; j++) {
+            const double inverse = 1.0 / l[j + j * next];
+            for (int k = J; k < j; k++) b[j] -= l[j + k * next] * b[k];
+            b[j] *= inverse;
+        }
+        int i = below;
+        for (; i + V <= end; i += V) {
+            vec t = VEC(b[i]);
+            UNROLL for (int c = 0; c < W; c++)
+                t -= VEC(l[i + (J + c) * next]) * b[J + c];
+            VEC(b[i]) = t;
+        }
+        for (; i < end; i++)
+            for (int j = J; j < below; j++) b[i] -= l[i + j * next] * b[j];
     }
-    for (int j = n - 1; j >= 0; j--) {
-        const double *column = &l[(size_t)j * stride];
-        const int last = n - 1 - j < p ? n - 1 - j : p;
-        double sum[8] = {0.0}; /* eight at a time, which the sum allows */
-        int d = 1;
-        for (; d + 7 <= last; d += 8)
-            for (int r = 0; r < 8; r++) sum[r] += column[d + r] * b[j + d + r];
-        for (; d <= last; d++) sum[0] += column[d] * b[j + d];
-        for (int r = 0; r < 8; r++) b[j] -= sum[r];
-        b[j] /= column[0];
+    for (int J = (n - 1) / W * W; J >= 0; J -= W) {
+        const int below = n - J < W ? n : J + W;
+        const int end = n - below < height ? n : below + height;
+        vec sum[W] = {{0.0}};
+        int i = below;
+        for (; i + V <= end; i += V)
+            UNROLL for (int c = 0; c < W; c++)
+                sum[c] += VEC(l[i + (J + c) * next]) * VEC(b[i]);
+        for (; i < end; i++)
+            UNROLL for (int c = 0; c < W; c++)
+                sum[c][0] += l[i + (J + c) * next] * b[i];
+        for (int j = below - 1; j >= J; j--) {
+            const double inverse = 1.0 / l[j + j * next];
+            for (int r = 0; r < V; r++) b[j] -= sum[j - J][r];
+            for (int k = below - 1; k > j; k--) b[j] -= l[k + j * next] * b[k];
+            b[j] *= inverse;
+        }
     }
 }

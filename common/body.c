@@ -22,42 +22,59 @@ static int number_equations(const struct mesh *mesh, const int fixed[],
     return next;
 }
 
-/* The unknowns of triangle e, in the order of its 6x6 matrix. */
-static void element_equations(const struct body *body, int e, int number[6])
+/* The vertices of triangle e in the order of their equations, so that block
+ * (a, b) of its matrix, a >= b, belongs to the lower triangle of K. */
+static void sort_vertices(const struct body *body, int e, int vertex[3])
 {
-    for (int r = 0; r < 6; r++)
-        number[r] =
-            body->equation[2 * body->mesh->triangle[3 * e + r / 2] + r % 2];
+    memcpy(vertex, &body->mesh->triangle[3 * e], 3 * sizeof *vertex);
+    for (int k = 0; k < 3; k++) { /* compare 0 1, 1 2, 0 1 */
+        int *pair = &vertex[k % 2];
+        if (body->equation[2 * pair[0]] > body->equation[2 * pair[1]]) {
+            const int first = pair[0];
+            pair[0] = pair[1];
+            pair[1] = first;
+        }
+    }
+}
+
+/* Gradients of the sorted vertices; returns the area. */
+static double sort_gradients(const struct body *body, int e, double gradient[6])
+{
+    double unsorted[6];
+    const double area = mesh_gradients(body->mesh, e, unsorted);
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            if (body->vertex[3 * e + a] == body->mesh->triangle[3 * e + b])
+                memcpy(&gradient[2 * a], &unsorted[2 * b], 2 * sizeof(double));
+    return area;
 }
 
 static int half_bandwidth(const struct body *body)
 {
-    int number[6], p = 0;
+    int widest = 0;
     for (int e = 0; e < body->mesh->n_triangle; e++) {
-        element_equations(body, e, number);
-        for (int r = 0; r < 6; r++)
-            for (int c = 0; c < 6; c++)
-                if (number[c] >= 0 && number[r] - number[c] > p)
-                    p = number[r] - number[c];
+        const int *t = &body->vertex[3 * e];
+        for (int a = 0; a < 2; a++) { /* the last vertex and a free one */
+            const int low = body->equation[2 * t[a]];
+            const int apart = body->equation[2 * t[2]] - low;
+            if (low >= 0 && apart > widest) widest = apart;
+        }
     }
-    return p;
+    return widest + 1; /* component 1 of the one, 0 of the other */
 }
 
 static void scatter_map(const struct body *body, int place[])
 {
-    int number[6];
-    for (int e = 0; e < body->mesh->n_triangle; e++) {
-        element_equations(body, e, number);
-        for (int r = 0; r < 6; r++)
-            for (int c = 0; c <= r; c++) {
-                const int low = number[r] < number[c] ? number[r] : number[c];
-                const int high = number[r] < number[c] ? number[c] : number[r];
-                const size_t at =
-                    (size_t)low * body->K->stride + (size_t)(high - low);
-                assert(low < 0 || at < INT_MAX);
-                *place++ = low < 0 ? -1 : (int)at;
+    for (int e = 0; e < body->mesh->n_triangle; e++)
+        for (int a = 0; a < 3; a++)
+            for (int b = 0; b <= a; b++) {
+                const int row = body->equation[2 * body->vertex[3 * e + a]];
+                const int column = body->equation[2 * body->vertex[3 * e + b]];
+                const size_t at = (size_t)column * body->K->stride +
+                                  (size_t)(row - column);
+                assert(column < 0 || at < INT_MAX);
+                *place++ = column < 0 ? -1 : (int)at;
             }
-    }
 }
 
 struct body *body_alloc(const struct mesh *mesh, struct material material,
@@ -72,12 +89,15 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
     body->mass = mass;
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
     body->n_equation = number_equations(mesh, fixed, body->equation);
+    body->vertex = allocate(3 * triangles, sizeof(int));
     body->area = allocate(triangles, sizeof(double));
     body->gradient = allocate(6 * triangles, sizeof(double));
-    for (int e = 0; e < mesh->n_triangle; e++)
-        body->area[e] = mesh_gradients(mesh, e, &body->gradient[6 * e]);
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        sort_vertices(body, e, &body->vertex[3 * e]);
+        body->area[e] = sort_gradients(body, e, &body->gradient[6 * e]);
+    }
     body->K = matrix_alloc(BANDED, body->n_equation, half_bandwidth(body));
-    body->place = allocate(21 * triangles, sizeof(int));
+    body->place = allocate(6 * triangles, sizeof(int));
     scatter_map(body, body->place);
     return body;
 }
@@ -86,6 +106,7 @@ void body_free(struct body *body)
 {
     if (!body) return;
     free(body->equation);
+    free(body->vertex);
     free(body->area);
     free(body->gradient);
     free(body->place);
@@ -96,25 +117,24 @@ void body_free(struct body *body)
 /* F = I + sum_a u_a (x) grad N_a of triangle e. */
 static inline mat2 deformation(const struct body *body, const double u[], int e)
 {
-    const int *t = &body->mesh->triangle[3 * e];
+    const int *t = &body->vertex[3 * e];
     const double *g = &body->gradient[6 * e];
     mat2 F = {{{1.0, 0.0}, {0.0, 1.0}}};
 #pragma GCC unroll 3
     for (int a = 0; a < 3; a++)
 #pragma GCC unroll 2
-        for (int i = 0; i < 2; i++)
-#pragma GCC unroll 2
-            for (int k = 0; k < 2; k++)
-                F.m[i][k] += u[2 * t[a] + i] * g[2 * a + k];
+        for (int i = 0; i < 2; i++) {
+            F.m[i][0] += u[2 * t[a] + i] * g[2 * a];
+            F.m[i][1] += u[2 * t[a] + i] * g[2 * a + 1];
+        }
     return F;
 }
 
-/* The area of triangle e in which the mass of vertices a and b counts:
- * int N_a N_b, or its row sums. */
-static inline double shared_area(const struct body *body, int e, int a, int b)
+/* int N_a N_b / area of a triangle, or its row sums [eq:mass]. */
+static double mass_share(enum mass mass, int a, int b)
 {
-    if (body->mass == LUMPED) return a == b ? body->area[e] / 3.0 : 0.0;
-    return body->area[e] / (a == b ? 6.0 : 12.0);
+    if (mass == LUMPED) return a == b ? 1.0 / 3.0 : 0.0;
+    return a == b ? 1.0 / 6.0 : 1.0 / 12.0;
 }
 
 enum status body_energy(const struct body *body, const double u[],
@@ -135,12 +155,12 @@ void body_mass(const struct body *body, const double v[], double out[])
 {
     memset(out, 0, 2 * (size_t)body->mesh->n_vertex * sizeof *out);
     for (int e = 0; e < body->mesh->n_triangle; e++) {
-        const int *t = &body->mesh->triangle[3 * e];
+        const int *t = &body->vertex[3 * e];
         for (int a = 0; a < 3; a++)
             for (int b = 0; b < 3; b++)
                 for (int i = 0; i < 2; i++)
-                    out[2 * t[a] + i] += body->rho *
-                                         shared_area(body, e, a, b) *
+                    out[2 * t[a] + i] += body->rho * body->area[e] *
+                                         mass_share(body->mass, a, b) *
                                          v[2 * t[b] + i];
     }
 }
@@ -153,29 +173,43 @@ double body_min_J(const struct body *body, const double u[])
     return least;
 }
 
-/*
- * The loops over an element's few vertices and components are unrolled: which
- * vertex and which component is then known to the compiler, and what an
- * element computes stays in registers.
- */
+/* What a triangle adds to K is M_ab I + dt^2 area (...); its factors. */
+struct factors {
+    double m_aa, m_ab;  /* mass of a vertex, of a pair */
+    double mu, dG, ddG; /* mu, G', G'' times dt^2 area */
+};
 
-/* K := area (mu g_a.g_b I + G'' c_a c_b^T + G' (g_a x g_b) (0 1; -1 0)), the
- * lower triangle of the 6x6 matrix by rows [eq:element-tangent]. */
-static inline void exact_tangent(double area, double mu, double dG, double ddG,
-                                 const double g[6], const double c[6],
-                                 double K[21])
+/* Add block (a, b) to the lower band, column by column. */
+static inline void add_block(mat2 block, int a, int b, int place, size_t stride,
+                             double entries[])
 {
-    int k = 0;
-#pragma GCC unroll 6
-    for (int r = 0; r < 6; r++)
-#pragma GCC unroll 6
-        for (int s = 0; s <= r; s++) {
-            const int a = r / 2 * 2, b = s / 2 * 2;
-            const double same = mu * (g[a] * g[b] + g[a + 1] * g[b + 1]);
-            const double cross = dG * (g[a] * g[b + 1] - g[a + 1] * g[b]);
-            K[k++] = area * (ddG * c[r] * c[s] + (r % 2 == s % 2 ? same
-                                                  : r % 2 == 0   ? cross
-                                                                 : -cross));
+    if (place < 0) return;
+    double *column = &entries[place], *next = column + stride - 1;
+    column[0] += block.m[0][0];
+    column[1] += block.m[1][0];
+    if (a != b) next[0] += block.m[0][1];
+    next[1] += block.m[1][1];
+}
+
+/* Add the blocks M_ab I + mu g_a.g_b I + G'' c_a c_b^T
+ * + G' (g_a x g_b) (0 1; -1 0), a >= b [eq:element-tangent]. */
+static inline void add_exact(struct factors s, const double g[6],
+                             const double c[6], const int place[6],
+                             size_t stride, double entries[])
+{
+#pragma GCC unroll 3
+    for (int a = 0, k = 0; a < 3; a++)
+#pragma GCC unroll 3
+        for (int b = 0; b <= a; b++, k++) {
+            const double *g_a = &g[2 * a], *g_b = &g[2 * b];
+            const double *c_a = &c[2 * a], *c_b = &c[2 * b];
+            const double same = (a == b ? s.m_aa : s.m_ab) +
+                                s.mu * (g_a[0] * g_b[0] + g_a[1] * g_b[1]);
+            const double cross = s.dG * (g_a[0] * g_b[1] - g_a[1] * g_b[0]);
+            const double c0 = s.ddG * c_a[0], c1 = s.ddG * c_a[1];
+            const mat2 block = {{{same + c0 * c_b[0], c0 * c_b[1] + cross},
+                                 {c1 * c_b[0] - cross, same + c1 * c_b[1]}}};
+            add_block(block, a, b, place[k], stride, entries);
         }
 }
 
@@ -192,8 +226,8 @@ static inline void exact_tangent(double area, double mu, double dG, double ddG,
  * Source: Irving, Teran & Fedkiw, Graph. Models 68 (2006), sec. 3 (the idea);
  * Smith, de Goes & Kim, ACM Trans. Graph. 38 (2019), sec. 4 (closed forms).
  */
-static void projected_tangent(double area, double mu, double dG, double ddG,
-                              const double g[6], mat2 F, double K[21])
+static void add_projected(struct factors s, const double g[6], mat2 F,
+                          const int place[6], size_t stride, double entries[])
 {
     const double half_sum = hypot(F.m[0][0] + F.m[1][1],
                                   F.m[1][0] - F.m[0][1]) / 2.0;
@@ -204,46 +238,36 @@ static void projected_tangent(double area, double mu, double dG, double ddG,
     const mat2 U = mat2_rotation((axes + turn) / 2.0);
     const mat2 V = mat2_rotation((axes - turn) / 2.0);
     const double s1 = half_sum + half_difference;
-    const double s2 = half_sum - half_difference;
-    const double A = mu + ddG * s2 * s2, C = mu + ddG * s1 * s1;
-    const double B = ddG * s1 * s2 + dG;
+    const double s2 = s1 > 0.0 ? mat2_det(F) / s1 : 0.0; /* no difference */
+    const double A = s.mu + s.ddG * s2 * s2, C = s.mu + s.ddG * s1 * s1;
+    const double B = s.ddG * s1 * s2 + s.dG;
     const double z = 0.5 * atan2(2.0 * B, A - C);
     const double root = hypot((A - C) / 2.0, B);
-    const double value[4] = {mu + dG, mu - dG, (A + C) / 2.0 + root,
+    const double value[4] = {s.mu + s.dG, s.mu - s.dG, (A + C) / 2.0 + root,
                              (A + C) / 2.0 - root};
     const mat2 E[4] = {{{{0.0, -M_SQRT1_2}, {M_SQRT1_2, 0.0}}},
                        {{{0.0, M_SQRT1_2}, {M_SQRT1_2, 0.0}}},
                        {{{cos(z), 0.0}, {0.0, sin(z)}}},
                        {{{-sin(z), 0.0}, {0.0, cos(z)}}}};
 
-    memset(K, 0, 21 * sizeof *K);
+    double d[4][6]; /* dF/du_a in direction m */
     for (int m = 0; m < 4; m++) {
         const mat2 D =
             mat2_multiply(U, mat2_multiply(E[m], mat2_transpose(V)));
-        double d[6]; /* the derivative of (F in direction D) by u */
-        if (!(value[m] > 0.0)) continue;
         for (int r = 0; r < 6; r++)
-            d[r] = D.m[r % 2][0] * g[r / 2 * 2] +
-                   D.m[r % 2][1] * g[r / 2 * 2 + 1];
-        for (int r = 0, k = 0; r < 6; r++)
-            for (int s = 0; s <= r; s++)
-                K[k++] += area * value[m] * d[r] * d[s];
+            d[m][r] = D.m[r % 2][0] * g[r / 2 * 2] +
+                      D.m[r % 2][1] * g[r / 2 * 2 + 1];
     }
-}
-
-/* The element's matrix K and its mass into the entries of the whole. */
-static inline void scatter(const int place[21], const double K[21], double m_aa,
-                           double m_ab, double entries[])
-{
-    int k = 0;
-#pragma GCC unroll 6
-    for (int r = 0; r < 6; r++)
-#pragma GCC unroll 6
-        for (int s = 0; s <= r; s++, k++)
-            if (place[k] >= 0)
-                entries[place[k]] += K[k] + (r == s           ? m_aa
-                                             : r % 2 == s % 2 ? m_ab
-                                                              : 0.0);
+    for (int a = 0, k = 0; a < 3; a++)
+        for (int b = 0; b <= a; b++, k++) {
+            mat2 block =
+                mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
+            for (int m = 0; m < 4; m++)
+                for (int i = 0; i < 4 && value[m] > 0.0; i++)
+                    block.m[i / 2][i % 2] +=
+                        value[m] * d[m][2 * a + i / 2] * d[m][2 * b + i % 2];
+            add_block(block, a, b, place[k], stride, entries);
+        }
 }
 
 enum status body_assemble(struct body *body, double dt, const double w[],
@@ -251,47 +275,50 @@ enum status body_assemble(struct body *body, double dt, const double w[],
                           enum tangent tangent, double q[])
 {
     const double mu = body->material.mu, lambda = body->material.lambda;
+    const double rho_aa = body->rho * mass_share(body->mass, 0, 0);
+    const double rho_ab = body->rho * mass_share(body->mass, 0, 1);
     const int n_dof = 2 * body->mesh->n_vertex;
+    const size_t stride = body->K->stride;
     double *entries = body->K->a;
 
     if (tangent != NO_TANGENT) matrix_zero(body->K);
     for (int r = 0; r < n_dof; r++) q[r] = f ? -dt * dt * f[r] : 0.0;
     for (int e = 0; e < body->mesh->n_triangle; e++) {
-        const int *t = &body->mesh->triangle[3 * e];
+        const int *t = &body->vertex[3 * e];
         const double *g = &body->gradient[6 * e];
         const double area = dt * dt * body->area[e];
-        const double m_ab = body->rho * shared_area(body, e, 0, 1);
-        const double m_aa = body->rho * shared_area(body, e, 0, 0);
         const mat2 F = deformation(body, u, e);
-        const double J = mat2_det(F);
+        const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
         if (!material_defined(&body->material, J))
             return isnan(J) ? NONFINITE : INVERTED;
         const struct volumetric v = material_r(&body->material, J);
-        const double dG = (lambda * v.r - mu) * v.dr;
-        const double ddG = lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
-        double c[6], K[21], move[6];
+        const struct factors s = {
+            rho_aa * body->area[e], rho_ab * body->area[e], area * mu,
+            area * (lambda * v.r - mu) * v.dr,
+            area * (lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr)};
+        double c[6], move[6];
 
-#pragma GCC unroll 6
-        for (int r = 0; r < 6; r++)
-            move[r] = u[2 * t[r / 2] + r % 2] - w[2 * t[r / 2] + r % 2];
-#pragma GCC unroll 6
-        for (int r = 0; r < 6; r++) {
-            const int a = r / 2 * 2, i = r % 2;
-            const double sign = i == 0 ? 1.0 : -1.0; /* c_a = cof(F) g_a */
-            c[r] = sign * (F.m[1 - i][1] * g[a] - F.m[1 - i][0] * g[a + 1]);
-            q[2 * t[r / 2] + i] +=
-                area * (mu * (F.m[i][0] * g[a] + F.m[i][1] * g[a + 1]) +
-                        dG * c[r]) +
-                m_ab * (move[i] + move[2 + i] + move[4 + i]) +
-                (m_aa - m_ab) * move[r];
+#pragma GCC unroll 3
+        for (int a = 0; a < 3; a++) { /* c_a = cof(F) g_a */
+            c[2 * a] = F.m[1][1] * g[2 * a] - F.m[1][0] * g[2 * a + 1];
+            c[2 * a + 1] = F.m[0][0] * g[2 * a + 1] - F.m[0][1] * g[2 * a];
+            for (int i = 0; i < 2; i++)
+                move[2 * a + i] = u[2 * t[a] + i] - w[2 * t[a] + i];
         }
-        if (tangent == EXACT) {
-            exact_tangent(area, mu, dG, ddG, g, c, K);
-            scatter(&body->place[21 * e], K, m_aa, m_ab, entries);
-        } else if (tangent == PROJECTED) {
-            projected_tangent(area, mu, dG, ddG, g, F, K);
-            scatter(&body->place[21 * e], K, m_aa, m_ab, entries);
-        }
+#pragma GCC unroll 3
+        for (int a = 0; a < 3; a++)
+#pragma GCC unroll 2
+            for (int i = 0; i < 2; i++)
+                q[2 * t[a] + i] +=
+                    s.mu * (F.m[i][0] * g[2 * a] + F.m[i][1] * g[2 * a + 1]) +
+                    s.dG * c[2 * a + i] +
+                    s.m_ab * (move[i] + move[2 + i] + move[4 + i]) +
+                    (s.m_aa - s.m_ab) * move[2 * a + i];
+        if (tangent == NO_TANGENT) continue;
+        if (tangent == EXACT)
+            add_exact(s, g, c, &body->place[6 * e], stride, entries);
+        else
+            add_projected(s, g, F, &body->place[6 * e], stride, entries);
     }
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;

@@ -43,11 +43,12 @@ struct body {
     enum mass mass;
     int n_equation;
     int *equation;    /* [2 n_vertex] number of the unknown, -1: prescribed */
+    int *vertex;      /* [3 n_triangle] vertices of a triangle, by equation */
     double *area;     /* [n_triangle] (m^2) */
-    double *gradient; /* [6 n_triangle], see mesh_gradients() */
-    int *place;       /* [21 n_triangle] scatter map: where in K->a the lower
-                       * triangle of an element's 6x6 matrix goes, by rows;
-                       * -1: nowhere, the row or column is prescribed */
+    double *gradient; /* [6 n_triangle] dN_a / dX_j of these vertices */
+    int *place;       /* [6 n_triangle] scatter map: where in K->a the 2x2
+                       * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
+                       * element begin; -1: a vertex is prescribed */
     struct matrix *K; /* tangent of the free unknowns, banded */
 };
 

@@ -37,14 +37,14 @@ struct material material_make(enum law law, double E, double nu);
 /* 2 mu + lambda: the modulus of every law at F = 1 in uniaxial strain. */
 double material_modulus(const struct material *material);
 
-/* Whether psi exists at J: LOG needs J > 0 (false for NaN).  This and the next
- * are here because a call in every element costs a third of its time. */
+/* Whether psi exists at J: LOG needs J > 0 (false for NaN). */
 static inline int material_defined(const struct material *material, double J)
 {
     return material->law == LOG ? J > 0.0 : !isnan(J);
 }
 
-/* r, r', r'' at J for LOG (J > 0) and CUBIC. */
+/* r, r', r'' at J for LOG (J > 0) and CUBIC [eq:r-cubic]; here, and not in
+ * material.c, because element loops live on it. */
 struct volumetric {
     double r, dr, ddr;
 };

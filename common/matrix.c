@@ -7,6 +7,7 @@
 #include <float.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,15 @@ static double *entry(const struct matrix *A, int i, int j)
     return &A->a[row * A->stride + at];
 }
 
+/* n zeros that start at a line of the cache: see banded.h. */
+static double *allocate_lines(size_t n)
+{
+    const size_t bytes = (n * sizeof(double) + 63) / 64 * 64;
+    double *a = n < SIZE_MAX / 16 ? aligned_alloc(64, bytes) : NULL;
+    if (!a) die("out of memory: %zu numbers", n);
+    return memset(a, 0, bytes);
+}
+
 struct matrix *matrix_alloc(enum storage storage, int n, int p)
 {
     assert(n > 0);
@@ -27,7 +37,7 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p)
     A->p = storage == DENSE || p >= n ? n - 1 : p;
     A->stride = A->p >= BAND_WIDE && storage == BANDED ? band_stride(A->p)
                                                        : (size_t)A->p + 1;
-    A->a = allocate((size_t)n * A->stride, sizeof *A->a);
+    A->a = allocate_lines((size_t)n * A->stride);
     return A;
 }
 

@@ -52,6 +52,11 @@ mat2 mat2_cofactor(mat2 A)
     return (mat2){{{A.m[1][1], -A.m[1][0]}, {-A.m[0][1], A.m[0][0]}}};
 }
 
+double mat2_det(mat2 A)
+{
+    return A.m[0][0] * A.m[1][1] - A.m[0][1] * A.m[1][0];
+}
+
 double mat2_trace(mat2 A)
 {
     return A.m[0][0] + A.m[1][1];

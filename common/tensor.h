@@ -18,13 +18,9 @@ mat2 mat2_scale(double s, mat2 A);
 mat2 mat2_multiply(mat2 A, mat2 B); /* A B */
 mat2 mat2_transpose(mat2 A);
 mat2 mat2_cofactor(mat2 A);           /* d(det A)/dA = det(A) A^{-T} */
+double mat2_det(mat2 A);
 double mat2_trace(mat2 A);
 double mat2_dot(mat2 A, mat2 B); /* A : B = sum_iJ A_iJ B_iJ */
 double mat2_norm(mat2 A);        /* (A : A)^(1/2) */
-
-static inline double mat2_det(mat2 A) /* here: once an element, see body.c */
-{
-    return A.m[0][0] * A.m[1][1] - A.m[0][1] * A.m[1][0];
-}
 
 #endif

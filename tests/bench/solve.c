@@ -2,10 +2,15 @@
  * solve.c - how fast the linear solvers are, on the machine at hand.
  *
  * Two dimensions: one factorisation and one solve of an SPD band as linear
- * triangles on n x n squares give it, two unknowns a node: order 2 (n + 1)^2,
- * half bandwidth 2 n + 3.  The band is full of random numbers: a band solver
- * does not look at them.  One dimension: ns an unknown for tridiagonal systems
- * and for whole Newton steps of the bar.
+ * triangles on n x n squares give it, two unknowns a node and the nodes of two
+ * opposite sides prescribed: order 2 (n - 1) (n + 1), half bandwidth 2 n - 1
+ * when they are numbered along a line between these sides.  The band is full of
+ * random numbers: a band solver does not look at them.  One dimension: ns an
+ * unknown for tridiagonal systems and for whole Newton steps of the bar.
+ *
+ * Every solver gets its matrix as assembly leaves it, just written: copied into
+ * the same memory right before the clock starts.  Ours and LAPACK's have room
+ * behind the columns (banded.h), which GSL's band does not allow.
  *
  * The solvers take turns; medians, and spread = (largest - smallest) / median.
  * An answer whose residual is not small has no time, and neither has what was
@@ -18,6 +23,7 @@
 #include "options.h"
 #include "table.h"
 
+#include <gsl/gsl_cblas.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_rng.h>
 #include <gsl/gsl_sort.h>
@@ -26,6 +32,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#if defined __x86_64__ && defined __GNUC__
+#define X86
+#include <immintrin.h>
+#endif
 
 #ifndef NATIVE_FLAGS
 #define NATIVE_FLAGS ""
@@ -71,6 +82,40 @@ static double spread(const struct times *t)
     return (high - low) / median(t);
 }
 
+/* ---- what one core can do ------------------------------------------------ */
+
+/* Seconds for 2e5 rounds of CHAINS multiply-adds that do not wait for each
+ * other: written for the processor, for solve.c is compiled for any. */
+enum { CHAINS = 12, ROUNDS = 200000 };
+#ifdef X86
+#define MULTIPLY_ADDS(name, processor, vector, all, multiply_add)           \
+    __attribute__((target(processor))) static double name(void)             \
+    {                                                                       \
+        const vector x = all(0.613);                                        \
+        vector s[CHAINS];                                                   \
+        volatile vector result;                                             \
+        for (int c = 0; c < CHAINS; c++) s[c] = all(1.247 + c);             \
+        const double start = clock_seconds();                               \
+        for (int k = 0; k < ROUNDS; k++)                                    \
+            _Pragma("GCC unroll 12") for (int c = 0; c < CHAINS; c++)       \
+                s[c] = multiply_add(s[c], x, x);                            \
+        for (int c = 0; c < CHAINS; c++) result = s[c];                     \
+        (void)result;                                                       \
+        return clock_seconds() - start;                                     \
+    }
+MULTIPLY_ADDS(by_eight, "avx512f", __m512d, _mm512_set1_pd, _mm512_fmadd_pd)
+MULTIPLY_ADDS(by_four, "fma", __m256d, _mm256_set1_pd, _mm256_fmadd_pd)
+static double peak_gigaflop(void)
+{
+    const double work = 2e-9 * CHAINS * ROUNDS;
+    if (__builtin_cpu_supports("avx512f")) return work * 8 / by_eight();
+    if (__builtin_cpu_supports("fma")) return work * 4 / by_four();
+    return (double)NAN;
+}
+#else
+static double peak_gigaflop(void) { return (double)NAN; }
+#endif
+
 /* ---- the band ------------------------------------------------------------ */
 
 enum solver { OURS, GSL_BAND, LAPACK_BAND, GSL_DENSE, SOLVERS };
@@ -114,60 +159,68 @@ void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
 void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
              const double a[], const int *lda, double b[], const int *ldb,
              int *info, size_t length);
-static void lapack_solve(int n, int p, double a[], double b[])
-{
-    const int lda = p + 1, one = 1;
-    int info;
-    dpbtrf_("L", &n, &p, a, &lda, &info, 1);
-    if (info == 0) dpbtrs_("L", &n, &p, &one, a, &lda, b, &n, &info, 1);
-}
 #endif
 
-/* Seconds to overwrite x by A^{-1} x; < 0 where there is no such solver. */
-static double solve(enum solver solver, const struct matrix *A, double x[])
+/* Factor A, which is in a as the solver wants it, and overwrite x by A^{-1} x.
+ * The seconds to factor are NAN where there is no such solver. */
+struct seconds {
+    double factor, all;
+};
+static struct seconds solve(enum solver solver, const struct matrix *A,
+                            double a[], double x[])
 {
     const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
     gsl_vector_view v = gsl_vector_view_array(x, n);
-    struct matrix *L = solver == OURS ? matrix_copy(A) : NULL;
-    double *a = solver == OURS ? NULL
-                               : plain_copy(A, solver == GSL_DENSE ? DENSE
-                                                                   : BANDED);
-    double start = clock_seconds();
+    gsl_matrix_view view =
+        gsl_matrix_view_array(a, n, solver == GSL_DENSE ? n : row);
+    struct matrix L = *A;
+    L.a = a;
+    double factored = (double)NAN;
+
+    const double start = clock_seconds();
     if (solver == OURS) {
-        if (matrix_factor(L) == OK) matrix_solve(L, x);
+        const enum status status = matrix_factor(&L);
+        factored = clock_seconds();
+        if (status == OK) matrix_solve(&L, x);
     } else if (solver == GSL_BAND) {
-        gsl_matrix_view view = gsl_matrix_view_array(a, n, row);
         gsl_linalg_cholesky_band_decomp(&view.matrix);
+        factored = clock_seconds();
         gsl_linalg_cholesky_band_svx(&view.matrix, &v.vector);
     } else if (solver == GSL_DENSE) {
-        gsl_matrix_view view = gsl_matrix_view_array(a, n, n);
         gsl_linalg_cholesky_decomp1(&view.matrix);
+        factored = clock_seconds();
         gsl_linalg_cholesky_svx(&view.matrix, &v.vector);
     } else {
 #ifdef LAPACK
-        lapack_solve(A->n, A->p, a, x);
-#else
-        start = INFINITY;
+        const int lda = (int)A->stride, one = 1;
+        int info;
+        dpbtrf_("L", &A->n, &A->p, a, &lda, &info, 1);
+        factored = clock_seconds();
+        if (info == 0)
+            dpbtrs_("L", &A->n, &A->p, &one, a, &lda, x, &A->n, &info, 1);
 #endif
     }
-    const double seconds = clock_seconds() - start;
-    matrix_free(L);
-    free(a);
-    return seconds;
+    return (struct seconds){factored - start, clock_seconds() - start};
 }
 
 enum { SIZES = 4 };
 static const int size[SIZES] = {16, 32, 64, 128};
 static const int runs_at[SIZES] = {31, 21, 11, 5};
-static int order_of(int n) { return 2 * (n + 1) * (n + 1); }
-static int band_of(int n) { return 2 * n + 3; }
+static int order_of(int n) { return 2 * (n - 1) * (n + 1); }
+static int band_of(int n) { return 2 * n - 1; }
 
 /* Multiplications and additions, to leading order [eq:band-cost]. */
+static double factor_flops(enum solver solver, int n)
+{
+    const double N = order_of(n), p = band_of(n);
+    return solver == GSL_DENSE ? N * N * N / 3.0 : N * (p + 1) * (p + 1);
+}
+
 static double flops(enum solver solver, int n)
 {
     const double N = order_of(n), p = band_of(n);
-    return solver == GSL_DENSE ? N * N * N / 3.0 + 2.0 * N * N
-                               : N * (p + 1) * (p + 1) + 4.0 * N * (p + 1);
+    return factor_flops(solver, n) +
+           (solver == GSL_DENSE ? 2.0 * N * N : 4.0 * N * (p + 1));
 }
 
 static int takes_part(enum solver solver, int s, int run)
@@ -175,62 +228,97 @@ static int takes_part(enum solver solver, int s, int run)
     return solver != GSL_DENSE || s == 0 || (s == 1 && run < 3);
 }
 
-static void measure_band(struct times t[SIZES][SOLVERS],
-                         double difference[SIZES])
+struct band_times {
+    struct times factor[SOLVERS], all[SOLVERS], peak;
+    double difference; /* of our answer and GSL's */
+};
+
+static void measure_band(int s, struct band_times *t)
 {
-    for (int s = 0; s < SIZES; s++) {
-        const int N = order_of(size[s]);
-        struct matrix *A = random_band(N, band_of(size[s]));
-        double *b = allocate((size_t)N, sizeof *b);
-        double *x = allocate((size_t)N, sizeof *x);
-        double *ours = allocate((size_t)N, sizeof *ours);
-        for (int i = 0; i < N; i++) b[i] = sin(2.385 * i + 0.7);
-        for (int run = 0; run < runs_at[s]; run++)
-            for (int k = 0; k < SOLVERS; k++) {
-                if (!takes_part((enum solver)k, s, run)) continue;
-                memcpy(x, b, (size_t)N * sizeof *x);
-                const double seconds = solve((enum solver)k, A, x);
-                if (seconds < 0.0) continue;
-                record(&t[s][k], seconds, matrix_residual(A, x, b) <= 1e-12);
-                double largest = 0.0, apart = 0.0;
-                for (int i = 0; i < N; i++) {
-                    if (k == OURS) ours[i] = x[i];
-                    largest = fmax(largest, fabs(x[i]));
-                    apart = fmax(apart, fabs(x[i] - ours[i]));
-                }
-                if (k == GSL_BAND) difference[s] = apart / largest;
-            }
-        matrix_free(A);
-        free(b);
-        free(x);
-        free(ours);
+    const int N = order_of(size[s]);
+    const size_t bytes = (size_t)N * sizeof(double);
+    struct matrix *A = random_band(N, band_of(size[s]));
+    struct matrix *copy = matrix_copy(A); /* wide enough for a plain band */
+    double *band = plain_copy(A, BANDED);
+    double *dense = s < 2 ? plain_copy(A, DENSE) : NULL;
+    double *dense_copy = allocate(s < 2 ? (size_t)N * bytes : 1, 1);
+    double *b = allocate(bytes, 1), *x = allocate(bytes, 1);
+    double *ours = allocate(bytes, 1);
+    for (int i = 0; i < N; i++) b[i] = sin(2.385 * i + 0.7);
+    for (int run = 0; run < runs_at[s]; run++) {
+        record(&t->peak, peak_gigaflop(), 1);
+        for (int k = 0; k < SOLVERS; k++) {
+            if (!takes_part((enum solver)k, s, run)) continue;
+            memcpy(x, b, bytes);
+            if (k == GSL_DENSE)
+                memcpy(dense_copy, dense, (size_t)N * bytes);
+            else if (k == GSL_BAND)
+                memcpy(copy->a, band, ((size_t)A->p + 1) * bytes);
+            else
+                memcpy(copy->a, A->a, matrix_bytes(A));
+            const struct seconds seconds = solve(
+                (enum solver)k, A, k == GSL_DENSE ? dense_copy : copy->a, x);
+            if (isnan(seconds.factor)) continue;
+            const int valid = matrix_residual(A, x, b) <= 1e-12;
+            record(&t->factor[k], seconds.factor, valid);
+            record(&t->all[k], seconds.all, valid);
+            /* This call makes the linker put the CBLAS of GSL before the one
+             * that LAPACK's library may have: GSL is to run on its own. */
+            const double largest = fabs(x[cblas_idamax(N, x, 1)]);
+            if (k == OURS) memcpy(ours, x, bytes);
+            if (k != GSL_BAND) continue;
+            cblas_daxpy(N, -1.0, ours, 1, x, 1);
+            t->difference = fabs(x[cblas_idamax(N, x, 1)]) / largest;
+        }
     }
+    matrix_free(A);
+    matrix_free(copy);
+    free(band);
+    free(dense);
+    free(dense_copy);
+    free(b);
+    free(x);
+    free(ours);
 }
 
-static void print_band(struct times t[SIZES][SOLVERS],
-                       const double difference[SIZES])
+static void print_band(const struct band_times t[SIZES])
 {
     table_begin_note("ratios",
                      "n order p gsl_banded lapack_dpbtrf gsl_dense "
                      "difference_from_gsl",
                      "their seconds over ours, factor and one solve");
     for (int s = 0; s < SIZES; s++) {
-        const double ours = median(&t[s][OURS]);
+        const double ours = median(&t[s].all[OURS]);
         row(size[s], order_of(size[s]), band_of(size[s]),
-                  median(&t[s][GSL_BAND]) / ours,
-                  median(&t[s][LAPACK_BAND]) / ours,
-                  median(&t[s][GSL_DENSE]) / ours, difference[s]);
+            median(&t[s].all[GSL_BAND]) / ours,
+            median(&t[s].all[LAPACK_BAND]) / ours,
+            median(&t[s].all[GSL_DENSE]) / ours, t[s].difference);
+    }
+    table_end();
+    table_begin_note("peak", "n peak_gigaflop spread ours gsl_banded "
+                     "lapack_dpbtrf gsl_dense",
+                     "multiply-adds of one core, 1e9 operations a second; the "
+                     "percentage of it that a factorisation reaches");
+    for (int s = 0; s < SIZES; s++) {
+        double percent[SOLVERS];
+        for (int k = 0; k < SOLVERS; k++)
+            percent[k] = 1e-7 * factor_flops((enum solver)k, size[s]) /
+                         median(&t[s].factor[k]) / median(&t[s].peak);
+        row(size[s], median(&t[s].peak), spread(&t[s].peak), percent[OURS],
+            percent[GSL_BAND], percent[LAPACK_BAND], percent[GSL_DENSE]);
     }
     table_end();
     for (int k = 0; k < SOLVERS; k++) {
-        if (t[0][k].runs == 0) continue;
+        if (t[0].all[k].runs == 0) continue;
         table_begin(solver_name[k],
-                    "n runs milliseconds spread megaflop gigaflop_a_second");
-        for (int s = 0; s < SIZES && t[s][k].runs > 0; s++) {
+                    "n runs milliseconds spread factor_milliseconds megaflop "
+                    "gigaflop_a_second");
+        for (int s = 0; s < SIZES && t[s].all[k].runs > 0; s++) {
             const double work = flops((enum solver)k, size[s]);
-            row(size[s], t[s][k].runs, 1e3 * median(&t[s][k]),
-                      spread(&t[s][k]), 1e-6 * work,
-                      1e-9 * work / median(&t[s][k]));
+            const struct times *all = &t[s].all[k];
+            row(size[s], all->runs, 1e3 * median(all), spread(all),
+                1e3 * median(&t[s].factor[k]), 1e-6 * work,
+                1e-9 * work / median(all));
         }
         table_end();
     }
@@ -242,12 +330,12 @@ static void print_band(struct times t[SIZES][SOLVERS],
     for (int s = 0; s + 1 < SIZES; s++) {
         double power[SOLVERS];
         for (int k = 0; k < SOLVERS; k++)
-            power[k] = log2(median(&t[s + 1][k]) / median(&t[s][k]));
+            power[k] =
+                log2(median(&t[s + 1].all[k]) / median(&t[s].all[k]));
         row(size[s], power[OURS], power[GSL_BAND], power[LAPACK_BAND],
-                  power[GSL_DENSE],
-                  log2(flops(OURS, 2 * size[s]) / flops(OURS, size[s])),
-                  log2(flops(GSL_DENSE, 2 * size[s]) /
-                       flops(GSL_DENSE, size[s])));
+            power[GSL_DENSE],
+            log2(flops(OURS, 2 * size[s]) / flops(OURS, size[s])),
+            log2(flops(GSL_DENSE, 2 * size[s]) / flops(GSL_DENSE, size[s])));
     }
     table_end();
 }
@@ -355,8 +443,7 @@ static void bench_bar(void)
 
 int main(int argc, char *argv[])
 {
-    static struct times t[SIZES][SOLVERS];
-    double difference[SIZES] = {0.0};
+    static struct band_times t[SIZES];
     char machine[512];
 
     options_parse("bench", NULL, 0, argc, argv);
@@ -370,8 +457,8 @@ int main(int argc, char *argv[])
            "none found"
 #endif
     );
-    measure_band(t, difference);
-    print_band(t, difference);
+    for (int s = 0; s < SIZES; s++) measure_band(s, &t[s]);
+    print_band(t);
     bench_bar();
     return table_finish();
 }
