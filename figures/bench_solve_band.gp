@@ -1,7 +1,8 @@
 # bench_solve_band.gp - factor and solve the band of n x n squares: seconds,
 # and flops a second.  Expected: slope 4; 6 where the matrix is full.
 # Reads   data  tables ours, gsl_banded, gsl_dense and lapack_dpbtrf (where
-#               there is one) (n milliseconds gigaflop_a_second), machine; from
+#               there is one) (n milliseconds gigaflop_a_second), peak (n
+#               peak_gigaflop; 0 where it is not known), machine; from
 #               `make bench`
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/bench_solve.tsv"
@@ -31,7 +32,7 @@ set ylabel "time to factor and solve (ms)"
 plot for [k in there] data index Table[int(k)] \
          using "n":(ok("milliseconds")) with linespoints ls Style[int(k)] \
          title Name[int(k)], \
-     2.2e-7 * x**4 with lines ls 8 title "slope 4 expected"
+     8e-8 * x**4 with lines ls 8 title "slope 4 expected"
 unset label 1
 unset logscale y
 set format y "%g"
@@ -39,5 +40,7 @@ set yrange [0:*]
 set ylabel "flops a second (10^{9}/s)"
 plot for [k in there] data index Table[int(k)] \
          using "n":(ok("gigaflop_a_second")) with linespoints ls Style[int(k)] \
-         notitle
+         notitle, \
+     data index "peak" using "n":"peak_gigaflop" with lines ls 8 dt 4 \
+         title "multiply-adds of the core"
 unset multiplot
