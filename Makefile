@@ -29,9 +29,12 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
-FIGURES  := $(sort $(patsubst %.gp,%.svg,$(wildcard figures/[0-9][0-9]_*.gp)))
-# the lesson that a figure NN_slug_what belongs to
-lesson_of = $(firstword $(foreach l,$(LESSONS),$(if \
+# studies: programs of tests/bench/ whose tables hold no seconds, with a chapter
+STUDIES := robustness
+FIGURES  := $(sort $(patsubst %.gp,%.svg,$(wildcard figures/[0-9][0-9]_*.gp \
+                $(STUDIES:%=figures/%_*.gp))))
+# the lesson or study that a figure NN_slug_what belongs to
+lesson_of = $(firstword $(foreach l,$(LESSONS) $(STUDIES),$(if \
                 $(filter $l_%,$(notdir $1)),$l)))
 
 # With `deps` among the goals nothing is compiled before it has finished.
@@ -114,6 +117,9 @@ $(BUILD)/mine/%.judge: lessons/%.c tests/checks/%.c $(JUDGE) $(LIB)
 # ---- data, figures, course --------------------------------------------------
 
 $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
+	$(call say,run,$<)
+	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
+$(STUDIES:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/bench/%
 	$(call say,run,$<)
 	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
 
@@ -200,7 +206,7 @@ mistakes-$(call number,$1): $(patsubst %,$(BUILD)/mistakes/%,\
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
 
-DATA := $(LESSONS:%=$(BUILD)/data/%.tsv)
+DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(STUDIES))
 workbook: $(DATA)
 	@sh tests/tools/workbook.sh fill
 
@@ -277,8 +283,7 @@ LAPACK = $(shell for l in -lopenblas -llapack; do \
              echo 'int dpbtrf_(void); int main(void) { return dpbtrf_(); }' | \
              $(CC) -w -x c - -o /dev/null $$l 2>/dev/null && echo $$l && break; \
          done)
-BENCHES := $(patsubst tests/bench/%.c,%,$(filter-out %/bench.c,\
-               $(wildcard tests/bench/*.c)))
+BENCHES := solve step
 BENCH = lapack='$(LAPACK)' && $(COMPILE) -Itests/bench \
         -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
         $${lapack:+-DLAPACK="\"$$lapack\""}
@@ -306,6 +311,7 @@ bench: $(BENCHES:%=$(BUILD)/bench/%)
 .PHONY: all
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
 all: programs $(PROGRAMS:=.judge) $(BENCHES:%=$(BUILD)/bench/%) \
+     $(STUDIES:%=$(BUILD)/bench/%) \
      $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
 
 # what any test may rest on

@@ -94,14 +94,14 @@ for slug in $lessons; do
 done
 
 # ---- figures ------------------------------------------------------------------
-drawn=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
+plots=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
 rule 'every figure is committed as SVG' \
-    "$(for f in $drawn; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
+    "$(for f in $plots; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
 rule 'every figure is in workbook.md' \
-    "$(for f in $drawn; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
+    "$(for f in $plots; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
 rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
 rule 'a figure that shows seconds names the machine' \
-    "$(grep -lE 'seconds|\(ms\)|\(ns\)' $drawn | while read -r f; do
+    "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

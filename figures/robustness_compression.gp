@@ -1,0 +1,53 @@
+# robustness_compression.gp - the ends pushed together, n = 8: linear systems of
+# each step and least J after it; crosses: the step that failed.
+# Reads   data  tables path_plain, path_always, path_demand, path_log_plain,
+#               path_log_halved
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/robustness.tsv"
+if (!exists("out"))  out  = "figures/robustness_compression.svg"
+load "figures/style.gp"
+set terminal svg size 860,620
+set output out
+set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
+array Name[5] = ["path_plain", "path_demand", "path_always", \
+    "path_log_plain", "path_log_halved"]
+array Title[5] = ["cubic, notes' Newton", "cubic, on demand", \
+    "cubic, always projecting", "log, notes' Newton", \
+    "log, all cures, halved steps"]
+array Style[5] = [2, 3, 4, 1, 5]
+ok(what) = column("reason") == 0 ? column(what) : NaN
+lost(value) = column("reason") != 0 ? value : NaN
+set multiplot
+set lmargin at screen 0.09
+set rmargin at screen 0.985
+set xrange [0:2.02]
+set arrow 1 from pi / 2, graph 0 to pi / 2, graph 1 nohead ls 8
+set tmargin at screen 0.86
+set bmargin at screen 0.50
+set key at screen 0.09, screen 0.985 left top horizontal maxrows 3 samplen 2
+set logscale y
+set yrange [2:2000]
+set format x ""
+set label 1 "failed" at 0.03, 1300 textcolor rgb "#555555"
+set ylabel "linear systems a step"
+plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
+         with linespoints ls Style[k] title Title[k], \
+     for [k = 1:5] data index Name[k] using "t":(lost(1300)) \
+         with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
+#0072B2 #E69F00", k) notitle
+unset key
+unset label 1
+unset logscale y
+set tmargin at screen 0.46
+set bmargin at screen 0.10
+set format x "%g"
+set xlabel "t (s); the ends have moved by sin t each and meet at π/2"
+set ylabel "least J after the step"
+set yrange [-0.12:1.02]
+set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
+plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
+         with linespoints ls Style[k] title Title[k], \
+     for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \
+         with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
+#0072B2 #E69F00", k) notitle
+unset multiplot

@@ -1,0 +1,91 @@
+# robustness_scattered.gp - random starts, n = 4: where the runs of each method
+# end; linear systems of those that converge; and an equilibrium without an
+# inverted triangle that is not rest, with the start that led to it.
+# Reads   data  tables scattered, tangled
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/robustness.tsv"
+if (!exists("out"))  out  = "figures/robustness_scattered.svg"
+load "figures/style.gp"
+set terminal svg size 940,760
+set output out
+polygons(test, first) = sprintf( \
+    "< awk -F'\t' '$0 == \"# tangled\" { on = 1; next } NF == 0 { on = 0 } \
+     /^#/ { next } on == 1 { on = 2; print \"x\ty\"; next } \
+     on == 2 && (%s) { for (k = 0; k < 4; k++) \
+         print $(%d + 2 * (k %% 3)) \"\t\" $(%d + 1 + 2 * (k %% 3)); \
+         print \"\" }' '%s'", test, first, first, data)
+# bars: three amplitudes with both ends held, then two with the left one only
+place(way) = way * 6.5 + (column("both_ends") == 1 ? \
+    (column("amplitude") < 0.9 ? 0 : column("amplitude") < 2 ? 1 : 2) : \
+    (column("amplitude") < 2 ? 3.3 : 4.3))
+part(name) = 100.0 * column(name) / column("seeds")
+set style fill solid noborder
+set multiplot
+set border 3 back ls 9
+set lmargin at screen 0.065
+set rmargin at screen 0.985
+set tmargin at screen 0.90
+set bmargin at screen 0.70
+set xrange [-1:31.4]
+set yrange [0:100]
+set ylabel "runs (%)" offset 1
+set boxwidth 0.9
+unset xtics
+set grid y
+set key at screen 0.065, screen 0.985 left top horizontal maxrows 1 samplen 1 \
+    width 1
+all = "rest stable not_spd nonfinite max_iterations"
+sum(k) = k == 0 ? 0 : part(word(all, k)) + sum(k - 1)
+array Color[5] = ["#009E73", "#56B4E9", "#E69F00", "#D55E00", "#999999"]
+array Title[5] = ["at rest", "stable, but not at rest", "NOT SPD", \
+    "NONFINITE", "MAX ITERATIONS"]
+plot for [k = 5:1:-1] data index "scattered" using \
+         (place(column("way"))):(sum(k)) with boxes fc rgb Color[k] \
+         title Title[k]
+unset key
+set tmargin at screen 0.67
+set bmargin at screen 0.545
+set logscale y
+set yrange [4:800]
+set ylabel "systems solved" offset 1
+array Way[5] = ["plain", "line search", "on demand", \
+    "on demand, line search", "always, line search"]
+do for [m = 0:4] {
+    set label 10 * m + 1 Way[m + 1] at m * 6.5 + 2.15, screen 0.49 center
+    do for [i = 1:5] {
+        set label 10 * m + 1 + i word("½ 1 4 1 4", i) at m * 6.5 + \
+            (i < 4 ? i - 1 : i - 0.7), screen 0.525 center font ",11"
+    }
+}
+set label 99 "h" at -0.9, screen 0.525 center font ",11"
+plot data index "scattered" using (column("rest") + column("stable") > 0 ? \
+         place(column("way")) : NaN):"median":"median":"p90" \
+         with yerrorbars lc rgb "#0072B2" lw 2 pt 7 ps 0.6
+unset label
+unset logscale y
+unset ylabel
+unset grid
+set size ratio -1
+set tmargin at screen 0.44
+set bmargin at screen 0.01
+unset border
+unset ytics
+set xrange [-3.3:2.6]
+set yrange [-2.4:3]
+set lmargin at screen 0.03
+set rmargin at screen 0.47
+set label 1 "a start, 4 h" at graph 0, graph 0.97
+plot polygons("$7 > 0", 1) using 1:2 with filledcurves closed \
+         fc rgb "#CFE3F0", \
+     polygons("$7 <= 0", 1) using 1:2 with filledcurves closed \
+         fc rgb "#F2C6A8", \
+     polygons("1", 1) using 1:2 with lines lw 1 lc rgb "#0072B2"
+set xrange [-1.6:1.05]
+set yrange [-1.05:1.1]
+set lmargin at screen 0.50
+set rmargin at screen 0.97
+set label 1 "where it ends" at graph -0.02, graph 0.97
+plot polygons("1", 8) using 1:2 with filledcurves closed \
+         fc rgb "#C00072B2", \
+     polygons("1", 8) using 1:2 with lines lw 1.2 lc rgb "#0072B2"
+unset multiplot
