@@ -68,7 +68,7 @@ help:
 	@echo '  make figures      draw every figure from the reference solutions'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
-	@echo '  make bench        solvers and time steps against others, on this machine'
+	@echo '  make bench        solvers and time steps against others, here'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
 
