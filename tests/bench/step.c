@@ -603,8 +603,9 @@ static void bench_assembly(void)
                      "n readable_over_both readable residual both projected "
                      "clear spread_both",
                      "ns an element: residual and tangent readable, closed "
-                     "form (both), with clamped eigenvalues (projected); "
-                     "residual alone; clear: of it, zeros into the band");
+                     "form (both), with clamped eigenvalues (projected; "
+                     "about half of the elements have some); residual alone; "
+                     "clear: of it, zeros into the band");
     for (int k = 0; k < COUNT(sizes); k++) {
         struct scene s = scene_make(sizes[k]);
         const int width = 2 * sizes[k] + 6;
