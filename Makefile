@@ -31,8 +31,12 @@ LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # studies: programs of tests/bench/ whose tables hold no seconds, with a chapter
 STUDIES := robustness
-FIGURES  := $(sort $(patsubst %.gp,%.svg,$(wildcard figures/[0-9][0-9]_*.gp \
-                $(STUDIES:%=figures/%_*.gp))))
+# a script makes an SVG, or a GIF when it moves
+SCRIPTS  := $(sort $(wildcard figures/[0-9][0-9]_*.gp \
+                $(STUDIES:%=figures/%_*.gp)))
+MOVING   := $(shell grep -l '^set terminal gif' /dev/null $(SCRIPTS))
+FIGURES  := $(patsubst %.gp,%.svg,$(filter-out $(MOVING),$(SCRIPTS))) \
+            $(MOVING:.gp=.gif)
 # the lesson or study that a figure NN_slug_what belongs to
 lesson_of = $(firstword $(foreach l,$(LESSONS) $(STUDIES),$(if \
                 $(filter $l_%,$(notdir $1)),$l)))
@@ -125,7 +129,7 @@ $(STUDIES:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/bench/%
 
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 define figure_rule
-$1: $(1:.svg=.gp) figures/style.gp $(BUILD)/data/$(call lesson_of,$1).tsv
+$1: $(basename $1).gp figures/style.gp $(BUILD)/data/$(call lesson_of,$1).tsv
 	$$(call say,plot,$$@)
 	$(Q)sh tests/tools/figure.sh $$< $(BUILD)/data/$(call lesson_of,$1).tsv $$@
 endef
@@ -328,11 +332,11 @@ $(T)/workbook.result: workbook.md $(DATA) tests/tools/workbook.awk solutions/*.c
 # every figure can be drawn; those in figures/ are left as they are
 $(T)/figures.result: $(DATA) $(wildcard figures/*.gp) tests/tools/figure.sh
 	$(call say,test,figures)
-	$(Q)mkdir -p $(@D) && for f in $(FIGURES:.svg=); do \
+	$(Q)mkdir -p $(@D) && for f in $(FIGURES); do \
 	    name=$${f##*/}; slug=$$(ls $(BUILD)/data | sed 's/\.tsv$$//' | \
 	        while read -r l; do case $$name in $${l}_*) echo $$l ;; esac; done); \
-	    if said=$$(sh tests/tools/figure.sh $$f.gp $(BUILD)/data/$$slug.tsv \
-	        $(@D)/$$name.svg 2>&1); then echo "ok figure $$name"; \
+	    if said=$$(sh tests/tools/figure.sh $${f%.*}.gp $(BUILD)/data/$$slug.tsv \
+	        $(@D)/$$name 2>&1); then echo "ok figure $$name"; \
 	    else echo "FAIL figure $$name: $$said"; fi; done > $@
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)

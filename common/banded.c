@@ -18,9 +18,10 @@
  * of 8, rows i..i+7 lie in the cache alike for every j.
  *
  * A vec is V numbers in one register, an extension of C that gcc and clang have
- * for any processor; to both of them it may alias the numbers.  Loops over vecs are unrolled, with constants for bounds:
- * otherwise t would not stay in registers.  What is wanted 16 columns later is
- * fetched from memory ahead of time.
+ * for any processor; to both of them it may alias the numbers.  Loops over vecs
+ * are unrolled, with constants for bounds: otherwise t would not stay in
+ * registers.  What is wanted 16 columns later is fetched from memory ahead of
+ * time.
  */
 #include "banded.h"
 

@@ -1,6 +1,7 @@
 # robustness_map.gp - one step of the shake from rest over dt and n: iterations
-# where Newton's method converges, crosses where it does not, and the predicted
-# limit: the boundary moves sin dt = 0.93 h (cubic), 0.82 h (log), h = 2 / n.
+# where Newton's method converges, crosses where it does not.  Lines: the
+# boundary moves sin dt = 0.95 h, h = 2 / n (predicted), or by what
+# boundary_step measured.
 # Reads   data  tables map_plain, map_plain_log, map_demand, map_lift_log,
 #               boundary_step
 # Writes  out   SVG
@@ -27,9 +28,12 @@ set label 12 "blows up or wanders" at screen 0.37, 0.975 point pt 2 ps 0.8 \
     lw 1.5 lc rgb "#D55E00" offset 1, 0
 set label 13 "inverted" at screen 0.57, 0.975 point pt 1 ps 0.8 lw 1.5 \
     lc rgb "#CC79A7" offset 1, 0
-set label 14 "measured limit of Δg / h" at screen 0.73, 0.975 offset 1, 0
-set arrow 14 from screen 0.695, 0.975 to screen 0.73, 0.975 nohead lw 2 \
+set label 14 "limit of Δg / h: measured" at screen 0.68, 0.975 offset 1, 0
+set arrow 14 from screen 0.65, 0.975 to screen 0.68, 0.975 nohead lw 2 \
     lc rgb "black"
+set label 15 "0.95" at screen 0.92, 0.975 offset 1, 0
+set arrow 15 from screen 0.89, 0.975 to screen 0.92, 0.975 nohead lw 1.5 \
+    dt 2 lc rgb "black"
 set palette defined (3 "#E8F1F8", 5 "#9CC6E3", 8 "#2F7FB5", 14 "#08306B")
 set cbrange [3:14]
 unset colorbox
@@ -45,6 +49,8 @@ do for [k = 1:4] {
     l = Limit[2 - k % 2]
     set arrow 1 from asin(l * 2 / 39), 39 to asin(l * 2 / 3.3), 3.3 \
         nohead lw 2 lc rgb "black" front
+    set arrow 2 from asin(0.95 * 2 / 39), 39 to asin(0.95 * 2 / 3.3), 3.3 \
+        nohead lw 1.5 dt 2 lc rgb "black" front
     plot data index name using "dt":(column("reason") == 0 ? column("n") \
              : NaN):"iterations" with points pt 5 ps 1.05 lc palette, \
          data index name using "dt":(column("reason") == 0 ? column("n") \
@@ -56,7 +62,8 @@ do for [k = 1:4] {
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
          data index name using "dt":(column("reason") == 4 ? column("n") \
              : NaN) with points pt 1 ps 0.6 lw 1.5 lc rgb "#CC79A7"
-    do for [i = 11:14] { unset label i }
+    do for [i = 11:15] { unset label i }
     unset arrow 14
+    unset arrow 15
 }
 unset multiplot

@@ -480,7 +480,6 @@ static void print_locking(void)
 /* ---- random starts ------------------------------------------------------- */
 
 enum { SEEDS = 1000 };
-static const int seeds_of[WAYS] = {100, 100, 100, SEEDS, 100};
 
 struct start {
     int both_ends;    /* held, or the left one only */
@@ -541,9 +540,9 @@ static void take_census(const struct start *start, int m,
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
     memset(census, 0, sizeof *census);
     census->least_J = 1.0;
-    for (int seed = 1; seed <= seeds_of[m]; seed++) {
+    for (int seed = 1; seed <= SEEDS; seed++) {
         scatter(&s, rng, seed, start->amplitude * 2.0 / n);
-        census->inverted += inverted_part(&s) / seeds_of[m];
+        census->inverted += inverted_part(&s) / SEEDS;
         const struct step_report report =
             step_solve(s.body, &way[m], 1.0, s.w, NULL, s.u);
         census->ended[report.status]++;
@@ -585,13 +584,13 @@ static void print_scattered(void)
     for (int k = 0; k < COUNT(start); k++)
         for (int m = 0; m < WAYS; m++) {
             take_census(&start[k], m, &c);
-            table_row(start[k].both_ends, start[k].amplitude, m, seeds_of[m],
+            table_row(start[k].both_ends, start[k].amplitude, m, SEEDS,
                       c.inverted, c.rest, c.stable, c.saddle,
                       c.ended[NOT_SPD], c.ended[NONFINITE], c.ended[STALLED],
                       c.ended[MAX_ITERATIONS], quantile(&c, 0.5),
                       quantile(&c, 0.9), quantile(&c, 1.0), c.least_J,
-                      (double)c.rest / seeds_of[m],
-                      (double)c.stable / seeds_of[m]);
+                      (double)c.rest / SEEDS,
+                      (double)c.stable / SEEDS);
         }
     table_end();
 }

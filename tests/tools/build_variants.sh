@@ -13,8 +13,11 @@ have() { # have COMMAND ARGS...: it compiles a program that runs
     echo 'int main(void) { return 0; }' >"$dir.c" &&
         "$@" "$dir.c" -o "$dir.out" >/dev/null 2>&1 && "$dir.out"
 }
-# a short run of a program: a small time budget where it has one
-quick() { "$1" -h | grep -q -e --budget && echo '--budget 0.01'; }
+# a short run of a program: a small time budget, no fine mesh, where it has them
+quick() {
+    "$1" -h | grep -q -e --budget && echo '--budget 0.01'
+    "$1" -h | grep -q -e --finest && echo '--finest 16'
+}
 
 mkdir -p "$dir"
 case $kind in

@@ -9,8 +9,15 @@ script=$1 data=$2 out=$3
 part=$out.part
 said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)
 status=$?
-if [ $status -ne 0 ] || [ -n "$said" ] || ! grep -q '</svg>' "$part" 2>/dev/null
-then
+# of a GIF gnuplot says how many frames it has
+said=$(echo "$said" | grep -v '^[0-9]* frames in animation sequence$')
+whole() { # an SVG ends with its tag, a GIF with a semicolon
+    case $out in
+    *.gif) [ "$(tail -c 1 "$part")" = ';' ] ;;
+    *) grep -q '</svg>' "$part" ;;
+    esac 2>/dev/null
+}
+if [ $status -ne 0 ] || [ -n "$said" ] || ! whole; then
     rm -f "$part" "$out"
     echo "figure: $script failed: ${said:-no picture}" >&2
     exit 1

@@ -95,10 +95,13 @@ done
 
 # ---- figures ------------------------------------------------------------------
 plots=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
-rule 'every figure is committed as SVG' \
-    "$(for f in $plots; do [ -s "${f%.gp}.svg" ] || echo "$f"; done)"
+picture() { # what a script makes
+    if grep -q '^set terminal gif' "$1"; then echo "${1%.gp}.gif"; else echo "${1%.gp}.svg"; fi
+}
+rule 'every figure is committed' \
+    "$(for f in $plots; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
 rule 'every figure is in workbook.md' \
-    "$(for f in $plots; do grep -qF "(${f%.gp}.svg)" workbook.md || echo "$f"; done)"
+    "$(for f in $plots; do grep -qF "($(picture "$f"))" workbook.md || echo "$f"; done)"
 rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
