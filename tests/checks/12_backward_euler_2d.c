@@ -372,11 +372,11 @@ static void agrees_with_the_fast_body(void)
         body_mass(body, w, b);
         matrix_add(K, 0, 0, 2.385); /* tangent() has to forget it */
         for (int e = 0; e < s->n_triangle; e++) {
-            expect_close(s->area[e], body->area[e], ROUND_OFF, 1.0,
-                         "area of triangle %d, against mesh.h", e);
+            double g[6];
+            expect_close(s->area[e], mesh_gradients(mesh, e, g), ROUND_OFF,
+                         1.0, "area of triangle %d, against mesh.h", e);
             for (int k = 0; k < 6; k++)
-                expect_close(s->gradient[6 * e + k], body->gradient[6 * e + k],
-                             ROUND_OFF, 1.0 * N,
+                expect_close(s->gradient[6 * e + k], g[k], ROUND_OFF, 1.0 * N,
                              "gradients of triangle %d, against mesh.h", e);
         }
         expect(body_assemble(body, dt, w, NULL, u, EXACT, want) == OK &&
