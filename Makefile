@@ -72,7 +72,7 @@ help:
 	@echo '  make figures      draw every figure from the reference solutions'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
-	@echo '  make bench        the solvers against others, on this machine'
+	@echo '  make bench        solvers and time steps against others, here'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
 
@@ -287,18 +287,34 @@ LAPACK = $(shell for l in -lopenblas -llapack; do \
              echo 'int dpbtrf_(void); int main(void) { return dpbtrf_(); }' | \
              $(CC) -w -x c - -o /dev/null $$l 2>/dev/null && echo $$l && break; \
          done)
-$(BUILD)/bench/%: tests/bench/%.c $(LIB)
+BENCHES := solve step
+BENCH = lapack='$(LAPACK)' && $(COMPILE) -Itests/bench \
+        -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
+        $${lapack:+-DLAPACK="\"$$lapack\""}
+$(BUILD)/bench/bench.o: tests/bench/bench.c Makefile
+	$(Q)mkdir -p $(@D) && $(BENCH) $(NATIVE) -c $< -o $@
+$(BUILD)/bench/%: tests/bench/%.c $(BUILD)/bench/bench.o $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && $(COMPILE) $< -o $@ \
-	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
-	    $${lapack:+-DLAPACK="\"$$lapack\""} $(LIB) $(LDFLAGS) $(GSL_LIBS) $$lapack
-bench: $(BUILD)/bench/solve
-	@OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $<
+	$(Q)mkdir -p $(@D) && $(BENCH) $< -o $@ $(BUILD)/bench/bench.o \
+	    $(LIB) $(LDFLAGS) $(GSL_LIBS) $$lapack
+# One after the other, each time anew; the tables stay in build/data, and
+# figures/bench_NAME_what.gp draws those of bench_NAME.tsv.
+bench: $(BENCHES:%=$(BUILD)/bench/%)
+	@mkdir -p $(BUILD)/data; for b in $(BENCHES); do \
+	    data=$(BUILD)/data/bench_$$b.tsv; \
+	    printf '  %-8s %s\n' bench "$$b, a minute or two" >&2; \
+	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BUILD)/bench/$$b \
+	        > $$data.part && mv $$data.part $$data && cat $$data || exit 1; \
+	done
+	@command -v gnuplot > /dev/null || exit 0; \
+	for f in figures/bench_*.gp; do data=$${f%_*}.tsv; \
+	    sh tests/tools/figure.sh $$f $(BUILD)/data/$${data#*/} \
+	        $${f%.gp}.svg || exit 1; done
 
 # ---- the whole, in other builds, and the closing line
 .PHONY: all
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
-all: programs $(PROGRAMS:=.judge) $(BUILD)/bench/solve \
+all: programs $(PROGRAMS:=.judge) $(BENCHES:%=$(BUILD)/bench/%) \
      $(STUDIES:%=$(BUILD)/bench/%) \
      $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
 

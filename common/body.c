@@ -223,12 +223,20 @@ static inline void add_exact(struct factors s, const double g[6],
  *     E = diag(cos z, sin z)   those of ( mu + G'' s2^2   G'' J + G'   )
  *                                       ( G'' J + G'      mu + G'' s1^2 )
  *
+ * None is negative if |G'| <= mu and G'' >= 0: the determinant of the last two
+ * is mu^2 - G'^2 + G'' (mu F:F - 2 G' J), and F:F >= 2 |J|.
+ *
  * Source: Irving, Teran & Fedkiw, Graph. Models 68 (2006), sec. 3 (the idea);
  * Smith, de Goes & Kim, ACM Trans. Graph. 38 (2019), sec. 4 (closed forms).
  */
-static void add_projected(struct factors s, const double g[6], mat2 F,
-                          const int place[6], size_t stride, double entries[])
+static void add_projected(struct factors s, const double g[6],
+                          const double c[6], mat2 F, const int place[6],
+                          size_t stride, double entries[])
 {
+    if (fabs(s.dG) <= s.mu && s.ddG >= 0.0) {
+        add_exact(s, g, c, place, stride, entries);
+        return;
+    }
     const double half_sum = hypot(F.m[0][0] + F.m[1][1],
                                   F.m[1][0] - F.m[0][1]) / 2.0;
     const double half_difference = hypot(F.m[0][0] - F.m[1][1],
@@ -318,7 +326,7 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         if (tangent == EXACT)
             add_exact(s, g, c, &body->place[6 * e], stride, entries);
         else
-            add_projected(s, g, F, &body->place[6 * e], stride, entries);
+            add_projected(s, g, c, F, &body->place[6 * e], stride, entries);
     }
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;

@@ -106,5 +106,5 @@ rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
 rule 'a figure that shows seconds names the machine' \
-    "$(grep -lE 'seconds' $plots | while read -r f; do
+    "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

@@ -1,0 +1,30 @@
+# bench_step_assembly.gp - residual and tangent of one element, in ns: with
+# dP/dF applied to six directions, and in closed form.
+# Reads   data  table assembly (n readable both residual projected clear, ns),
+#               machine; from `make bench`
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/bench_step.tsv"
+if (!exists("out"))  out  = "figures/bench_step_assembly.svg"
+load "figures/style.gp"
+set terminal svg size 640,400
+set output out
+array Column[5] = ["readable", "projected", "both", "residual", "clear"]
+array Name[5] = ["readable: dP/dF in six directions", \
+                 "closed form, eigenvalues clamped", \
+                 "closed form, residual and tangent", "residual alone", \
+                 "zeros into the band"]
+array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#999999"]
+set key above left vertical maxrows 3 reverse Left samplen 1.5
+set label 1 machine(data) at screen 0.01,0.03 left font ",10"
+set bmargin 4.5
+set style fill solid 0.9 noborder
+set boxwidth 0.15
+set grid noxtics
+set xrange [-0.5:2.5]
+set yrange [0:*]
+set xtics ("16" 0, "32" 1, "64" 2)
+set xlabel "squares a side n"
+set ylabel "time an element (ns)"
+plot for [k = 1:5] data index "assembly" \
+         using ($0 + 0.17 * (k - 3)):(column(Column[k])) with boxes \
+         lc rgb Colour[k] title Name[k]
