@@ -933,6 +933,9 @@ static void print_strike(void)
                           "factorisations u1 u2 speed min_J");
     for (int law = LOG; law <= CUBIC; law++)
         for (int k = 0; k < COUNT(moved); k++) {
+            /* struck harder, it turns triangles over on its way, and the
+             * reason that FAST ends with is round-off */
+            if (law == CUBIC && moved[k] > 1.2) break;
             struct model model =
                 square_make(n, notes_material((enum law)law), CONSISTENT, 2);
             struct state s = state_make(model.n_dof);
