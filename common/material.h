@@ -55,7 +55,8 @@ static inline struct volumetric material_r(const struct material *material,
     assert(material_defined(material, J));
     if (material->law == LOG)
         return (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
-    return (struct volumetric){s - s * s / 2.0 + s * s * s / 3.0,
+    /* s - s^2/2 + s^3/3, without a division */
+    return (struct volumetric){s * (1.0 - s * (0.5 - s * (1.0 / 3.0))),
                                1.0 - s + s * s, -1.0 + 2.0 * s};
 }
 

@@ -55,7 +55,8 @@ void bench_header(void)
 {
     char machine[512];
     clock_machine(sizeof machine, machine);
-    printf("# machine: %s\n# banded.c also with: %s\n# LAPACK: %s\n\n\n",
+    printf("# machine: %s\n# banded.c, and body.c but for the last, with: %s\n"
+           "# LAPACK: %s\n\n\n",
            machine, *NATIVE_FLAGS ? NATIVE_FLAGS : "nothing",
 #ifdef LAPACK
            LAPACK

@@ -18,6 +18,7 @@
  * times are not what a test can hold.
  */
 #include "bar_fast.h"
+#include "bench.h"
 #include "clock.h"
 #include "matrix.h"
 #include "options.h"
@@ -26,95 +27,11 @@
 #include <gsl/gsl_cblas.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_rng.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#if defined __x86_64__ && defined __GNUC__
-#define X86
-#include <immintrin.h>
-#endif
-
-#ifndef NATIVE_FLAGS
-#define NATIVE_FLAGS ""
-#endif
-
 enum { RUNS = 31 };
-struct times {
-    int runs;
-    double second[RUNS];
-};
-
-static void row_of(int n, double value[])
-{
-    for (int i = 0; i < n; i++)
-        if (isnan(value[i])) value[i] = 0.0;
-    table_row_of(n, value);
-}
-#define row(...)                                                   \
-    row_of((int)(sizeof((double[]){__VA_ARGS__}) / sizeof(double)), \
-           (double[]){__VA_ARGS__})
-
-static void record(struct times *t, double seconds, int valid)
-{
-    t->second[t->runs++] = valid ? seconds : (double)NAN;
-}
-
-static double median(const struct times *t)
-{
-    double sorted[RUNS];
-    if (t->runs == 0) return (double)NAN;
-    for (int i = 0; i < t->runs; i++)
-        if (isnan(t->second[i])) return (double)NAN;
-    memcpy(sorted, t->second, sizeof sorted);
-    gsl_sort(sorted, 1, (size_t)t->runs);
-    return gsl_stats_median_from_sorted_data(sorted, 1, (size_t)t->runs);
-}
-
-static double spread(const struct times *t)
-{
-    double low, high;
-    if (isnan(median(t))) return (double)NAN;
-    gsl_stats_minmax(&low, &high, t->second, 1, (size_t)t->runs);
-    return (high - low) / median(t);
-}
-
-/* ---- what one core can do ------------------------------------------------ */
-
-/* Seconds for 2e5 rounds of CHAINS multiply-adds that do not wait for each
- * other: written for the processor, for solve.c is compiled for any. */
-enum { CHAINS = 12, ROUNDS = 200000 };
-#ifdef X86
-#define MULTIPLY_ADDS(name, processor, vector, all, multiply_add)           \
-    __attribute__((target(processor))) static double name(void)             \
-    {                                                                       \
-        const vector x = all(0.613);                                        \
-        vector s[CHAINS];                                                   \
-        volatile vector result;                                             \
-        for (int c = 0; c < CHAINS; c++) s[c] = all(1.247 + c);             \
-        const double start = clock_seconds();                               \
-        for (int k = 0; k < ROUNDS; k++)                                    \
-            _Pragma("GCC unroll 12") for (int c = 0; c < CHAINS; c++)       \
-                s[c] = multiply_add(s[c], x, x);                            \
-        for (int c = 0; c < CHAINS; c++) result = s[c];                     \
-        (void)result;                                                       \
-        return clock_seconds() - start;                                     \
-    }
-MULTIPLY_ADDS(by_eight, "avx512f", __m512d, _mm512_set1_pd, _mm512_fmadd_pd)
-MULTIPLY_ADDS(by_four, "fma", __m256d, _mm256_set1_pd, _mm256_fmadd_pd)
-static double peak_gigaflop(void)
-{
-    const double work = 2e-9 * CHAINS * ROUNDS;
-    if (__builtin_cpu_supports("avx512f")) return work * 8 / by_eight();
-    if (__builtin_cpu_supports("fma")) return work * 4 / by_four();
-    return (double)NAN;
-}
-#else
-static double peak_gigaflop(void) { return (double)NAN; }
-#endif
 
 /* ---- the band ------------------------------------------------------------ */
 
@@ -246,7 +163,7 @@ static void measure_band(int s, struct band_times *t)
     double *ours = allocate(bytes, 1);
     for (int i = 0; i < N; i++) b[i] = sin(2.385 * i + 0.7);
     for (int run = 0; run < runs_at[s]; run++) {
-        record(&t->peak, peak_gigaflop(), 1);
+        times_record(&t->peak, bench_peak_gigaflop(), 1);
         for (int k = 0; k < SOLVERS; k++) {
             if (!takes_part((enum solver)k, s, run)) continue;
             memcpy(x, b, bytes);
@@ -260,8 +177,8 @@ static void measure_band(int s, struct band_times *t)
                 (enum solver)k, A, k == GSL_DENSE ? dense_copy : copy->a, x);
             if (isnan(seconds.factor)) continue;
             const int valid = matrix_residual(A, x, b) <= 1e-12;
-            record(&t->factor[k], seconds.factor, valid);
-            record(&t->all[k], seconds.all, valid);
+            times_record(&t->factor[k], seconds.factor, valid);
+            times_record(&t->all[k], seconds.all, valid);
             /* This call makes the linker put the CBLAS of GSL before the one
              * that LAPACK's library may have: GSL is to run on its own. */
             const double largest = fabs(x[cblas_idamax(N, x, 1)]);
@@ -288,11 +205,11 @@ static void print_band(const struct band_times t[SIZES])
                      "difference_from_gsl",
                      "their seconds over ours, factor and one solve");
     for (int s = 0; s < SIZES; s++) {
-        const double ours = median(&t[s].all[OURS]);
+        const double ours = times_median(&t[s].all[OURS]);
         row(size[s], order_of(size[s]), band_of(size[s]),
-            median(&t[s].all[GSL_BAND]) / ours,
-            median(&t[s].all[LAPACK_BAND]) / ours,
-            median(&t[s].all[GSL_DENSE]) / ours, t[s].difference);
+            times_median(&t[s].all[GSL_BAND]) / ours,
+            times_median(&t[s].all[LAPACK_BAND]) / ours,
+            times_median(&t[s].all[GSL_DENSE]) / ours, t[s].difference);
     }
     table_end();
     table_begin_note("peak", "n peak_gigaflop spread ours gsl_banded "
@@ -303,8 +220,8 @@ static void print_band(const struct band_times t[SIZES])
         double percent[SOLVERS];
         for (int k = 0; k < SOLVERS; k++)
             percent[k] = 1e-7 * factor_flops((enum solver)k, size[s]) /
-                         median(&t[s].factor[k]) / median(&t[s].peak);
-        row(size[s], median(&t[s].peak), spread(&t[s].peak), percent[OURS],
+                         times_median(&t[s].factor[k]) / times_median(&t[s].peak);
+        row(size[s], times_median(&t[s].peak), times_spread(&t[s].peak), percent[OURS],
             percent[GSL_BAND], percent[LAPACK_BAND], percent[GSL_DENSE]);
     }
     table_end();
@@ -316,9 +233,9 @@ static void print_band(const struct band_times t[SIZES])
         for (int s = 0; s < SIZES && t[s].all[k].runs > 0; s++) {
             const double work = flops((enum solver)k, size[s]);
             const struct times *all = &t[s].all[k];
-            row(size[s], all->runs, 1e3 * median(all), spread(all),
-                1e3 * median(&t[s].factor[k]), 1e-6 * work,
-                1e-9 * work / median(all));
+            row(size[s], all->runs, 1e3 * times_median(all), times_spread(all),
+                1e3 * times_median(&t[s].factor[k]), 1e-6 * work,
+                1e-9 * work / times_median(all));
         }
         table_end();
     }
@@ -331,7 +248,7 @@ static void print_band(const struct band_times t[SIZES])
         double power[SOLVERS];
         for (int k = 0; k < SOLVERS; k++)
             power[k] =
-                log2(median(&t[s + 1].all[k]) / median(&t[s].all[k]));
+                log2(times_median(&t[s + 1].all[k]) / times_median(&t[s].all[k]));
         row(size[s], power[OURS], power[GSL_BAND], power[LAPACK_BAND],
             power[GSL_DENSE],
             log2(flops(OURS, 2 * size[s]) / flops(OURS, size[s])),
@@ -374,7 +291,7 @@ static void solve_line(enum line line, int n, struct times *t)
         gsl_linalg_cholesky_band_svx(&view.matrix, &v.vector);
     }
     const double seconds = clock_seconds() - start;
-    record(t, seconds / n,
+    times_record(t, seconds / n,
            matrix_residual(A, line == GSL_TRIDIAGONAL ? out->data : x, b) <=
                1e-12);
     gsl_vector_free(d);
@@ -405,7 +322,7 @@ static void newton_line(enum line line, int n, struct times *t)
                               line == FUSED_LEFT ? FROM_LEFT : FROM_BOTH_ENDS,
                               u);
     const double seconds = clock_seconds() - start;
-    record(t, seconds / n / report.iterations, report.status == OK);
+    times_record(t, seconds / n / report.iterations, report.status == OK);
     free(b);
     free(u);
 }
@@ -430,13 +347,13 @@ static void bench_bar(void)
                     newton_line((enum line)k, sizes[s], &t[k]);
                 else
                     solve_line((enum line)k, sizes[s], &t[k]);
-        for (int k = 0; k < LINES; k++) ns[k] = 1e9 * median(&t[k]);
+        for (int k = 0; k < LINES; k++) ns[k] = 1e9 * times_median(&t[k]);
         row(sizes[s], ns[GSL_TRIDIAGONAL] / ns[TRIDIAGONAL],
                   ns[GSL_BAND_1] / ns[TRIDIAGONAL],
                   ns[GSL_TRIDIAGONAL] / ns[FUSED_BOTH], ns[FUSED_BOTH],
                   ns[FUSED_LEFT], ns[NEWTON], ns[TRIDIAGONAL],
-                  ns[GSL_TRIDIAGONAL], ns[GSL_BAND_1], spread(&t[FUSED_BOTH]),
-                  spread(&t[GSL_TRIDIAGONAL]));
+                  ns[GSL_TRIDIAGONAL], ns[GSL_BAND_1], times_spread(&t[FUSED_BOTH]),
+                  times_spread(&t[GSL_TRIDIAGONAL]));
     }
     table_end();
 }
@@ -444,19 +361,10 @@ static void bench_bar(void)
 int main(int argc, char *argv[])
 {
     static struct band_times t[SIZES];
-    char machine[512];
 
     options_parse("bench", NULL, 0, argc, argv);
     gsl_set_error_handler_off();
-    clock_machine(sizeof machine, machine);
-    printf("# machine: %s\n# banded.c also with: %s\n# LAPACK: %s\n\n\n",
-           machine, *NATIVE_FLAGS ? NATIVE_FLAGS : "nothing",
-#ifdef LAPACK
-           LAPACK
-#else
-           "none found"
-#endif
-    );
+    bench_header();
     for (int s = 0; s < SIZES; s++) measure_band(s, &t[s]);
     print_band(t);
     bench_bar();
