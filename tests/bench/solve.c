@@ -36,8 +36,8 @@ enum { RUNS = 31 };
 /* ---- the band ------------------------------------------------------------ */
 
 enum solver { OURS, GSL_BAND, LAPACK_BAND, GSL_DENSE, SOLVERS };
-static const char *const solver_name[] = {"ours", "gsl_banded",
-                                          "lapack_dpbtrf", "gsl_dense"};
+static const char *const solver_name[] = {"ours", "gsl_banded", "lapack_dpbtrf",
+                                          "gsl_dense"};
 
 static struct matrix *random_band(int n, int p)
 {
@@ -123,8 +123,14 @@ static struct seconds solve(enum solver solver, const struct matrix *A,
 enum { SIZES = 4 };
 static const int size[SIZES] = {16, 32, 64, 128};
 static const int runs_at[SIZES] = {31, 21, 11, 5};
-static int order_of(int n) { return 2 * (n - 1) * (n + 1); }
-static int band_of(int n) { return 2 * n - 1; }
+static int order_of(int n)
+{
+    return 2 * (n - 1) * (n + 1);
+}
+static int band_of(int n)
+{
+    return 2 * n - 1;
+}
 
 /* Multiplications and additions, to leading order [eq:band-cost]. */
 static double factor_flops(enum solver solver, int n)
@@ -212,7 +218,8 @@ static void print_band(const struct band_times t[SIZES])
             times_median(&t[s].all[GSL_DENSE]) / ours, t[s].difference);
     }
     table_end();
-    table_begin_note("peak", "n peak_gigaflop spread ours gsl_banded "
+    table_begin_note("peak",
+                     "n peak_gigaflop spread ours gsl_banded "
                      "lapack_dpbtrf gsl_dense",
                      "multiply-adds of one core, 1e9 operations a second; the "
                      "percentage of it that a factorisation reaches");
@@ -220,9 +227,11 @@ static void print_band(const struct band_times t[SIZES])
         double percent[SOLVERS];
         for (int k = 0; k < SOLVERS; k++)
             percent[k] = 1e-7 * factor_flops((enum solver)k, size[s]) /
-                         times_median(&t[s].factor[k]) / times_median(&t[s].peak);
-        row(size[s], times_median(&t[s].peak), times_spread(&t[s].peak), percent[OURS],
-            percent[GSL_BAND], percent[LAPACK_BAND], percent[GSL_DENSE]);
+                         times_median(&t[s].factor[k]) /
+                         times_median(&t[s].peak);
+        row(size[s], times_median(&t[s].peak), times_spread(&t[s].peak),
+            percent[OURS], percent[GSL_BAND], percent[LAPACK_BAND],
+            percent[GSL_DENSE]);
     }
     table_end();
     for (int k = 0; k < SOLVERS; k++) {
@@ -247,8 +256,8 @@ static void print_band(const struct band_times t[SIZES])
     for (int s = 0; s + 1 < SIZES; s++) {
         double power[SOLVERS];
         for (int k = 0; k < SOLVERS; k++)
-            power[k] =
-                log2(times_median(&t[s + 1].all[k]) / times_median(&t[s].all[k]));
+            power[k] = log2(times_median(&t[s + 1].all[k]) /
+                            times_median(&t[s].all[k]));
         row(size[s], power[OURS], power[GSL_BAND], power[LAPACK_BAND],
             power[GSL_DENSE],
             log2(flops(OURS, 2 * size[s]) / flops(OURS, size[s])),
@@ -259,8 +268,15 @@ static void print_band(const struct band_times t[SIZES])
 
 /* ---- the bar ------------------------------------------------------------- */
 
-enum line { FUSED_BOTH, FUSED_LEFT, NEWTON, TRIDIAGONAL, GSL_TRIDIAGONAL,
-            GSL_BAND_1, LINES };
+enum line {
+    FUSED_BOTH,
+    FUSED_LEFT,
+    NEWTON,
+    TRIDIAGONAL,
+    GSL_TRIDIAGONAL,
+    GSL_BAND_1,
+    LINES
+};
 
 /* A tridiagonal system, the stiffness of a bar held by weak springs. */
 static void solve_line(enum line line, int n, struct times *t)
@@ -292,8 +308,8 @@ static void solve_line(enum line line, int n, struct times *t)
     }
     const double seconds = clock_seconds() - start;
     times_record(t, seconds / n,
-           matrix_residual(A, line == GSL_TRIDIAGONAL ? out->data : x, b) <=
-               1e-12);
+                 matrix_residual(A, line == GSL_TRIDIAGONAL ? out->data : x,
+                                 b) <= 1e-12);
     gsl_vector_free(d);
     gsl_vector_free(e);
     gsl_vector_free(out);
@@ -309,8 +325,8 @@ static void newton_line(enum line line, int n, struct times *t)
 {
     const size_t size_n = (size_t)n + 1;
     double *b = allocate(size_n, sizeof *b), *u = allocate(size_n, sizeof *u);
-    const struct bar bar = {n, 1.0 / n, {1, 0}, b,
-                            material_make(CUBIC, 1000.0, 0.3)};
+    const struct bar bar = {
+        n, 1.0 / n, {1, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
     const struct newton_control control = {fmax(1e-12, 3e-15 * n), 30, 0};
     b[n] = 238.5;
     memset(u, 0, size_n * sizeof *u);
@@ -349,11 +365,11 @@ static void bench_bar(void)
                     solve_line((enum line)k, sizes[s], &t[k]);
         for (int k = 0; k < LINES; k++) ns[k] = 1e9 * times_median(&t[k]);
         row(sizes[s], ns[GSL_TRIDIAGONAL] / ns[TRIDIAGONAL],
-                  ns[GSL_BAND_1] / ns[TRIDIAGONAL],
-                  ns[GSL_TRIDIAGONAL] / ns[FUSED_BOTH], ns[FUSED_BOTH],
-                  ns[FUSED_LEFT], ns[NEWTON], ns[TRIDIAGONAL],
-                  ns[GSL_TRIDIAGONAL], ns[GSL_BAND_1], times_spread(&t[FUSED_BOTH]),
-                  times_spread(&t[GSL_TRIDIAGONAL]));
+            ns[GSL_BAND_1] / ns[TRIDIAGONAL],
+            ns[GSL_TRIDIAGONAL] / ns[FUSED_BOTH], ns[FUSED_BOTH],
+            ns[FUSED_LEFT], ns[NEWTON], ns[TRIDIAGONAL], ns[GSL_TRIDIAGONAL],
+            ns[GSL_BAND_1], times_spread(&t[FUSED_BOTH]),
+            times_spread(&t[GSL_TRIDIAGONAL]));
     }
     table_end();
 }

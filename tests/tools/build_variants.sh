@@ -17,6 +17,7 @@ have() { # have COMMAND ARGS...: it compiles a program that runs
 quick() {
     "$1" -h | grep -q -e --budget && echo '--budget 0.01'
     "$1" -h | grep -q -e --finest && echo '--finest 16'
+    "$1" -h | grep -q -e --levels && echo '--n 4 --levels 5 --loop 6'
 }
 
 mkdir -p "$dir"
