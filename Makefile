@@ -294,7 +294,7 @@ BENCHES := solve step
 BENCH = lapack='$(LAPACK)' && $(COMPILE) -Itests/bench \
         -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
         $${lapack:+-DLAPACK="\"$$lapack\""}
-$(BUILD)/bench/bench.o: tests/bench/bench.c Makefile
+$(BUILD)/bench/bench.o: tests/bench/bench.c Makefile | $(DEPS)
 	$(Q)mkdir -p $(@D) && $(BENCH) $(NATIVE) -c $< -o $@
 $(BUILD)/bench/%: tests/bench/%.c $(BUILD)/bench/bench.o $(LIB)
 	$(call say,cc,$<)
