@@ -102,6 +102,8 @@ rule 'every figure is committed' \
     "$(for f in $plots; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
 rule 'every figure is in workbook.md' \
     "$(for f in $plots; do grep -qF "($(picture "$f"))" workbook.md || echo "$f"; done)"
+rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
+    "$(grep -nE '^ *<!-- n ' workbook.md)"
 rule 'every picture that the text names is there' \
     "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
         while read -r f; do [ -s "$f" ] || echo "$f"; done)"
