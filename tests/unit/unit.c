@@ -15,7 +15,7 @@ int unit_run(const char *module, const struct unit_law laws[], int n)
                             __LINE__};
         Suite *suite = suite_create(module);
         TCase *tcase = tcase_create(laws[i].name);
-        tcase_set_timeout(tcase, 20);
+        tcase_set_timeout(tcase, 60); /* s; valgrind takes 20 times as long */
         tcase_add_test(tcase, &test);
         suite_add_tcase(suite, tcase);
         SRunner *runner = srunner_create(suite);
