@@ -36,6 +36,15 @@ void bench_header(void);
 /* Multiply-adds in registers: 1e9 flops a second of one core, at its best. */
 double bench_peak_gigaflop(void);
 
+/* LAPACK's banded Cholesky, where there is one: a[j*lda + d] = A[j+d][j]. */
+#ifdef LAPACK
+void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
+             const int *lda, int *info, size_t length);
+void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
+             const double a[], const int *lda, double b[], const int *ldb,
+             int *info, size_t length);
+#endif
+
 /* Reading `bytes` again and again, in order: GB/s of one core. */
 double bench_read_gigabyte(size_t bytes);
 

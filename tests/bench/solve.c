@@ -70,14 +70,6 @@ static double *plain_copy(const struct matrix *A, enum storage storage)
     return a;
 }
 
-#ifdef LAPACK
-void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
-             const int *lda, int *info, size_t length);
-void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
-             const double a[], const int *lda, double b[], const int *ldb,
-             int *info, size_t length);
-#endif
-
 /* Factor A, which is in a as the solver wants it, and overwrite x by A^{-1} x.
  * The seconds to factor are NAN where there is no such solver. */
 struct seconds {

@@ -160,14 +160,6 @@ static int gsl_increment(struct scene s, const double w[], const double u[],
 
 /* ---- LAPACK on the band of common/ --------------------------------------- */
 
-#ifdef LAPACK
-void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
-             const int *lda, int *info, size_t length);
-void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
-             const double a[], const int *lda, double b[], const int *ldb,
-             int *info, size_t length);
-#endif
-
 static int lapack_increment(struct scene s, const double w[], const double u[],
                             double q[], double b[], double du[])
 {
