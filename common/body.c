@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* Number the free unknowns, row by row from right to left; how many. */
-static int number_equations(const struct mesh *mesh, const int fixed[],
+static int number_equations(const struct mesh *mesh, const int held[],
                             int equation[])
 {
     int next = 0;
@@ -17,7 +17,7 @@ static int number_equations(const struct mesh *mesh, const int fixed[],
         for (int i = mesh->n; i >= 0; i--) {
             const int a = j * (mesh->n + 1) + i;
             for (int k = 0; k < 2; k++)
-                equation[2 * a + k] = fixed[a] ? -1 : next++;
+                equation[2 * a + k] = held[a] ? -1 : next++;
         }
     return next;
 }
@@ -78,7 +78,7 @@ static void scatter_map(const struct body *body, int place[])
 }
 
 struct body *body_alloc(const struct mesh *mesh, struct material material,
-                        double rho, enum mass mass, const int fixed[])
+                        double rho, enum mass mass, const int held[])
 {
     const size_t triangles = (size_t)mesh->n_triangle;
     struct body *body = allocate(1, sizeof *body);
@@ -88,7 +88,7 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
     body->rho = rho;
     body->mass = mass;
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
-    body->n_equation = number_equations(mesh, fixed, body->equation);
+    body->n_equation = number_equations(mesh, held, body->equation);
     body->vertex = allocate(3 * triangles, sizeof(int));
     body->area = allocate(triangles, sizeof(double));
     body->gradient = allocate(6 * triangles, sizeof(double));
@@ -331,4 +331,55 @@ enum status body_assemble(struct body *body, double dt, const double w[],
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;
     return OK;
+}
+
+/* Assemble into matrix (NULL: none) and not into the body's own. */
+static enum status assemble_into(const struct body *body, double rho, double dt,
+                                 const double u[], struct matrix *matrix,
+                                 double q[])
+{
+    struct body view = *body;
+    view.rho = rho;
+    if (matrix) view.K = matrix;
+    /* with w = u there is no inertia in q */
+    return body_assemble(&view, dt, u, NULL, u, matrix ? EXACT : NO_TANGENT, q);
+}
+
+enum status body_force(const struct body *body, const double u[], double q[])
+{
+    return assemble_into(body, 0.0, 1.0, u, NULL, q);
+}
+
+struct matrix *body_matrix(const struct body *body)
+{
+    return matrix_alloc(BANDED, body->n_equation, body->K->p);
+}
+
+enum status body_stiffness(const struct body *body, const double u[],
+                           struct matrix *K)
+{
+    double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
+    const enum status status = assemble_into(body, 0.0, 1.0, u, K, q);
+    free(q);
+    return status;
+}
+
+void body_mass_matrix(const struct body *body, struct matrix *M)
+{
+    double *rest = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *rest);
+    double *q = rest + 2 * body->mesh->n_vertex;
+    assemble_into(body, body->rho, 0.0, rest, M, q); /* K = M + 0 */
+    free(rest);
+}
+
+void body_gather(const struct body *body, const double all[], double some[])
+{
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
+        if (body->equation[r] >= 0) some[body->equation[r]] = all[r];
+}
+
+void body_scatter(const struct body *body, const double some[], double all[])
+{
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
+        all[r] = body->equation[r] >= 0 ? some[body->equation[r]] : 0.0;
 }

@@ -53,11 +53,11 @@ struct body {
 };
 
 /*
- * fixed[a] != 0: both components of vertex a are prescribed; not all may be.
+ * held[a] != 0: both components of vertex a are prescribed; not all may be.
  * Every triangle must be counter-clockwise (asserted: see mesh_clockwise()).
  */
 struct body *body_alloc(const struct mesh *mesh, struct material material,
-                        double rho, enum mass mass, const int fixed[]);
+                        double rho, enum mass mass, const int held[]);
 void body_free(struct body *body);
 
 /* Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
@@ -69,6 +69,25 @@ void body_mass(const struct body *body, const double v[], double out[]);
 
 /* The least det F of all triangles. */
 double body_min_J(const struct body *body, const double u[]);
+
+/* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as
+ * body_energy(), q is then incomplete. */
+enum status body_force(const struct body *body, const double u[], double q[]);
+
+/*
+ * Matrices of the free unknowns, numbered by body->equation: a zero one for the
+ * caller to free; K := d2Psi/du2 at u [eq:element-tangent], statuses as
+ * body_energy(); M := the mass matrix [eq:mass].
+ */
+struct matrix *body_matrix(const struct body *body);
+enum status body_stiffness(const struct body *body, const double u[],
+                           struct matrix *K);
+void body_mass_matrix(const struct body *body, struct matrix *M);
+
+/* Between vectors over all vertices and over the free unknowns: some := the
+ * entries of all that are free; all := some, and 0 where a vertex is held. */
+void body_gather(const struct body *body, const double all[], double some[]);
+void body_scatter(const struct body *body, const double some[], double all[]);
 
 enum tangent { NO_TANGENT, EXACT, PROJECTED };
 

@@ -5,6 +5,12 @@
 #include <gsl/gsl_sf_log.h>
 #include <math.h>
 
+const char *material_law(enum law law)
+{
+    static const char *const name[] = {"linear", "log", "cubic"};
+    return name[law];
+}
+
 struct material material_make(enum law law, double E, double nu)
 {
     assert(E > 0.0 && nu >= 0.0 && nu < 0.5);

@@ -22,6 +22,8 @@
 #include <math.h>
 
 enum law { LINEAR, LOG, CUBIC };
+#define MATERIAL_LAWS "linear log cubic" /* as words, in this order */
+const char *material_law(enum law law);  /* "linear", "log", "cubic" */
 
 struct material {
     enum law law;

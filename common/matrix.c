@@ -5,7 +5,9 @@
 
 #include <assert.h>
 #include <float.h>
+#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
+#include <gsl/gsl_sort_vector.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -172,7 +174,8 @@ void matrix_solve(const struct matrix *L, double b[])
     }
 }
 
-enum status matrix_solve_indefinite(const struct matrix *A, double b[])
+enum status matrix_solve_indefinite(const struct matrix *A, double b[],
+                                    int *negative)
 {
     /* GSL wants rows of p + 1 numbers, without room behind them */
     const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
@@ -183,11 +186,50 @@ enum status matrix_solve_indefinite(const struct matrix *A, double b[])
     for (size_t j = 0; j < n; j++)
         memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
     gsl_error_handler_t *old = gsl_set_error_handler_off();
-    const int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
-                       gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
+    int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
+                 gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
     gsl_set_error_handler(old);
+    if (negative) *negative = 0;
+    for (size_t j = 0; j < n; j++) {
+        const double D_jj = copy[j * row], A_jj = A->a[j * A->stride];
+        if (!(fabs(D_jj) > DBL_EPSILON * fabs(A_jj))) failed = 1;
+        if (negative) *negative += D_jj < 0.0;
+    }
     free(copy);
     return failed ? NOT_SPD : OK;
+}
+
+void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
+                    struct matrix *C)
+{
+    assert(A->storage == B->storage && A->n == B->n && A->p == B->p);
+    assert(A->storage == C->storage && A->n == C->n && A->p == C->p);
+    for (size_t i = 0; i < (size_t)A->n * A->stride; i++)
+        C->a[i] = A->a[i] + s * B->a[i];
+}
+
+enum status matrix_eigenvalues(const struct matrix *A, double value[])
+{
+    const size_t n = (size_t)A->n;
+    gsl_matrix *copy = gsl_matrix_alloc(n, n);
+    gsl_vector_view values = gsl_vector_view_array(value, n);
+    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(n);
+    enum status status = OK;
+
+    if (!copy || !work) die("out of memory");
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            const double A_ij = matrix_get(A, (int)i, (int)j);
+            if (!isfinite(A_ij)) status = NONFINITE; /* GSL would not end */
+            gsl_matrix_set(copy, i, j, A_ij);
+        }
+    if (status == OK) {
+        gsl_eigen_symm(copy, &values.vector, work);
+        gsl_sort_vector(&values.vector);
+    }
+    gsl_eigen_symm_free(work);
+    gsl_matrix_free(copy);
+    return status;
 }
 
 void matrix_multiply(const struct matrix *A, const double x[], double y[])

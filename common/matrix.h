@@ -34,11 +34,11 @@ struct matrix {
     enum storage storage;
     int n;         /* order */
     int p;         /* half bandwidth, 0 <= p < n; n - 1 when dense */
-    size_t stride; /* numbers a row (dense) or a column (banded) */
+    size_t stride; /* numbers per row (dense) or column (banded) */
     double *a;     /* entries, see above; owned */
 };
 
-/* A zero matrix; p is not looked at when dense.  The caller frees it. */
+/* A zero matrix; p is ignored when dense.  The caller frees it. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_copy(const struct matrix *A);
 void matrix_free(struct matrix *A);
@@ -87,9 +87,27 @@ void matrix_solve(const struct matrix *L, double b[]);
 
 /*
  * b := A^{-1} b for a banded A that is not factored and need not be positive
- * definite, by GSL's L D L^T without pivoting.  NOT_SPD: a pivot is 0.
+ * definite, by GSL's L D L^T without pivoting.  *negative (or NULL) is the
+ * number of negative pivots D_jj, which is the number of negative eigenvalues
+ * of A (Sylvester's law of inertia).
+ *
+ * NOT_SPD: a pivot is 0 to round-off, |D_jj| <= eps |A_jj|; b and *negative are
+ * then meaningless.
+ *
+ * Source: Golub & Van Loan, sec. 4.1.2 (L D L^T), 8.1.5 (inertia).
  */
-enum status matrix_solve_indefinite(const struct matrix *A, double b[]);
+enum status matrix_solve_indefinite(const struct matrix *A, double b[],
+                                    int *negative);
+
+/* C := A + s B, of one storage, order and half bandwidth (asserted), none of
+ * them factored; C may be A or B. */
+void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
+                    struct matrix *C);
+
+/* value[0..n-1] := the eigenvalues of A, not factored, in ascending order, by
+ * GSL's dense symmetric solver: about n^3 flops.  NONFINITE: A is not finite.
+ */
+enum status matrix_eigenvalues(const struct matrix *A, double value[]);
 
 /* y := A x, for an A that is not factored. */
 void matrix_multiply(const struct matrix *A, const double x[], double y[]);

@@ -117,7 +117,7 @@ static enum status increment(struct body *body, const double q[], int as_it_is,
     for (int r = 0; r < n_dof; r++)
         if (body->equation[r] >= 0) b[body->equation[r]] = -q[r];
     if (as_it_is)
-        status = matrix_solve_indefinite(body->K, b);
+        status = matrix_solve_indefinite(body->K, b, NULL);
     else
         matrix_solve(body->K, b);
     for (int r = 0; r < n_dof; r++) {

@@ -630,13 +630,13 @@ static void indefinite_systems_are_solved(void)
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
             gsl_matrix_set(dense, (size_t)i, (size_t)j, matrix_get(A, i, j));
-    ck_assert_int_eq(matrix_solve_indefinite(A, v), OK);
+    ck_assert_int_eq(matrix_solve_indefinite(A, v, NULL), OK);
     gsl_linalg_LU_decomp(dense, p, &sign);
     gsl_linalg_LU_solve(dense, p, b, x);
     for (int i = 0; i < n; i++)
         close_to(v[i], gsl_vector_get(x, (size_t)i), 1e-12);
     matrix_zero(A);
-    ck_assert_int_eq(matrix_solve_indefinite(A, v), NOT_SPD);
+    ck_assert_int_eq(matrix_solve_indefinite(A, v, NULL), NOT_SPD);
     gsl_permutation_free(p);
     gsl_vector_free(b);
     gsl_vector_free(x);

@@ -1,0 +1,55 @@
+/*
+ * study.h - what the studies in figures/ share: a root, an order, seconds that
+ * can be trusted, and the claim that a study ends with.
+ */
+#ifndef COMMON_STUDY_H
+#define COMMON_STUDY_H
+
+/* A function of one number and of what else it needs. */
+typedef double study_function(double x, void *context);
+
+/*
+ * The x in (low, high) with f(x) = 0, to the last digit, by GSL's Brent.  f
+ * must change its sign between low and high; die() when it does not, or when f
+ * is not finite there.
+ */
+double root_of(study_function *f, void *context, double low, double high);
+
+/* log(coarse / fine) / log(ratio) [eq:order]: errors at the sizes ratio h and
+ * h.  NAN unless both errors are > 0. */
+double order_of(double coarse, double fine, double ratio);
+
+/*
+ * What the caption of the picture says, as a condition; the rest is a printf
+ * message that says it in words.  A study prints its tables first.  When the
+ * condition is false the study ends with the message and exit status 1.
+ */
+#define claim(condition, ...) \
+    do { \
+        if (!(condition)) claim_failed(__VA_ARGS__); \
+    } while (0)
+_Noreturn void claim_failed(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
+
+/* ---- seconds -------------------------------------------------------------- */
+
+/* Samples of the seconds that one run takes.  A run whose answer is not valid
+ * has no seconds: its sample is NAN, and so is then every figure below. */
+enum { STUDY_SAMPLES = 1024 };
+struct times {
+    int runs;
+    double second[STUDY_SAMPLES];
+};
+
+/* One more sample, as long as there is room. */
+void times_record(struct times *t, double seconds, int valid);
+
+double times_best(const struct times *t);
+double times_median(const struct times *t);
+double times_quantile(const struct times *t, double fraction);
+double times_spread(const struct times *t); /* (largest - smallest) / median */
+
+/* Print "# machine: ..." at the top of the output, for tables with seconds. */
+void study_machine(void);
+
+#endif

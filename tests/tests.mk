@@ -1,0 +1,185 @@
+# tests.mk - what `make test` and teachers need; included by the Makefile.
+#
+# Every test writes lines "ok WHAT" or "FAIL WHAT: why" to a .result file; only
+# the last recipe fails.  A test runs again when anything it rests on changed.
+
+T := $(BUILD)/test
+VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
+.PHONY: test starters workbook programs all memcheck
+
+# ---- starters, known mistakes, workbook -------------------------------------
+
+starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
+
+# Starters as the solutions give them, whatever the student has in lessons/.
+$(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
+	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
+$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
+	$(Q)$(call build_judge,$<,$*) -Werror
+
+# Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
+# the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
+# is told NAME.why, and the judge NAME.judge.
+VARIANT = awk -f tests/tools/variant.awk
+variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
+               sub(/txt$$/, "", FILENAME); sub(/\.$$/, "", FILENAME); \
+               print FILENAME "/" $$2 }' /dev/null \
+               $(wildcard $(LESSONS:%=tests/mistakes/%.txt)))
+MISTAKES    := $(call variants,mistake)
+EQUIVALENTS := $(call variants,equivalent)
+
+define variant_rules
+$(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
+        solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
+	$(Q)mkdir -p $$(@D)
+	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
+	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
+$(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
+	$(Q)$$(COMPILE) -w $$< -o $$@ $$(LINK)
+$(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
+        tests/checks/$(patsubst %/,%,$(dir $1)).c
+	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
+endef
+$(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
+# all known mistakes of a lesson; one that is no longer listed goes
+define mistakes_rule
+mistakes-$(call number,$1): $(patsubst %,$(BUILD)/mistakes/%,\
+        $(filter $1/%,$(MISTAKES)))
+	@for why in $(BUILD)/mistakes/$1/*.why; do name=$$$${why%.why}; \
+	    case ' $$^ ' in *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
+	    esac; done
+endef
+$(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
+
+# The book is filled from the tables of the solutions and of the studies.
+BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
+DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED))
+workbook: $(DATA)
+	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill
+
+# ---- each lesson ------------------------------------------------------------
+
+$(T)/%.solution.result: $(BUILD)/solutions/%.judge $(BUILD)/solutions/% \
+                        tests/tools/verify.sh
+	$(call say,test,$* solution)
+	$(Q)mkdir -p $(@D) && $(VERIFY) solution $* > $@
+$(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
+                       lessons/%.c tests/tools/verify.sh
+	$(call say,test,$* starter)
+	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
+
+# every program that a judge compares with, before any judge of the lesson runs
+mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
+define verify_rules
+$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(JUDGE) $(call mistakes_of,$1) \
+        tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
+	$$(call say,test,$1 behaviour)
+	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
+.PHONY: verify-$(call number,$1)
+verify-$(call number,$1): $(patsubst %,$(T)/$1.%.result,solution starter behave) \
+        $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
+	@cat $$^ | sh tests/tools/count.sh
+endef
+$(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
+define variant_test
+$(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
+        $(call mistakes_of,$(patsubst %/,%,$(dir $1))) tests/tools/verify.sh
+	$$(call say,test,$1)
+	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
+endef
+$(foreach v,$(MISTAKES),$(eval $(call variant_test,$v,mistake)))
+$(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))
+
+# ---- unit laws of common/, and deliberate mistakes that they must catch -----
+
+UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
+             $(wildcard tests/unit/*.c)))
+UNIT_FLAGS = -Itests/unit $(CHECK_CFLAGS)
+UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+$(BUILD)/unit/unit.o: tests/unit/unit.c Makefile | $(DEPS)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
+$(BUILD)/unit/%: tests/unit/%.c $(BUILD)/unit/unit.o $(LIB)
+	$(call say,cc,$<)
+	$(Q)$(COMPILE) $(UNIT_FLAGS) $< -o $@ $(BUILD)/unit/unit.o $(UNIT_LIBS)
+$(T)/unit.%.result: $(BUILD)/unit/%
+	$(call say,test,unit $*)
+	$(Q)mkdir -p $(@D) && { $< > $@ || true; }
+
+# name,file,unit,caught-by of every entry
+UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
+    $$1 == "file:" { file = $$2 } $$1 == "unit:" { unit = $$2 } \
+    $$1 == "caught-by:" { print name "," file "," unit "," $$2 }' \
+    tests/unit/mistakes.txt)
+comma := ,
+unit_field = $(word $2,$(subst $(comma), ,$1))
+define unit_mistake
+$(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
+        $(BUILD)/unit/unit.o $(LIB)
+	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
+	$(Q)$$(COMPILE) -w $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
+	    $$(word 4,$$^) $$(UNIT_LIBS)
+$(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
+	$$(call say,test,common/ with $1)
+	$(Q)mkdir -p $$(@D) && { $$< 2>&1 || true; } | awk '{ said = said $$$$0 "\n" } \
+	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
+	    END { if (caught) print "ok common/ with $1 is caught"; \
+	          else print "FAIL common/ with $1 is not caught: " said }' > $$@
+endef
+$(foreach m,$(UNIT_MISTAKES),$(eval $(call unit_mistake,$(call \
+    unit_field,$m,1),$(call unit_field,$m,2),$(call unit_field,$m,3),$(call \
+    unit_field,$m,4))))
+UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
+                    unit_field,$m,1).result)
+
+# ---- the whole, in other builds, and the closing line -----------------------
+
+STUDY_PROGRAMS := $(STUDIES:%=$(BUILD)/figures/%)
+programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(COUNTED:%=$(BUILD)/figures/%)
+all: programs $(PROGRAMS:=.judge) $(STUDY_PROGRAMS) \
+     $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
+
+# what any test may rest on
+EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
+              lessons/*.c tests/*.mk tests/*/* figures/*.gp figures/*/*.gp \
+              figures/*/*.c)
+$(T)/lint.result: $(EVERYTHING) | $(DEPS)
+	$(call say,test,lint)
+	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
+$(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
+                      common/*.c
+	$(call say,test,the book is in step with the programs)
+	$(Q)mkdir -p $(@D) && if said=$$(BUILD='$(BUILD)' sh \
+	        tests/tools/workbook.sh check); \
+	    then echo 'ok the book is in step with the programs'; \
+	    else echo "FAIL workbook: $$said"; fi > $@
+# every study's claim holds and every figure can be drawn; those in figures/ are
+# left as they are
+define figure_test
+$(T)/figure.$(subst /,.,$1).result: $(call data_of,$1) figures/$1.gp \
+        figures/style.gp tests/tools/figure.sh
+	$(Q)mkdir -p $$(@D) && if said=$$$$(sh tests/tools/figure.sh \
+	        figures/$1.gp $$< $(T)/$(subst /,.,$(call picture,$1)) 2>&1); \
+	    then echo 'ok figure $1'; else echo "FAIL figure $1: $$$$said"; fi > $$@
+endef
+DRAWN := $(filter-out speed/%,$(SCRIPTS))
+$(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
+$(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
+	$(call say,test,command lines)
+	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+$(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
+	$(call say,test,$* build)
+	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
+	    sh tests/tools/build_variants.sh $* > $@
+
+RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
+           $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
+           $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
+           $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
+           $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
+test: $(RESULTS)
+	@sh tests/tools/sizes.sh table
+	@cat $^ | sh tests/tools/count.sh
+
+memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
+	@cat $^ | sh tests/tools/count.sh
