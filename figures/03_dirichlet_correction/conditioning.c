@@ -13,6 +13,7 @@
 #include "study.h"
 #include "table.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 

@@ -11,7 +11,6 @@
 #include "study.h"
 #include "table.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 
 enum { N = 7, FIXED = 3 };
