@@ -24,7 +24,7 @@ gcc | clang)
 sanitize)
     flags='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     if ! have "${CC:-cc}" $flags; then echo 'skip sanitize: no ASan here'; exit 0; fi
-    said=$("$MAKE" programs BUILD="$dir" CFLAGS="$flags" 2>&1)
+    said=$("$MAKE" programs studies BUILD="$dir" CFLAGS="$flags" 2>&1)
     result $? 'everything compiles' "$said" ;;
 valgrind)
     if ! command -v valgrind >/dev/null; then
@@ -40,14 +40,15 @@ run=
 [ $kind = sanitize ] || run='valgrind -q --leak-check=full --error-exitcode=9'
 # The default run of every solution; of every study under the sanitizers, which
 # are quicker than valgrind.
-programs=$(ls "$dir"/solutions/[0-9][0-9]_* | grep -v '\.')
-[ $kind = valgrind ] || programs="$programs $(ls "$dir"/figures/*/* | grep -v '\.')"
-for program in $programs; do
+set -- "$dir"/solutions/[0-9][0-9]_*
+[ $kind = valgrind ] || set -- "$@" "$dir"/figures/*/*
+for program in "$@"; do
+    case ${program##*/} in *.*) continue ;; esac
     said=$($run "$program" 2>&1 >/dev/null)
     result $? "${program#"$dir"/} is clean" "$said"
 done
 for program in "$dir"/unit/*; do
-    case $program in *.*) continue ;; esac
+    case ${program##*/} in *.*) continue ;; esac
     # Check keeps its own structures to the end of the process
     said=$(ASAN_OPTIONS=detect_leaks=0 $(echo "$run" | sed 's/--leak-check=full//') \
         "$program" 2>&1)
