@@ -4,6 +4,8 @@
 # KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
 # UBSan), valgrind (no leak, no invalid access).  Prints ok, FAIL, skip lines.
 set -u
+LC_ALL=C
+export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 kind=$1 dir=$BUILD/$1
 result() {

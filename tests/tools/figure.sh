@@ -5,6 +5,8 @@
 # half-way leaves a truncated file; so OUT is written beside its place and moved
 # there only if gnuplot said nothing and the picture is whole.
 set -u
+LC_ALL=C
+export LC_ALL
 script=$1 data=$2 out=$3
 part=$out.part
 said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)

@@ -3,6 +3,8 @@
 #
 # Prints "ok lint: RULE" or "FAIL lint: RULE: where".
 set -u
+LC_ALL=C
+export LC_ALL
 rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
