@@ -18,6 +18,11 @@ struct material material_make(enum law law, double E, double nu)
                              E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))};
 }
 
+struct material material_notes(enum law law)
+{
+    return material_make(law, 1000.0, 0.3);
+}
+
 double material_modulus(const struct material *material)
 {
     return 2.0 * material->mu + material->lambda;

@@ -4,6 +4,26 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
+double bvp_beta(double x)
+{
+    return 1.0 + x;
+}
+
+double bvp_f(double x)
+{
+    return 1.0 / ((1.0 + x) * (1.0 + x));
+}
+
+double bvp_exact(double x)
+{
+    return 2.0 - 1.0 / (1.0 + x) - log1p(x);
+}
+
+double bvp_exact_dx(double x)
+{
+    return -x / ((1.0 + x) * (1.0 + x));
+}
+
 const struct quadrature MIDPOINT = {1, {0.5}, {1.0}};
 const struct quadrature TRAPEZOID = {2, {0.0, 1.0}, {0.5, 0.5}};
 /* at 1/2 -+ 1 / (2 sqrt(3)) */

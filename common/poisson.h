@@ -17,6 +17,11 @@
 /* A given function of x: beta, f, an exact solution or its derivative. */
 typedef double field(double x);
 
+/* The lecture's boundary value problem [eq:poisson-bvp]: beta = 1 + x, f =
+ * (1+x)^-2 in (0, 1), u(0) = 1, beta u'(1) = -1/2; its solution u = 2 - 1/(1+x)
+ * - ln(1+x) and u'. */
+field bvp_beta, bvp_f, bvp_exact, bvp_exact_dx;
+
 /*
  * Nodes of n elements on (a, b): x[0..n], x[0] = a and x[n] = b exactly.  The
  * element lengths form a geometric sequence with h_n / h_1 = grading > 0;

@@ -26,6 +26,7 @@ double root_of(study_function *f, void *context, double low, double high)
     gsl_function function = {f, context};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver) die("out of memory");
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
     gsl_root_fsolver_set(solver, &function, low, high);
     for (int k = 0; k < 200; k++) {
         if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
@@ -36,6 +37,7 @@ double root_of(study_function *f, void *context, double low, double high)
                                    1e-15) == GSL_SUCCESS)
             break;
     }
+    gsl_set_error_handler(old);
     const double root = gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
     return root;

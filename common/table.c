@@ -3,16 +3,44 @@
 
 #include "status.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+static int n_column; /* of the table begun last, which every row is held to */
+
 static void print_header(const char *columns)
 {
-    for (; *columns; columns++) putchar(*columns == ' ' ? '\t' : *columns);
+    n_column = 1;
+    for (; *columns; columns++) {
+        if (*columns == ' ') n_column++;
+        putchar(*columns == ' ' ? '\t' : *columns);
+    }
     putchar('\n');
+}
+
+struct cell cell_number(double number)
+{
+    return (struct cell){.number = number};
+}
+
+struct cell cell_word(const char *word)
+{
+    assert(word && *word && !strpbrk(word, "\t\r\n"));
+    return (struct cell){.word = word};
+}
+
+struct cell cell_itself(struct cell cell)
+{
+    return cell;
+}
+
+struct cell cell_if(int present, double number)
+{
+    return present ? cell_number(number) : cell_word(MISSING);
 }
 
 void table_begin(const char *name, const char *columns)
@@ -33,10 +61,25 @@ void table_begin_note(const char *name, const char *columns, const char *note,
     print_header(columns);
 }
 
-void table_row_of(int n, const double value[])
+static void print_cell(struct cell cell, int last)
 {
-    for (int i = 0; i < n; i++)
-        printf("%.17g%c", value[i], i + 1 < n ? '\t' : '\n');
+    if (cell.word)
+        fputs(cell.word, stdout);
+    else
+        printf("%.17g", cell.number);
+    putchar(last ? '\n' : '\t');
+}
+
+void table_cells(int n, const struct cell row[])
+{
+    assert(n == n_column);
+    for (int i = 0; i < n; i++) print_cell(row[i], i + 1 == n);
+}
+
+void table_numbers(int n, const double row[])
+{
+    assert(n == n_column);
+    for (int i = 0; i < n; i++) print_cell(cell_number(row[i]), i + 1 == n);
 }
 
 void table_end(void)

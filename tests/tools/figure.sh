@@ -1,5 +1,5 @@
 #!/bin/sh
-# figure.sh SCRIPT DATA OUT - draw one figure, or leave no file behind.
+# figure.sh SCRIPT DATA OUT - draw one figure, or leave OUT as it was.
 #
 # gnuplot warns and exits with 0 when data is missing, and a script that fails
 # half-way leaves a truncated file; so OUT is written beside its place and moved
@@ -11,8 +11,10 @@ script=$1 data=$2 out=$3
 part=$out.part
 said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)
 status=$?
-# of a GIF gnuplot says how many frames it has
-said=$(echo "$said" | grep -v '^[0-9]* frames in animation sequence$')
+# of a GIF gnuplot says how many frames it has; in the C locale it has no degree
+# sign of its own, which no script uses
+said=$(echo "$said" | grep -v -e '^[0-9]* frames in animation sequence$' \
+    -e 'iconv failed to convert degree sign')
 whole() { # an SVG ends with its tag, a GIF with a semicolon
     case $out in
     *.gif) [ "$(tail -c 1 "$part")" = ';' ] ;;
@@ -20,7 +22,7 @@ whole() { # an SVG ends with its tag, a GIF with a semicolon
     esac 2>/dev/null
 }
 if [ $status -ne 0 ] || [ -n "$said" ] || ! whole; then
-    rm -f "$part" "$out"
+    rm -f "$part"
     echo "figure: $script failed: ${said:-no picture}" >&2
     exit 1
 fi

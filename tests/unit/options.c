@@ -1,9 +1,8 @@
-/* options.c - laws of common/options.h, table.h, status.h and clock.h. */
+/* options.c - laws of common/options.h, status.h and clock.h. */
 #include "options.h"
 
 #include "clock.h"
 #include "status.h"
-#include "table.h"
 #include "unit.h"
 
 #include <math.h>
@@ -106,40 +105,6 @@ static void help_lists_the_options(void)
     ck_assert_ptr_null(strstr(end.out, "went on"));
 }
 
-static void print_tables(void)
-{
-    table_begin("first", "x u");
-    table_row(0, 0.1);
-    table_row(1, -2.0 / 3.0);
-    table_end();
-    table_begin_note("second", "k", "n = %d", 7);
-    table_row(3);
-    table_end();
-    exit(table_finish());
-}
-
-static void tables_have_their_format(void)
-{
-    ck_assert_str_eq(outcome_of(print_tables).out,
-                     "# first\nx\tu\n0\t0.10000000000000001\n"
-                     "1\t-0.66666666666666663\n\n\n"
-                     "# second\n# n = 7\nk\n3\n\n\n");
-}
-
-static void print_to_full_disk(void)
-{
-    if (!freopen("/dev/full", "w", stdout)) exit(77);
-    print_tables();
-}
-
-static void a_full_disk_is_an_error(void)
-{
-    const struct outcome end = outcome_of(print_to_full_disk);
-    if (end.status == 77) return; /* no /dev/full here */
-    ck_assert_int_eq(end.status, 1);
-    ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
-}
-
 static void call_todo(void)
 {
     todo("7a", 3, 2.385);
@@ -177,8 +142,6 @@ static const struct unit_law laws[] = {
     {"message_names_option_value_and_range",
      message_names_option_value_and_range},
     {"help_lists_the_options", help_lists_the_options},
-    {"tables_have_their_format", tables_have_their_format},
-    {"a_full_disk_is_an_error", a_full_disk_is_an_error},
     {"todo_names_its_slot", todo_names_its_slot},
     {"statuses_have_names", statuses_have_names},
     {"clock_moves_and_machine_has_a_name", clock_moves_and_machine_has_a_name},

@@ -1,4 +1,4 @@
-# 03_dirichlet_correction_sparsity.gp - A before and after the correction, and
+# conditioning.gp - A before and after the correction, and
 # what the diagonal entry does to the condition number.
 #
 # Reads   data  tables A, A_corrected (i j value), condition (n kept one)
