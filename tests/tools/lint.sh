@@ -3,10 +3,13 @@
 #
 # Prints "ok lint: RULE" or "FAIL lint: RULE: where".
 set -u
+LC_ALL=C
+export LC_ALL
 rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
-sources=$(ls common/*.[ch] solutions/*.c tests/*/*.[ch])
+studies=$(ls figures/*/*.c tests/bench/*.c 2>/dev/null)
+sources=$(ls common/*.[ch] solutions/*.c figures/*/*.c tests/*/*.[ch])
 lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
@@ -41,44 +44,75 @@ rule 'lines of at most 80 columns' \
 rule 'no // comments' "$(grep -nE '(^|[^:"])//' $sources)"
 rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile)"
 
+# ---- the book -----------------------------------------------------------------
+book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
+rule 'workbook.md has at most 500 lines' \
+    "$(awk 'END { if (NR > 500) print NR }' workbook.md)"
+rule 'every chapter is in the contents' \
+    "$(for f in $book; do case $f in
+        workbook.md | solutions/*) ;;
+        *) grep -qF "]($f)" workbook.md || echo "$f" ;;
+    esac; done)"
+rule 'hints and answers are in solutions/, not in a chapter' \
+    "$(grep -nE '<summary>(Hint|Answer)' workbook.md lessons/*.md figures/*/README.md)"
+rule 'every formula survives Markdown (tests/tools/math.awk)' \
+    "$(awk -f tests/tools/math.awk README.md $book)"
+rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
+    "$(grep -nE '^ *<!-- n ' $book)"
+
+# What the text links to, as FILE:TARGET from the top of the tree.
+links=$(for f in README.md $book; do
+    awk '/^ *```/ { fence = !fence; next } !fence' "$f" | grep -oE '\]\([^)]*\)' |
+        sed -n 's/^](\([^#)][^#)]*\).*/\1/p' | grep -v '^https*:' |
+        sed "s|^|$(dirname "$f")/|; s|^\./||
+             :up
+             s|[^/.][^/]*/\.\./||; t up
+             s|^|$f:|"
+done)
+rule 'every picture and file that the text names is there' \
+    "$(echo "$links" | while IFS=: read -r f target; do
+        [ -s "$target" ] || echo "$f: $target"; done)"
+
 # ---- equation labels ----------------------------------------------------------
+labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
+undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
 defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
-cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c tests/bench/*.c | tr '\n' ' ' |
-    grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u)
+cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule 'every label cited by code is defined in workbook.md' \
-    "$(for c in $cited; do echo "$defined" | grep -qxF "$c" || echo "$c"; done)"
+    "$(echo "$cited" | undefined)"
 rule 'every label of workbook.md is cited by code' \
     "$(for d in $defined; do echo "$cited" | grep -qxF "$d" || echo "$d"; done)"
-rule 'every label cited in workbook.md is defined there' \
-    "$(grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' workbook.md | tr -d '[]' | sort -u |
-        while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done)"
+rule 'every label cited in the book is defined in workbook.md' \
+    "$(cat $book | labels | undefined)"
 
 # ---- each lesson is whole -----------------------------------------------------
 for slug in $lessons; do
     nn=${slug%%_*}
     missing=
-    for file in "lessons/$slug.c" "tests/checks/$slug.c" "tests/mistakes/$slug.txt"; do
+    for file in "lessons/$slug.c" "lessons/$slug.md" "solutions/$slug.md" \
+        "tests/checks/$slug.c" "tests/mistakes/$slug.txt"; do
         [ -f "$file" ] || missing="$missing $file"
     done
-    ls figures/"$slug"_*.gp >/dev/null 2>&1 || missing="$missing figure"
-    grep -q "^## Lesson $nn: " workbook.md || missing="$missing chapter"
+    ls figures/"$slug"/*.gp >/dev/null 2>&1 || missing="$missing figure"
+    head -n 1 "lessons/$slug.md" | grep -q "^# Lesson $nn: " ||
+        missing="$missing chapter's-title"
     grep -q '^ \* Plot: ' "solutions/$slug.c" || missing="$missing Plot:line"
     list=tests/mistakes/$slug.txt
     [ "$(grep -c '^mistake: ' "$list")" -ge 5 ] || missing="$missing five-mistakes"
     grep -q '^verdict: NONFINITE' "$list" || missing="$missing NONFINITE-mistake"
     grep -q '^equivalent: ' "$list" || missing="$missing equivalent-program"
-    chapter=$(awk -v lesson="$nn" '/^## / { here = ($0 ~ "^## Lesson " lesson) } here' workbook.md)
+    hints=solutions/$slug.md
     for slot in $(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c"); do
         for level in 1 2 3; do
-            printf '%s\n' "$chapter" | grep -q "<summary>Hint $level: slot $slot" ||
+            grep -q "<summary>Hint $level: slot $slot" "$hints" ||
                 missing="$missing hint-$level-for-$slot"
         done
     done
-    printf '%s\n' "$chapter" | grep -q '<summary>Answer' || missing="$missing answer"
+    grep -q '<summary>Answer' "$hints" || missing="$missing answer"
     rule "lesson $nn is whole" "$missing"
     rule "hints of lesson $nn name checks or slots that exist" \
-        "$(printf '%s\n' "$chapter" | sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' |
+        "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |
             while read -r what; do
                 case $what in
                 slot*) grep -q "SLOT ${what#slot }(" "solutions/$slug.c" || echo "$what" ;;
@@ -94,19 +128,15 @@ for slug in $lessons; do
 done
 
 # ---- figures ------------------------------------------------------------------
-plots=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
+plots=$(ls figures/*/*.gp)
 picture() { # what a script makes
     if grep -q '^set terminal gif' "$1"; then echo "${1%.gp}.gif"; else echo "${1%.gp}.svg"; fi
 }
 rule 'every figure is committed' \
     "$(for f in $plots; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
-rule 'every figure is in workbook.md' \
-    "$(for f in $plots; do grep -qF "($(picture "$f"))" workbook.md || echo "$f"; done)"
-rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
-    "$(grep -nE '^ *<!-- n ' workbook.md)"
-rule 'every picture that the text names is there' \
-    "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
-        while read -r f; do [ -s "$f" ] || echo "$f"; done)"
+rule 'every figure is in the book' \
+    "$(for f in $plots; do
+        echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

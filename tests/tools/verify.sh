@@ -4,6 +4,8 @@
 # Prints lines "ok WHAT" and "FAIL WHAT: why" and exits with 0; the Makefile
 # counts the lines.  KIND is solution, starter, mistake, equivalent or behave.
 set -u
+LC_ALL=C
+export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 kind=$1 slug=$2 name=${3:-}
 nn=${slug%%_*}
