@@ -335,7 +335,8 @@ static void gsl_band_cholesky_needs_unpadded_rows(void)
     matrix_free(A);
 }
 
-/* beta = 1, both ends given: (2/h) (1 - cos k pi h) [eq:stiffness-eigenvalues] */
+/* beta = 1, both ends given: (2/h) (1 - cos k pi h)
+ * [eq:stiffness-eigenvalues]. */
 static void eigenvalues_are_those_in_closed_form(void)
 {
     enum { n = 12 };

@@ -117,7 +117,8 @@ static void a_step_that_fails_is_not_counted(void)
     const struct step_control none = {1e-12, 0, FROM_LAST, 0, 0, 0, NEVER};
     ck_assert_int_eq(scene_step(scene, &none).status, MAX_ITERATIONS);
     ck_assert_int_eq(scene->steps, 0);
-    for (int r = 0; r < scene->n_dof; r++) ck_assert_double_eq(scene->u[r], 0.0);
+    for (int r = 0; r < scene->n_dof; r++)
+        ck_assert_double_eq(scene->u[r], 0.0);
     scene_free(scene);
 }
 
