@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -251,6 +252,7 @@ struct output *output_of(const char *program, const char *options,
         redirect(STDOUT_FILENO, out);
         redirect(STDERR_FILENO, err);
         set_limits();
+        signal(SIGALRM, SIG_DFL); /* not Check's handler */
         alarm(SECONDS_WAITING);
         if (!program) exit(program_main(argc, argv));
         execv(program, argv);
