@@ -3,8 +3,8 @@
  *
  * The last step that the notes' method survives while the ends are pushed
  * together (compress, cubic law, n = 8), and the same step projected on demand,
- * from the same state.  Table two_answers: Phi [eq:incremental-potential] of
- * both answers, and whether K there, the curvature of Phi, is positive definite.
+ * from the same state.  Table: Phi [eq:incremental-potential] of both answers,
+ * and whether K there, the curvature of Phi, is positive definite.
  */
 #include "scene.h"
 #include "study.h"
