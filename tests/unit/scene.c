@@ -122,6 +122,45 @@ static void a_step_that_fails_is_not_counted(void)
     scene_free(scene);
 }
 
+/* Within reach, both ways, and the same again; the held vertices stay. */
+static void scattered_vertices_stay_within_reach(void)
+{
+    struct scene *scene = scene_of(GRAVITY, CUBIC, 6);
+    double *first = vector(scene, 0.0), least = 0.0, most = 0.0;
+    scene_scatter(scene, 3, 0.25);
+    memcpy(first, scene->u, (size_t)scene->n_dof * sizeof *first);
+    for (int r = 0; r < scene->n_dof; r++) {
+        if (scene->held[r / 2]) ck_assert_double_eq(first[r], 0.0);
+        least = fmin(least, first[r]);
+        most = fmax(most, first[r]);
+    }
+    ck_assert(least > -0.25 && least < -0.2 && most > 0.2 && most < 0.25);
+    scene_scatter(scene, 4, 0.25);
+    ck_assert(scene->u[scene->n_dof - 1] != first[scene->n_dof - 1]);
+    scene_scatter(scene, 3, 0.25);
+    for (int r = 0; r < scene->n_dof; r++)
+        ck_assert_double_eq(scene->u[r], first[r]);
+    free(first);
+    scene_free(scene);
+}
+
+/* The least J of the triangles is that of the body; one is where it was put. */
+static void triangles_have_the_J_of_the_body(void)
+{
+    struct scene *scene = scene_of(RIGID, CUBIC, 3);
+    double *u = vector(scene, 0.2), x[6], least = INFINITY;
+    for (int e = 0; e < scene->mesh->n_triangle; e++) {
+        least = fmin(least, scene_triangle(scene, u, e, x));
+        for (int r = 0; r < 6; r++) {
+            const int dof = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
+            close_to(x[r], scene->mesh->X[dof] + u[dof], 1e-15);
+        }
+    }
+    close_to(least, body_min_J(scene->body, u), 1e-13);
+    free(u);
+    scene_free(scene);
+}
+
 static void every_scene_has_its_word(void)
 {
     char words[128] = "";
@@ -256,6 +295,9 @@ static const struct unit_law laws[] = {
      a_spin_starts_with_its_energy_and_momenta},
     {"gravity_pulls_downwards", gravity_pulls_downwards},
     {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
+    {"scattered_vertices_stay_within_reach",
+     scattered_vertices_stay_within_reach},
+    {"triangles_have_the_J_of_the_body", triangles_have_the_J_of_the_body},
     {"every_scene_has_its_word", every_scene_has_its_word},
     {"force_and_stiffness_are_derivatives",
      force_and_stiffness_are_derivatives},
