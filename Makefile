@@ -104,7 +104,7 @@ $(LIB): $(OBJECTS)
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(if $(filter banded,$*),$(NATIVE)) \
+	    $(if $(filter banded readable,$*),$(NATIVE)) \
 	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
 	    -c $< -o $@
 
