@@ -53,7 +53,8 @@ static void print_state(const struct scene *s, int iterations)
 /* The iterations of a step; when it failed, also the one not made. */
 static void print_newton(int step, const struct report *report)
 {
-    const int failed = report->status != OK && report->status != INVERTED;
+    const int failed =
+        report->status != OK && report->residual[report->iterations] > 0.0;
     table_begin_note("newton", "k residual increment", "step %d", step);
     for (int k = 0; k < report->iterations + failed; k++)
         table_row(k, report->residual[k],
@@ -180,7 +181,7 @@ int main(int argc, char *argv[])
     const struct option options[] = {
         {"scene", .choice = &reading, .choices = SCENES, .help = "see scene.h"},
         {"law", .choice = &law, .choices = "log cubic", .help = "r"},
-        {"n", .integer = &set.n, .min = 1, .max = 60, .help = "n x n squares"},
+        {"n", .integer = &set.n, .min = 2, .max = 60, .help = "n x n squares"},
         {"steps", .integer = &steps, .min = 1, .max = 1000, .help = "how many"},
         {"dt", .real = &set.dt, .min = 1e-6, .max = 10, .unit = "s",
          .help = "time step"},
