@@ -1,9 +1,7 @@
-# 12_backward_euler_2d_energies.gp - what backward Euler loses: energy, of a
-# body that swings under gravity; angular momentum, of one that spins freely.
+# energies.gp - what backward Euler loses: energy, of a body that swings under
+# gravity; angular momentum, of one that spins freely.
 # Reads   data  tables energies, spin
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/12_backward_euler_2d.tsv"
-if (!exists("out"))  out  = "figures/12_backward_euler_2d_energies.svg"
 load "figures/style.gp"
 set terminal svg size 900,440
 set output out

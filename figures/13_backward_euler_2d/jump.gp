@@ -1,17 +1,15 @@
-# 12_backward_euler_2d_first_step.gp - why the first step fails: the start of
-# the notes after both ends jumped to the right by 0.85 h, the solution, and the
-# iterations against the jump; crosses on top: no solution.
+# jump.gp - why the first step fails: the start of the notes after both ends
+# jumped to the right by 0.85 h, the solution, and the iterations against the
+# jump; crosses on top: no solution.
 # Reads   data  tables guess, jump
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/12_backward_euler_2d.tsv"
-if (!exists("out"))  out  = "figures/12_backward_euler_2d_first_step.svg"
 load "figures/style.gp"
 set terminal svg size 980,400
 set output out
 
 triangles(moved) = sprintf( \
     "< awk -F'\t' '$0 == \"# guess\" { on = 1; next } NF == 0 { on = 0 } \
-     on && $1 == 0 && ($2 > 0) == %d { \
+     on && $1 == \"rigid\" && ($2 > 0) == %d { \
          print $4, $5, $3; print $6, $7, $3; print \"\"; \
          print $8, $9, $3; print $8, $9, $3; print \"\"; print \"\" }' '%s'", \
     moved, data)
@@ -69,8 +67,8 @@ set ytics 4, 1, 9
 set xlabel "jump Δg / h"
 set ylabel "iterations" offset 0.5
 set label 2 "no solution found" at 0.235, 10.15 font ",11"
-done(name) = column(name) > 0 ? column(name) : NaN
-lost(name, y) = column(name) > 0 ? NaN : y
+done(name) = strcol(name) eq "-" ? NaN : column(name)
+lost(name, y) = strcol(name) eq "-" ? y : NaN
 plot data index "jump" using "jump":(done("log")) with linespoints ls 1 \
          title "log", \
      "" index "jump" using "jump":(lost("log", 10.5)) with points pt 2 ps 1 \

@@ -1,9 +1,7 @@
-# 12_backward_euler_2d_motion.gp - a free square that starts with 6 rad/s and
-# (0.2, 0.1) m/s, each time step of 1/30 s a frame: it ought to spin on.
+# motion.gp - a free square that starts with 6 rad/s and (0.2, 0.1) m/s, each
+# time step of 1/30 s a frame: it ought to spin on.
 # Reads   data  table motion
 # Writes  out   GIF
-if (!exists("data")) data = "build/data/12_backward_euler_2d.tsv"
-if (!exists("out"))  out  = "figures/12_backward_euler_2d_motion.gif"
 load "figures/style.gp"
 set terminal gif animate delay 7 loop 0 size 360,380 medium noenhanced \
     background rgb "white"

@@ -1,9 +1,7 @@
-# 12_backward_euler_2d_gallery.gp - four scenes at three times, n = 6, cubic law;
-# triangles coloured by J.
+# readings.gp - four scenes at three times, n = 6, cubic law; triangles coloured
+# by J.
 # Reads   data  table gallery
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/12_backward_euler_2d.tsv"
-if (!exists("out"))  out  = "figures/12_backward_euler_2d_gallery.svg"
 load "figures/style.gp"
 set terminal svg size 760,940
 set output out
@@ -11,7 +9,7 @@ set output out
 # The triangles of one scene at one time, each as a surface of 2 x 2 points.
 triangles(scene, t) = sprintf( \
     "< awk -F'\t' '$0 == \"# gallery\" { on = 1; next } NF == 0 { on = 0 } \
-     on && $1 == %d && ($2 - %f)^2 < 1e-6 { \
+     on && $1 == \"%s\" && ($2 - %f)^2 < 1e-6 { \
          print $4, $5, $3; print $6, $7, $3; print \"\"; \
          print $8, $9, $3; print $8, $9, $3; print \"\"; print \"\" }' '%s'", \
     scene, t, data)
@@ -33,7 +31,6 @@ set xtics 1 scale 0.5
 set ytics 1 scale 0.5
 set format "%g"
 array Name[4] = ["stretch", "compress", "gravity", "spin"]
-array Scene[4] = [2, 3, 5, 7]
 set multiplot
 do for [row = 1:4] { do for [frame = 1:3] {
     set lmargin at screen 0.09 + 0.27 * (frame - 1)
@@ -57,6 +54,6 @@ do for [row = 1:4] { do for [frame = 1:3] {
             size screen 0.022, screen 0.40
         set cblabel "J = det F" offset 0.5
         set cbtics 0.25 }
-    splot triangles(Scene[row], frame / 3.0) using 1:2:3 with pm3d
+    splot triangles(Name[row], frame / 3.0) using 1:2:3 with pm3d
 } }
 unset multiplot
