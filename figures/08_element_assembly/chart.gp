@@ -1,4 +1,4 @@
-# 08_element_assembly_chart.gp - the speed-accuracy chart: what an error costs.
+# chart.gp - the speed-accuracy chart: what an error costs.
 #
 # Expected: error ~ n^-2 and cost ~ n (banded) or n^3 (dense), hence slopes -2
 # and -2/3.  A run that is not valid has no time: a cross at the top.

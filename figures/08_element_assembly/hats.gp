@@ -1,4 +1,4 @@
-# 08_element_assembly_hats.gp - one element's share of the hats and of A.
+# hats.gp - one element's share of the hats and of A.
 #
 # Left: the hat functions on a small unequal grid, one element's two halves in
 # colour.  Right: the pattern of A; each element adds a square of four entries,
