@@ -50,6 +50,17 @@ struct matrix *matrix_copy(const struct matrix *A)
     return copy;
 }
 
+struct matrix *matrix_block(const struct matrix *A, int first, int n)
+{
+    assert(0 <= first && first + n <= A->n);
+    struct matrix *block = matrix_alloc(A->storage, n, A->p);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            if (abs(i - j) <= block->p)
+                matrix_add(block, i, j, matrix_get(A, first + i, first + j));
+    return block;
+}
+
 void matrix_free(struct matrix *A)
 {
     if (!A) return;
@@ -260,4 +271,14 @@ double matrix_residual(const struct matrix *A, const double x[],
 size_t matrix_bytes(const struct matrix *A)
 {
     return (size_t)A->n * A->stride * sizeof *A->a;
+}
+
+struct matrix_cost matrix_cost(enum storage storage, int n, int p)
+{
+    const double order = n, q = storage == DENSE ? n - 1 : p;
+    const struct matrix_cost cost = {
+        order * (q + 1.0), /* n - q full columns, then q, q - 1, ... below */
+        (order - q) * (q + 1.0) * (q + 1.0) +
+            q * (q + 1.0) * (2.0 * q + 1.0) / 6.0};
+    return cost;
 }

@@ -5,6 +5,26 @@
 #include <gsl/gsl_sf_log.h>
 #include <math.h>
 
+double smooth_beta(double x)
+{
+    return exp(x);
+}
+
+double smooth_f(double x)
+{
+    return 2.0 * exp(x) * (2.0 * sin(2.0 * x) - cos(2.0 * x));
+}
+
+double smooth_exact(double x)
+{
+    return sin(2.0 * x);
+}
+
+double smooth_exact_dx(double x)
+{
+    return 2.0 * cos(2.0 * x);
+}
+
 double bvp_beta(double x)
 {
     return 1.0 + x;

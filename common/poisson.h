@@ -17,6 +17,10 @@
 /* A given function of x: beta, f, an exact solution or its derivative. */
 typedef double field(double x);
 
+/* A smooth problem of which no rule has the integrals: beta = e^x and f so that
+ * u = sin 2x in (0, 1); u' with it. */
+field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
+
 /* The lecture's boundary value problem [eq:poisson-bvp]: beta = 1 + x, f =
  * (1+x)^-2 in (0, 1), u(0) = 1, beta u'(1) = -1/2; its solution u = 2 - 1/(1+x)
  * - ln(1+x) and u'. */

@@ -399,6 +399,45 @@ static void a_combination_is_entry_by_entry(void)
     matrix_free(A), matrix_free(B), matrix_free(C);
 }
 
+static void a_block_has_the_entries_of_its_rows(void)
+{
+    for (int s = DENSE; s <= BANDED; s++)
+        for (int n = 1; n <= 6; n++) {
+            struct matrix *A = random_matrix((enum storage)s, 3);
+            struct matrix *B = matrix_block(A, 2, n);
+            ck_assert(B->storage == A->storage && B->n == n);
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < n; j++)
+                    ck_assert(matrix_get(B, i, j) ==
+                              matrix_get(A, i + 2, j + 2));
+            matrix_free(A), matrix_free(B);
+        }
+}
+
+/* Flops of the textbook's loop, step by step. */
+static void costs_are_counted(void)
+{
+    for (int n = 1; n < 30; n++)
+        for (int p = 0; p < n; p++) {
+            struct matrix *A = matrix_alloc(BANDED, n, p < 12 ? p : 12);
+            const struct matrix_cost cost = matrix_cost(BANDED, n, p);
+            const struct matrix_cost dense = matrix_cost(DENSE, n, p);
+            double flops = 0.0, all = 0.0;
+            for (int k = 0; k < n; k++) {
+                const int m = n - 1 - k < p ? n - 1 - k : p;
+                flops += (m + 1) * (m + 1);
+                all += (n - k) * (n - k);
+            }
+            close_to(cost.flops, flops, 1e-9);
+            close_to(dense.flops, all, 1e-9);
+            close_to(dense.numbers, n * n, 1e-9);
+            if (p < 12)
+                close_to(8.0 * cost.numbers, (double)matrix_bytes(A), 1e-9);
+            matrix_free(A);
+        }
+    close_to(matrix_cost(DENSE, 100001, 1).numbers, 10000200001.0, 1e-4);
+}
+
 static const struct unit_law laws[] = {
     {"solve_equals_lu_for_every_storage_and_bandwidth",
      solve_equals_lu_for_every_storage_and_bandwidth},
@@ -420,6 +459,9 @@ static const struct unit_law laws[] = {
     {"negative_pivots_count_negative_eigenvalues",
      negative_pivots_count_negative_eigenvalues},
     {"a_combination_is_entry_by_entry", a_combination_is_entry_by_entry},
+    {"a_block_has_the_entries_of_its_rows",
+     a_block_has_the_entries_of_its_rows},
+    {"costs_are_counted", costs_are_counted},
     {"gsl_band_cholesky_needs_unpadded_rows",
      gsl_band_cholesky_needs_unpadded_rows},
 };

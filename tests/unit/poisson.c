@@ -161,6 +161,25 @@ static void rows_sum_to_zero_and_loads_to_the_integral(void)
     matrix_free(A);
 }
 
+/* u' is the derivative of u and -(beta u')' is f, by central differences. */
+static void given_problems_solve_their_equation(void)
+{
+    static field *const problem[][4] = {
+        {bvp_beta, bvp_f, bvp_exact, bvp_exact_dx},
+        {smooth_beta, smooth_f, smooth_exact, smooth_exact_dx}};
+    const double h = 1e-5;
+    for (int k = 0; k < COUNT(problem); k++) {
+        field *beta = problem[k][0], *f = problem[k][1];
+        field *u = problem[k][2], *dx = problem[k][3];
+        for (double x = 0.0371; x < 1.0; x += 0.2385) {
+            const double l = x - h, r = x + h;
+            close_to((u(r) - u(l)) / (2.0 * h), dx(x), 1e-8);
+            close_to(-(beta(r) * dx(r) - beta(l) * dx(l)) / (2.0 * h), f(x),
+                     1e-7);
+        }
+    }
+}
+
 static void a_nan_is_not_swallowed(void)
 {
     double x[3] = {0.0, 0.5, 1.0}, u[3] = {1.0, NAN, 0.8};
@@ -246,6 +265,8 @@ static const struct unit_law laws[] = {
     {"loads_in_closed_form_equal_gsl", loads_in_closed_form_equal_gsl},
     {"the_fitted_system_is_exact_at_the_nodes",
      the_fitted_system_is_exact_at_the_nodes},
+    {"given_problems_solve_their_equation",
+     given_problems_solve_their_equation},
     {"a_nan_is_not_swallowed", a_nan_is_not_swallowed},
 };
 UNIT_MAIN("poisson", laws)
