@@ -6,9 +6,6 @@
 # Reads   data  tables K_local (e x0 x1 K00 ..), nodes (x)
 # Writes  out   SVG
 
-if (!exists("data")) data = "build/data/08_element_assembly.tsv"
-if (!exists("out"))  out  = "figures/08_element_assembly_hats.svg"
-
 load "figures/style.gp"
 set terminal svg size 860,400
 set output out
