@@ -105,10 +105,10 @@ static void assemble(int n, const double x[], field *beta, field *f,
                      const struct quadrature *rule, const int order[],
                      struct matrix *A, double b[])
 {
-    /* SLOT 8b(n, x, beta, f, rule, order, A, b): start from zero; visit the
-     * elements in the given order and add what each contributes to A (with
-     * matrix_add) and to b. */
-    todo("8b", n, x, beta, f, rule, order, A, b);
+    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): start from zero; visit
+     * the elements in the given order and add what each contributes to A
+     * (with matrix_add) and to b. */
+    todo("8b", n, x, beta, f, rule, order, A, b, element);
     /* END 8b */
 }
 
@@ -134,11 +134,11 @@ static struct point measure(const struct matrix *A, const double b[],
                             int repeats, double u[])
 {
     struct point point = {.status = OK};
-    /* SLOT 8d(A, b, repeats, u, &point): factor a copy and solve, `repeats`
-     * times, with the clock around these two calls only; keep the shortest
-     * time.  Then judge by matrix_backward_error(): not valid, no time (NaN
+    /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): factor a copy and
+     * solve, `repeats` times, with the clock around these two calls only;
+     * keep the shortest time.  Then judge by matrix_backward_error(): not valid, no time (NaN
      * included). */
-    todo("8d", A, b, repeats, u, &point);
+    todo("8d", A, b, repeats, u, &point, BACKWARD_EPS);
     /* END 8d */
     return point;
 }

@@ -117,9 +117,9 @@ static void assemble(int n, const double x[], field *beta, field *f,
                      const struct quadrature *rule, const int order[],
                      struct matrix *A, double b[])
 {
-    /* SLOT 8b(n, x, beta, f, rule, order, A, b): start from zero; visit the
-     * elements in the given order and add what each contributes to A (with
-     * matrix_add) and to b. */
+    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): start from zero; visit
+     * the elements in the given order and add what each contributes to A
+     * (with matrix_add) and to b. */
     matrix_zero(A);
     for (int i = 0; i <= n; i++) b[i] = 0.0;
 
@@ -163,9 +163,9 @@ static struct point measure(const struct matrix *A, const double b[],
                             int repeats, double u[])
 {
     struct point point = {.status = OK};
-    /* SLOT 8d(A, b, repeats, u, &point): factor a copy and solve, `repeats`
-     * times, with the clock around these two calls only; keep the shortest
-     * time.  Then judge by matrix_backward_error(): not valid, no time (NaN
+    /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): factor a copy and
+     * solve, `repeats` times, with the clock around these two calls only;
+     * keep the shortest time.  Then judge by matrix_backward_error(): not valid, no time (NaN
      * included). */
     for (int k = 0; k < repeats && point.status == OK; k++) {
         struct matrix *L = matrix_copy(A);
