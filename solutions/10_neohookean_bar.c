@@ -41,7 +41,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* struct bar, the bar of bar.h: n, h, fixed[2] (is u given at node 0, at node
+/* struct bar, the bar of bar.h: n, h, held[2] (is u given at node 0, at node
  * n?), b, material; struct newton_control and newton_report are there too. */
 
 /*
@@ -131,11 +131,11 @@ static enum status increment(const struct bar *bar, struct matrix *K,
      * matrix_dirichlet(), matrix_factor() and matrix_solve() of matrix.h. */
     const int last = bar->n, ends[2] = {0, last};
     const double zero[2] = {0.0, 0.0};
-    const int first = bar->fixed[0] ? 0 : 1;
-    const int n_fixed = bar->fixed[0] + bar->fixed[1];
+    const int first = bar->held[0] ? 0 : 1;
+    const int n_held = bar->held[0] + bar->held[1];
 
     for (int i = 0; i <= last; i++) du[i] = -q[i];
-    matrix_dirichlet(K, du, n_fixed, &ends[first], zero, UNIT_DIAGONAL);
+    matrix_dirichlet(K, du, n_held, &ends[first], zero, UNIT_DIAGONAL);
     status = matrix_factor(K);
     if (status == OK) matrix_solve(K, du);
     /* END 10d */
@@ -169,7 +169,7 @@ static struct newton_report newton(const struct bar *bar,
                                    double u[])
 {
     const size_t size = (size_t)bar->n + 1;
-    const int first = bar->fixed[0], last = bar->n - bar->fixed[1];
+    const int first = bar->held[0], last = bar->n - bar->held[1];
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(size, sizeof *q), *du = allocate(size, sizeof *du);
@@ -212,7 +212,7 @@ enum shape { UNIFORM, COSINE };
 struct scene {
     int n;
     struct material material;
-    int fixed[2];    /* is u given at 0, at 1? */
+    int held[2];    /* is u given at 0, at 1? */
     enum shape shape;
     double c;        /* body force c or c cos(pi X / 2) (N/m) */
     double g[2];     /* displacement of a held end (m) */
@@ -235,7 +235,7 @@ static struct newton_control control_for(const struct scene *scene)
     const double size = 1.0 + load / material_modulus(&scene->material) +
                         fabs(scene->g[0]) + fabs(scene->g[1]);
     return (struct newton_control){
-        size * fmax(1e-12, 8.0 * scene->n * DBL_EPSILON), 100, 0};
+        size * fmax(1e-12, 8.0 * scene->n * DBL_EPSILON), 100, 0, 0};
 }
 
 /* The notes' E = 1000 and nu = 0.3. */
@@ -258,9 +258,9 @@ static struct state state_make(const struct scene *scene)
                                    ? cos(M_PI_2 * (e + 0.5) * h) : 1.0);
     load_vector(n, h, f_mid, scene->pull, b);
     free(f_mid);
-    if (scene->fixed[0]) u[0] = scene->g[0];
-    if (scene->fixed[1]) u[n] = scene->g[1];
-    return (struct state){{n, h, {scene->fixed[0], scene->fixed[1]}, b,
+    if (scene->held[0]) u[0] = scene->g[0];
+    if (scene->held[1]) u[n] = scene->g[1];
+    return (struct state){{n, h, {scene->held[0], scene->held[1]}, b,
                            scene->material}, b, u, {OK, 0, 0.0, 0.0}};
 }
 
@@ -361,7 +361,7 @@ static void print_newton(const struct scene *scene, const struct state *limit)
         const int clean = k > 0 && error > 1e-10;
         table_row(k, s.report.residual, s.report.increment, energy, error,
                   clean ? error / (previous * previous) : 0.0,
-                  clean && !(s.bar.fixed[0] && s.bar.fixed[1]) ? predicted
+                  clean && !(s.bar.held[0] && s.bar.held[1]) ? predicted
                                                                : 0.0);
         previous = error;
         state_free(&s);
@@ -382,7 +382,7 @@ static struct follow follow_example(enum law law, int n, double dt, int print)
 {
     const struct scene scene = {n, notes_material(law), {1, 0}, UNIFORM, 0.0,
                                 {0.0, 0.0}, {0.0, 0.0}};
-    const struct newton_control control = {1e-12, 100, 0};
+    const struct newton_control control = {1e-12, 100, 0, 0};
     struct state s = state_make(&scene);
     struct follow follow = {OK, 0, 0.0};
 
@@ -429,7 +429,7 @@ static int loop_on_increment(const struct bar *bar, int (*again)(double du),
                              int cap, double u[], double *du)
 {
     for (int k = 0; k < cap;) {
-        const struct newton_control once = {0.0, 1, 0};
+        const struct newton_control once = {0.0, 1, 0, 0};
         const struct newton_report report = newton(bar, &once, u);
         k += 1;
         *du = report.increment;
@@ -631,7 +631,7 @@ static void print_loads(void)
     for (int k = 0; k < 6; k++) {
         struct scene scene =
             weight_scene(CUBIC, 16 << k % 3, k < 3 ? 1e3 : 4e3);
-        scene.fixed[1] = 1;
+        scene.held[1] = 1;
         struct state s = solved(&scene);
         const int ok = s.report.status == OK, n = scene.n;
         table_row(scene.c, n, -reaction(&s), ok ? s.u[n / 2] : 0.0,
@@ -686,7 +686,7 @@ static void print_nu(void)
     for (int k = 0; k < 3; k++) {
         struct scene scene = weight_scene(CUBIC, 10, 0.0);
         scene.material = material_make(CUBIC, 1000.0, k == 0 ? 0.3 : 0.05);
-        scene.fixed[1] = 1;
+        scene.held[1] = 1;
         scene.g[1] = k == 2 ? 2.5 : 1.0;
         struct state s = state_make(&scene);
         const struct newton_control control = control_for(&scene);
@@ -895,9 +895,9 @@ _Noreturn static void refuse(const char *what)
 /* What no range can say. */
 static void check_scene(const struct scene *scene)
 {
-    if (scene->pull[0] != 0.0 && scene->fixed[0])
+    if (scene->pull[0] != 0.0 && scene->held[0])
         refuse("--pull_left: the left end is held; --fixed right frees it");
-    if (scene->pull[1] != 0.0 && scene->fixed[1])
+    if (scene->pull[1] != 0.0 && scene->held[1])
         refuse("--pull_right: the right end is held; --fixed left frees it");
     struct state s = state_make(scene);
     for (int e = 1; e <= s.bar.n; e++)
@@ -910,7 +910,7 @@ static void check_scene(const struct scene *scene)
 static void print_solution(const struct state *s)
 {
     table_begin_note("nodes", "X u", "left end is held by the force %.17g N",
-                     s->bar.fixed[0] ? reaction(s) : 0.0);
+                     s->bar.held[0] ? reaction(s) : 0.0);
     for (int i = 0; i <= s->bar.n; i++) table_row(i * s->bar.h, s->u[i]);
     table_end();
     table_begin("elements", "X F P");
@@ -963,8 +963,8 @@ int main(int argc, char *argv[])
     options_parse("10_neohookean_bar", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
     scene.material = material_make(law == 0 ? CUBIC : LOG, E, nu);
-    scene.fixed[0] = fixed != RIGHT;
-    scene.fixed[1] = fixed != LEFT;
+    scene.held[0] = fixed != RIGHT;
+    scene.held[1] = fixed != LEFT;
     scene.shape = (enum shape)shape;
     check_scene(&scene);
 
