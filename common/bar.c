@@ -10,6 +10,14 @@ double bar_stretch(const struct bar *bar, const double u[], int e)
     return 1.0 + (u[e] - u[e - 1]) / bar->h;
 }
 
+double bar_min_stretch(const struct bar *bar, const double u[])
+{
+    double least = INFINITY;
+    for (int e = 1; e <= bar->n; e++)
+        least = fmin(least, bar_stretch(bar, u, e));
+    return least;
+}
+
 enum status bar_energy(const struct bar *bar, const double u[], double *energy)
 {
     *energy = 0.0;
@@ -54,11 +62,13 @@ enum status bar_tangent(const struct bar *bar, const double u[],
     return OK;
 }
 
-static double max_free(const struct bar *bar, const double v[])
+double bar_max_free(const struct bar *bar, const double v[])
 {
     double largest = 0.0;
-    for (int i = bar->held[0]; i <= bar->n - bar->held[1]; i++)
+    for (int i = bar->held[0]; i <= bar->n - bar->held[1]; i++) {
+        if (!isfinite(v[i])) return INFINITY;
         if (fabs(v[i]) > largest) largest = fabs(v[i]);
+    }
     return largest;
 }
 
@@ -109,16 +119,14 @@ static enum status line_search(const struct bar *bar, const double q[],
 static void describe(const struct bar *bar, const double u[],
                      enum status status, struct newton_step *step)
 {
-    step->min_F = step->min_dP = INFINITY;
-    for (int e = 1; e <= bar->n; e++) {
-        const double F = bar_stretch(bar, u, e);
-        step->min_F = fmin(step->min_F, F);
-        if (status == OK)
-            step->min_dP =
-                fmin(step->min_dP, material1_dpk1(&bar->material, F));
-    }
+    step->min_F = bar_min_stretch(bar, u);
+    step->min_dP = INFINITY;
     if (status != OK)
         step->min_dP = step->energy = step->residual = (double)NAN;
+    for (int e = 1; e <= bar->n && status == OK; e++)
+        step->min_dP = fmin(step->min_dP,
+                            material1_dpk1(&bar->material,
+                                           bar_stretch(bar, u, e)));
 }
 
 struct newton_report bar_newton(const struct bar *bar,
@@ -143,7 +151,7 @@ struct newton_report bar_newton(const struct bar *bar,
         if (report.status == OK) {
             if (bar->held[0]) q[0] = 0.0;
             if (bar->held[1]) q[bar->n] = 0.0;
-            report.residual = step.residual = max_free(bar, q);
+            report.residual = step.residual = bar_max_free(bar, q);
         }
         describe(bar, u, report.status, &step);
         if (history) history[k] = step;
@@ -167,7 +175,7 @@ struct newton_report bar_newton(const struct bar *bar,
             report.status = NOT_SPD;
         if (report.status != OK) break;
         report.iterations = k + 1;
-        report.increment = step.increment = max_free(bar, du);
+        report.increment = step.increment = bar_max_free(bar, du);
         if (control->line_search)
             report.status = line_search(bar, q, du, step.energy, u, trial,
                                         &step.length);

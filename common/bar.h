@@ -27,6 +27,12 @@ struct bar {
 /* F_e of element e = 1..n. */
 double bar_stretch(const struct bar *bar, const double u[], int e);
 
+/* The smallest of them. */
+double bar_min_stretch(const struct bar *bar, const double u[]);
+
+/* max |v_i| over the nodes that are free; INFINITY where one is not finite. */
+double bar_max_free(const struct bar *bar, const double v[]);
+
 /* INVERTED: some F_e is where the material is not defined; the outputs are
  * then incomplete.  NONFINITE: a NaN or an infinity came out. */
 enum status bar_energy(const struct bar *bar, const double u[],

@@ -12,23 +12,27 @@ struct bar_scene bar_scene_notes(enum law law, int n)
                               .held = {1, 0}};
 }
 
-double bar_scene_force(const struct bar_scene *scene, double X)
+void bar_scene_force(const struct bar_scene *scene, double f_mid[])
 {
-    return scene->shape == COSINE ? scene->c * cos(M_PI_2 * X) : scene->c;
+    for (int e = 1; e <= scene->n; e++)
+        f_mid[e - 1] = scene->shape == UNIFORM
+                           ? scene->c
+                           : scene->c * cos(M_PI_2 * (e - 0.5) / scene->n);
 }
 
 void bar_scene_load(const struct bar_scene *scene, double b[])
 {
     const int n = scene->n;
-    const double h = 1.0 / n;
+    double *f_mid = allocate((size_t)n, sizeof *f_mid);
+    bar_scene_force(scene, f_mid);
     for (int i = 0; i <= n; i++) b[i] = 0.0;
     for (int e = 1; e <= n; e++) {
-        const double half = 0.5 * h * bar_scene_force(scene, (e - 0.5) * h);
-        b[e - 1] += half;
-        b[e] += half;
+        b[e - 1] += 0.5 / n * f_mid[e - 1];
+        b[e] += 0.5 / n * f_mid[e - 1];
     }
     b[0] += scene->pull[0];
     b[n] += scene->pull[1];
+    free(f_mid);
 }
 
 struct newton_control bar_scene_control(const struct bar_scene *scene)

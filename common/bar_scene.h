@@ -35,8 +35,8 @@ struct bar_scene {
 /* The notes' bar with their E and nu, at rest and without a load. */
 struct bar_scene bar_scene_notes(enum law law, int n);
 
-/* The body force f(X). */
-double bar_scene_force(const struct bar_scene *scene, double X);
+/* f_mid[e - 1] = f at the middle of element e = 1..n. */
+void bar_scene_force(const struct bar_scene *scene, double f_mid[]);
 
 /* b_i = int f N_i dX by the midpoint rule, and the forces on the ends; b[0..n]
  * [eq:bar-b]. */
