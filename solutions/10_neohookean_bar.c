@@ -201,7 +201,7 @@ static struct newton_report newton(const struct bar *bar,
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(2 * size, sizeof *q), *du = q + size;
     /* SLOT 10e(bar, control, u, &report, K, q, du): the loop, with report
-     * filled on the way; bar_max_free() of bar.h is max |..| over free nodes. */
+     * filled on the way; bar_max_free() of bar.h is max |v_i| of free nodes. */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 
