@@ -205,13 +205,15 @@ int main(int argc, char *argv[])
         if (report.status != MAX_ITERATIONS) break;
     }
     table_end();
+    if (report.status == OK) {
+        table_begin("nodes", "X u");
+        for (int i = 0; i <= scene.n; i++) table_row(i * s->bar.h, s->u[i]);
+        table_end();
+    }
+    bar_state_free(s);
     if (report.status != OK)
         die("Newton's method with %s: %s after step %d%s",
             search ? "line search" : "full steps", status_name(report.status),
             report.iterations, search ? "" : "; --search on may get further");
-    table_begin("nodes", "X u");
-    for (int i = 0; i <= scene.n; i++) table_row(i * s->bar.h, s->u[i]);
-    table_end();
-    bar_state_free(s);
     return table_finish();
 }

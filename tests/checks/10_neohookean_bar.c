@@ -463,8 +463,8 @@ static const struct lesson lesson = {
     "is known beforehand (figures/10_neohookean_bar/newton.svg). A step may "
     "still be worse than none: look at the residual of step 1.",
     "Stop on max|du| alone, and press the first element of a log law to 1e-8 "
-    "of its length (--law log --left 0.099999999 --n 10): which number would "
-    "have told the loop that this is no solution?"};
+    "of its length (--law log --c 0 --left 0.099999999 --n 10): which number "
+    "would have told the loop that this is no solution?"};
 
 int main(int argc, char *argv[])
 {
