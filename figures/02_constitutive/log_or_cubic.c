@@ -2,18 +2,15 @@
  * log_or_cubic.c - what does the cubic r change of the log law, and where?
  *
  * Figure 6 of the notes and what it does not show.  Tables: r(J) itself
- * [eq:r-cubic]; energy, stress and tangent of the three laws in one dimension
- * [eq:psi-neohookean] [eq:psi-linear], where they are defined; how far the
- * stresses of the cubic and of the linear law are from the log law's, and where
- * they first pass 1, 5 and 10 per cent.
+ * [eq:r-cubic]; energy, stress and tangent of the three laws in one dimension;
+ * how far the stresses of the cubic and of the linear law are from the log
+ * law's, and at which F they first are so by 1, 5 and 10 per cent.
  */
 #include "material.h"
-#include "options.h"
 #include "study.h"
 #include "table.h"
 
 #include <math.h>
-#include <stdio.h>
 
 /* The points of all curves: F or J = -1 ... 3. */
 enum { POINTS = 160 };
@@ -30,7 +27,7 @@ static double r_of(enum law law, double J)
 
 static void print_r(void)
 {
-    table_begin_note("r", "J log cubic", "log has no value for J <= 0");
+    table_begin("r", "J log cubic");
     for (int i = 0; i <= POINTS; i++) {
         const double J = point(i);
         table_row(J, J > 0.0 ? cell_number(r_of(LOG, J)) : cell_word(MISSING),
@@ -42,9 +39,9 @@ static void print_r(void)
 static void print_curve(enum law law)
 {
     const struct material m = material_notes(law);
-    char name[40];
-    snprintf(name, sizeof name, "curve_%s", material_law(law));
-    table_begin_note(name, "F psi P dP", "rows only where the law is defined");
+    static const char *const name[] = {"curve_linear", "curve_log",
+                                       "curve_cubic"};
+    table_begin_note(name[law], "F psi P dP", "where the law is defined");
     for (int i = 0; i <= POINTS; i++) {
         const double F = point(i);
         if (material_defined(&m, F))
@@ -63,24 +60,22 @@ static double difference(enum law law, double F)
 
 struct level {
     enum law law;
-    double difference;
+    double percent;
 };
 
 static double excess(double F, void *context)
 {
     const struct level *level = context;
-    return fabs(difference(level->law, F)) - level->difference;
+    return 100.0 * fabs(difference(level->law, F)) - level->percent;
 }
 
-/* Going out from F = 1 in one direction, the first F where the difference
- * reaches `percent`. */
-static double first_passing(enum law law, double percent, double direction)
+/* The first F where the difference reaches the level, going out from 1 by
+ * factors of 1.001 or of 1 / 1.001. */
+static double first_passing(struct level level, double factor)
 {
-    struct level level = {law, percent / 100.0};
-    const double factor = exp(1e-3 * direction);
-    double inner = factor;
-    while (excess(inner * factor, &level) < 0.0) inner *= factor;
-    return root_of(excess, &level, inner, inner * factor);
+    double F = factor;
+    while (excess(F * factor, &level) < 0.0) F *= factor;
+    return root_of(excess, &level, F, F * factor);
 }
 
 int main(void)
@@ -91,21 +86,19 @@ int main(void)
 
     print_r();
     for (int law = LINEAR; law <= CUBIC; law++) print_curve((enum law)law);
-    table_begin_note("difference", "F cubic linear",
-                     "100 (P / P_log - 1), where log is defined, but F = 1");
+    table_begin_note("difference", "F cubic linear", "100 (P / P_log - 1)");
     for (int i = 0; i <= POINTS; i++)
         if (point(i) > 0.0 && point(i) != 1.0)
             table_row(point(i), 100.0 * difference(CUBIC, point(i)),
                       100.0 * difference(LINEAR, point(i)));
     table_end();
-    table_begin_note("passes",
-                     "percent cubic_tension cubic_compression "
-                     "linear_tension linear_compression",
-                     "F where |P / P_log - 1| first passes so many per cent");
-    for (int i = 0; i < COUNT(percent); i++) {
+    table_begin("passes", "percent cubic_tension cubic_compression "
+                          "linear_tension linear_compression");
+    for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 4; k++)
-            F[k] = first_passing(k < 2 ? CUBIC : LINEAR, percent[i],
-                                 k % 2 ? -1.0 : 1.0);
+            F[k] = first_passing(
+                (struct level){k < 2 ? CUBIC : LINEAR, percent[i]},
+                k % 2 ? 1.0 / 1.001 : 1.001);
         for (int k = 0; k < 2; k++)
             least = fmin(least, fabs((F[k] - 1.0) / (F[k + 2] - 1.0)));
         table_row(percent[i], F[0], F[1], F[2], F[3]);
