@@ -281,6 +281,9 @@ int main(int argc, char *argv[])
 
     scene_hold(s, t);
     step_boundary(s->body, s->g, lifted, s->u);
+    struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * set.n + 5);
+    if (set.n == 2 && tangent(s, s->u, K) == OK) table_matrix("K", K);
+    matrix_free(K);
     const struct report report = equilibrium(s, 1e-10, CAP, s->u);
     print_history(&report);
     if (report.status != OK)
