@@ -144,22 +144,12 @@ static enum status increment(const struct scene *s, struct matrix *K,
     return status;
 }
 
-/* max|v| over the free vertices; INFINITY if one is not finite. */
-static double max_free(const struct scene *s, const double v[])
-{
-    double largest = 0.0;
-    for (int r = 0; r < s->n_dof; r++)
-        if (!s->held[r / 2])
-            largest = isfinite(v[r]) ? fmax(largest, fabs(v[r])) : INFINITY;
-    return largest;
-}
-
 /*
  * Newton's method for q(u) = 0 at the free vertices [alg:body-newton], from a u
  * that has its values at the held ones to the solution, or to the last state
- * reached.  Done: max|q| <= tolerance (2 mu + lambda), and in the iteration
- * before max|du| <= tolerance (m).  MAX_ITERATIONS: cap <= CAP systems are not
- * enough.
+ * reached.  Done: max|q| <= tolerance (2 mu + lambda) over the free vertices,
+ * and in the iteration before max|du| <= tolerance (m).  NONFINITE: q or du is
+ * not finite; MAX_ITERATIONS: not done after cap <= CAP linear systems.
  */
 static struct report equilibrium(const struct scene *s, double tolerance,
                                  int cap, double u[])
@@ -169,9 +159,9 @@ static struct report equilibrium(const struct scene *s, double tolerance,
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
     double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
 
-    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment, max_free):
-     * the loop, which fills report on its way. */
-    todo("12e", weight, tolerance, cap, u, K, du, tangent, increment, max_free);
+    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment): the loop,
+     * which fills report on its way; body_max_free() is the size of q, du. */
+    todo("12e", weight, tolerance, cap, u, K, du, tangent, increment);
     /* END 12e */
     matrix_free(K);
     free(q);

@@ -196,22 +196,12 @@ static enum status increment(const struct scene *s, struct matrix *K,
     return status;
 }
 
-/* max|v| over the free vertices; INFINITY if one is not finite. */
-static double max_free(const struct scene *s, const double v[])
-{
-    double largest = 0.0;
-    for (int r = 0; r < s->n_dof; r++)
-        if (!s->held[r / 2])
-            largest = isfinite(v[r]) ? fmax(largest, fabs(v[r])) : INFINITY;
-    return largest;
-}
-
 /*
  * Newton's method for q(u) = 0 at the free vertices [alg:body-newton], from a u
  * that has its values at the held ones to the solution, or to the last state
- * reached.  Done: max|q| <= tolerance (2 mu + lambda), and in the iteration
- * before max|du| <= tolerance (m).  MAX_ITERATIONS: cap <= CAP systems are not
- * enough.
+ * reached.  Done: max|q| <= tolerance (2 mu + lambda) over the free vertices,
+ * and in the iteration before max|du| <= tolerance (m).  NONFINITE: q or du is
+ * not finite; MAX_ITERATIONS: not done after cap <= CAP linear systems.
  */
 static struct report equilibrium(const struct scene *s, double tolerance,
                                  int cap, double u[])
@@ -221,13 +211,13 @@ static struct report equilibrium(const struct scene *s, double tolerance,
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
     double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
 
-    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment, max_free):
-     * the loop, which fills report on its way. */
+    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment): the loop,
+     * which fills report on its way; body_max_free() is the size of q, du. */
     for (;;) {
         const int k = report.iterations;
         report.status = residual(s, u, q);
         if (report.status != OK) break;
-        report.residual[k] = max_free(s, q);
+        report.residual[k] = body_max_free(s->body, q);
         report.status = NONFINITE;
         if (!isfinite(report.residual[k])) break;
         report.status = OK;
@@ -240,7 +230,7 @@ static struct report equilibrium(const struct scene *s, double tolerance,
         report.status = tangent(s, u, K);
         if (report.status == OK) report.status = increment(s, K, q, du);
         if (report.status != OK) break;
-        report.increment[k] = max_free(s, du);
+        report.increment[k] = body_max_free(s->body, du);
         report.status = NONFINITE;
         if (!isfinite(report.increment[k])) break;
         for (int r = 0; r < s->n_dof; r++) u[r] += du[r];

@@ -335,11 +335,15 @@ static void increment_solves_the_held_system(void)
     struct scene *s = skew_scene(CUBIC);
     struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
     struct matrix *copy = matrix_alloc(BANDED, N_DOF, BAND);
-    double u[N_DOF], q[N_DOF], du[N_DOF], Kdu[N_DOF], largest = 0.0;
+    struct matrix *fast = body_matrix(s->body);
+    double u[N_DOF], q[N_DOF], du[N_DOF], Kdu[N_DOF], also[N_DOF];
+    double largest = 0.0;
     deform(s, mat2_rotation(0.3714), 0.01, u);
     for (int r = 0; r < N_DOF; r++) q[r] = odd_number(r + 17);
     expect(tangent(s, u, K) == OK && tangent(s, u, copy) == OK,
            "tangent() does not return OK");
+    expect(body_stiffness(s->body, u, fast) == OK &&
+               body_increment(s->body, fast, q, also) == OK, "body.h fails");
     const enum status status = increment(s, K, q, du);
     expect(status == OK, "K is %s near a rigid motion, with the left side held",
            status_name(status));
@@ -353,6 +357,9 @@ static void increment_solves_the_held_system(void)
         else
             expect_close(Kdu[r], -q[r], 1e-11, 1.0,
                          "left side held: row %d of K du, against -q", r);
+        expect_close(du[r], also[r], 1e-11, largest,
+                     "du of vertex %d, component %d, against body.h", r / 2,
+                     r % 2);
     }
     /* squeezed to a tenth, the body buckles: K has a negative eigenvalue */
     deform(s, (mat2){{{0.1, 0.0}, {0.0, 1.0}}}, 0.0, u);
@@ -362,6 +369,7 @@ static void increment_solves_the_held_system(void)
            "length: increment() must return NOT_SPD");
     matrix_free(K);
     matrix_free(copy);
+    matrix_free(fast);
     scene_free(s);
 }
 
