@@ -1,9 +1,7 @@
-# robustness_locking.gp - linear elasticity on triangles: how much too small the
+# locking.gp - linear elasticity on triangles: how much too small the
 # displacement of the free end is, against n, for three Poisson ratios.
 # Reads   data  table locking
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/robustness.tsv"
-if (!exists("out"))  out  = "figures/robustness_locking.svg"
 load "figures/style.gp"
 set output out
 # the order that the last three displacements show among themselves
