@@ -1,6 +1,7 @@
 /* integrate.c - see integrate.h. */
 #include "integrate.h"
 
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,6 +23,27 @@ struct state state_make(int n)
     double *memory = allocate(4 * (size_t)n, sizeof *memory);
     return (struct state){n, 0, memory, memory + n, memory + 2 * n,
                           memory + 3 * n};
+}
+
+struct state state_ripple(const struct model *model)
+{
+    struct state s = state_make(model->n_dof);
+    for (int i = 0; i < s.n; i++)
+        if (!model->body || model->body->equation[i] >= 0)
+            s.u[i] = 1e-7 * sin(2.385 * (i + 1) + 0.02 * i * i);
+    return s;
+}
+
+struct state state_swing(const struct body *body, double size)
+{
+    struct state s = state_make(2 * body->mesh->n_vertex);
+    for (int a = 0; a < body->mesh->n_vertex; a++) {
+        const double X = body->mesh->X[2 * a];
+        if (body->equation[2 * a] < 0) continue;
+        s.u[2 * a] = 0.4 * size * sin(M_PI * X);
+        s.u[2 * a + 1] = size * cos(M_PI_2 * X);
+    }
+    return s;
 }
 
 void state_copy(const struct state *from, struct state *to)

@@ -33,7 +33,17 @@ struct state {
     double *u, *v, *u_before, *v_before;
 };
 
-struct state state_make(int n); /* at rest */
+/* A state at rest. */
+struct state state_make(int n);
+
+/* At rest, u with all modes at once, so small that a body is linear (1e-7 m);
+ * 0 at what is prescribed. */
+struct state state_ripple(const struct model *model);
+
+/* At rest, a large smooth swing of the square, 0 at both ends and at what is
+ * prescribed: u = size (0.4 sin(pi X1), cos(pi X1 / 2)). */
+struct state state_swing(const struct body *body, double size);
+
 void state_copy(const struct state *from, struct state *to);
 void state_free(struct state *s);
 
@@ -86,7 +96,7 @@ struct step_report integrate_step(struct model *model, enum method method,
 /* Newton's method of implicit steps of the body. */
 extern const struct step_control INTEGRATE_NEWTON;
 
-/* ---- a frame ---------------------------------------------------------------- */
+/* ---- a frame ------------------------------------------------------------- */
 
 /* First what is fast; then what goes downhill from a state that exists: after a
  * sudden stop the velocity points the wrong way. */
