@@ -66,8 +66,8 @@ int main(void)
           "steps (%d steps, %g times)", below.steps, below.largest);
     claim(above.steps > 20 && above.steps < 200 &&
               fabs(above.logarithm / log(above.growth) - 1.0) < 0.02,
-          "at 1.01 the energy passes 1e8 with the growth %g of the fastest mode "
-          "(after %d steps, with %g)", above.growth, above.steps,
+          "at 1.01 the energy passes 1e8 with the growth %g of the fastest "
+          "mode (after %d steps, with %g)", above.growth, above.steps,
           exp(above.logarithm));
     return table_finish();
 }

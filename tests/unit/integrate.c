@@ -1,6 +1,5 @@
 /* integrate.c - laws of common/model.h, integrate.h and user.h. */
 #include "integrate.h"
-#include "scene.h"
 #include "user.h"
 
 #include "unit.h"
@@ -15,14 +14,25 @@
 /* Numbers without a pattern, in (-1, 1). */
 static double entropy(int i) { return sin(2.385 * i * i + 3.714 * i + 0.7); }
 
-/* The square, left side held or (ends is 2) both, as a body of a scene that a
- * law, which is a process of its own, need not free. */
-static struct body *square(int n, enum law law, enum mass mass, int ends)
+/* The square, left side held or (ends is 2) both; for forget(). */
+static struct model *square(int n, enum law law, enum mass mass, int ends)
 {
-    struct scene_setting set = scene_notes(ends == 2 ? STRETCH : GRAVITY, law,
-                                           n);
-    set.mass = mass;
-    return scene_alloc(&set)->body;
+    struct mesh *mesh = mesh_square(n);
+    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
+    for (int a = 0; a < mesh->n_vertex; a++)
+        held[a] = a % (n + 1) == 0 || (ends == 2 && a % (n + 1) == n);
+    struct body *body = body_alloc(mesh, material_notes(law), 1.0, mass, held);
+    free(held);
+    return model_body(body);
+}
+
+static void forget(struct model *model)
+{
+    struct body *body = model->body;
+    struct mesh *mesh = body ? (struct mesh *)body->mesh : NULL;
+    model_free(model);
+    body_free(body);
+    if (mesh) mesh_free(mesh);
 }
 
 /* A state of the free vertices, u of this size. */
@@ -48,18 +58,18 @@ static void fastest_frequencies_are_the_oracles(void)
             close_to(dt / oracle_bar[k].dt[mass], 1.0, 1e-9);
             ck_assert(dt >= oracle_bar[k].bound[mass]);
             ck_assert(!mass || ceil(1.0 / 30.0 / dt) == oracle_bar[k].a_frame);
-            model_free(model);
+            forget(model);
         }
     for (int k = 0; k < COUNT(oracle_square); k++)
         for (int mass = CONSISTENT; mass <= LUMPED; mass++) {
-            struct model *model = model_body(
-                square(oracle_square[k].n, CUBIC, (enum mass)mass, 2));
+            struct model *model =
+                square(oracle_square[k].n, CUBIC, (enum mass)mass, 2);
             const double omega = model_frequency(model);
             close_to(omega / oracle_square[k].omega[mass], 1.0, 1e-9);
             close_to(2.0 / omega / oracle_square[k].dt[mass], 1.0, 1e-9);
             ck_assert(!mass ||
                       ceil(omega / 60.0) == oracle_square[k].a_frame);
-            model_free(model);
+            forget(model);
         }
     struct model *mode = model_mode(2.385);
     close_to(model_frequency(mode), 2.385, 1e-12);
@@ -85,7 +95,7 @@ static struct model *some_model(int kind)
 {
     if (kind == 0) return model_mode(2.385);
     if (kind == 1) return model_bar(7, CONSISTENT);
-    return model_body(square(3, CUBIC, CONSISTENT, kind - 1));
+    return square(3, CUBIC, CONSISTENT, kind - 1);
 }
 
 /* dPsi/du - f is the slope of the energy; v.M v / 2 its other part. */
@@ -110,7 +120,8 @@ static void forces_are_the_slope_of_the_energy(void)
         memset(s.u, 0, (size_t)s.n * sizeof *s.u);
         close_to(model_energy(model, s.u, s.v),
                  0.5 * pow(model_norm(model, s.v), 2.0), 1e-12);
-        model_free(model);
+        state_free(&s);
+        forget(model);
     }
 }
 
@@ -122,7 +133,8 @@ static void acceleration_is_the_force_over_the_mass(void)
         model_mass(model, s.u, s.v);
         model_accelerate(model, s.v); /* M^-1 M u, u 0 where it is held */
         for (int i = 0; i < s.n; i++) close_to(s.v[i], s.u[i], 1e-12);
-        model_free(model);
+        state_free(&s);
+        forget(model);
     }
 }
 
@@ -142,7 +154,7 @@ static void newton_is_exact_at_every_step(void)
         for (int i = 0; i < 7; i++)
             close_to(Mx[i] + dt[k] * dt[k] * Ax[i], -q[i], 1e-12);
     }
-    model_free(model);
+    forget(model);
 }
 
 /* ---- integrate.h: a mode ------------------------------------------------- */
@@ -195,6 +207,9 @@ static void modes_lose_what_the_oracle_says(void)
     close_to(q[0], 0.0, 1e-15);
     integrate_residual(mode, 1.0 / 30.0, u0, v0, printed, q);
     close_to(q[0], -1.0, 1e-15);
+    state_free(&s);
+    model_free(unit);
+    model_free(mode);
 }
 
 /* Leading errors [eq:mode-constants]; the next term is 1/512 smaller or so. */
@@ -211,7 +226,9 @@ static void orders_and_constants_are_due(void)
             integrate_step(model, (enum method)m, T / 512, NULL, &s);
         const double error = hypot(s.u[0] - cos(T), s.v[0] + sin(T));
         close_to(error / pow(T / 512, order_due[m]) / due[m], 1.0, 0.01);
+        state_free(&s);
     }
+    model_free(model);
 }
 
 /* u^2 + v^2 - z u v of symplectic Euler, the energy of the midpoint rule. */
@@ -228,6 +245,10 @@ static void invariants_are_kept(void)
         integrate_step(bar, IMPLICIT_MIDPOINT, 0.02385, NULL, &t);
         close_to(model_energy(bar, t.u, t.v) / start, 1.0, 1e-10);
     }
+    state_free(&s);
+    state_free(&t);
+    model_free(unit);
+    model_free(bar);
 }
 
 /* ---- integrate.h: the body ----------------------------------------------- */
@@ -235,9 +256,8 @@ static void invariants_are_kept(void)
 /* No stiffness and no load: u = u0 + t v0. */
 static void free_flight_is_exact(void)
 {
-    struct body *body = square(4, CUBIC, CONSISTENT, 2);
-    body->material.mu = body->material.lambda = 0.0;
-    struct model *model = model_body(body);
+    struct model *model = square(4, CUBIC, CONSISTENT, 2);
+    model->body->material.mu = model->body->material.lambda = 0.0;
     double *g = allocate((size_t)model->n_dof, sizeof *g);
     for (int m = 0; m < N_METHOD; m++) {
         struct state s = a_state(model, 0.1), start = a_state(model, 0.1);
@@ -248,7 +268,11 @@ static void free_flight_is_exact(void)
             for (int i = 0; i < s.n; i++)
                 close_to(s.u[i], start.u[i] + 0.02385 * k * start.v[i], 1e-12);
         }
+        state_free(&s);
+        state_free(&start);
     }
+    free(g);
+    forget(model);
 }
 
 /*
@@ -259,7 +283,7 @@ static void free_flight_is_exact(void)
  */
 static void steps_satisfy_their_formulas(void)
 {
-    struct model *model = model_body(square(4, CUBIC, CONSISTENT, 2));
+    struct model *model = square(4, CUBIC, CONSISTENT, 2);
     const double dt = 0.00247;
     const int n = model->n_dof;
     double *memory = allocate(4 * (size_t)n, sizeof *memory);
@@ -294,14 +318,18 @@ static void steps_satisfy_their_formulas(void)
                 if (model->body->equation[i] >= 0)
                     close_to(Md[i] + dt * (force[i] - model->f[i]), 0.0, 1e-7);
         }
+        state_free(&s);
+        state_free(&old);
     }
+    free(memory);
+    forget(model);
 }
 
 /* 0.99 of the critical step: an invariant bounds the energy by (1 + 0.99) /
  * (1 - 0.99).  1.01: the growth is that of the fastest mode. */
 static void one_percent_decides(void)
 {
-    struct model *model = model_body(square(8, CUBIC, LUMPED, 2));
+    struct model *model = square(8, CUBIC, LUMPED, 2);
     for (double side = 0.99; side < 1.02; side += 0.02) {
         struct state s = state_ripple(model);
         const double dt = side * oracle_square[1].dt[1];
@@ -319,13 +347,15 @@ static void one_percent_decides(void)
             ck_assert(k > 20 && k < 200);
             close_to(log(E[k] / E[k - 10]) / 10.0 / due, 1.0, 0.02);
         }
+        state_free(&s);
     }
+    forget(model);
 }
 
 /* A step that does not exist, and a state that is not finite. */
 static void a_failed_step_leaves_the_state(void)
 {
-    struct model *model = model_body(square(4, LOG, CONSISTENT, 2));
+    struct model *model = square(4, LOG, CONSISTENT, 2);
     struct state s = a_state(model, 0.01), start = a_state(model, 0.01);
     double *g = allocate(2 * (size_t)s.n, sizeof *g), *bad = g + s.n;
     for (int a = 4; a < 25; a += 5) g[2 * a] = -6.0;
@@ -340,12 +370,16 @@ static void a_failed_step_leaves_the_state(void)
     for (int i = 0; i < s.n; i++)
         ck_assert(s.u[i] == start.u[i] && s.v[i] == start.v[i] &&
                   s.u_before[i] == 0.0 && s.v_before[i] == 0.0);
+    free(g);
+    state_free(&s);
+    state_free(&start);
+    forget(model);
 }
 
 static void starts_are_at_rest_where_it_is_held(void)
 {
-    struct body *body = square(4, CUBIC, LUMPED, 2);
-    struct model *model = model_body(body);
+    struct model *model = square(4, CUBIC, LUMPED, 2);
+    struct body *body = model->body;
     struct state start[] = {state_ripple(model), state_swing(body, 0.3)};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < start[k].n; i++) {
@@ -354,11 +388,13 @@ static void starts_are_at_rest_where_it_is_held(void)
             if (body->equation[i] >= 0 && k == 0)
                 ck_assert(start[k].u[i] != 0.0);
         }
-    close_to(start[1].u[2 * 12 + 1], 0.3, 1e-15);        /* the middle */
-    close_to(start[1].u[2 * 13], 0.4 * 0.3, 1e-15);      /* X1 = 1/2 */
+    close_to(start[1].u[2 * 12 + 1], 0.3, 1e-15);   /* the middle */
+    close_to(start[1].u[2 * 13], 0.4 * 0.3, 1e-15); /* X1 = 1/2 */
+    for (int k = 0; k < 2; k++) state_free(&start[k]);
+    forget(model);
 }
 
-/* ---- a frame -------------------------------------------------------------- */
+/* ---- a frame ------------------------------------------------------------- */
 
 /* A frame that is OK does what it says, done by hand. */
 static void same_by_hand(struct body *body, struct frame frame,
@@ -392,8 +428,8 @@ static void same_by_hand(struct body *body, struct frame frame,
 /* The side is struck: some frames need ROBUST, some parts, some are lost. */
 static void frames_fall_back_or_keep_the_state(void)
 {
-    struct body *body = square(8, LOG, CONSISTENT, 2);
-    struct model *model = model_body(body);
+    struct model *model = square(8, LOG, CONSISTENT, 2);
+    struct body *body = model->body;
     struct state start = a_state(model, 0.01), s = state_make(start.n);
     double *g = allocate((size_t)s.n, sizeof *g);
     int by[6] = {0}, lost = 0, cut = 0;
@@ -422,9 +458,13 @@ static void frames_fall_back_or_keep_the_state(void)
                          0);
     }
     ck_assert(by[1] > 0 && by[2] > 0 && cut > 0 && lost > 0);
+    free(g);
+    state_free(&s);
+    state_free(&start);
+    forget(model);
 }
 
-/* ---- user.h --------------------------------------------------------------- */
+/* ---- user.h -------------------------------------------------------------- */
 
 static void the_script_is_gone_through(void)
 {
