@@ -1,10 +1,10 @@
-# 13_time_step_mode.gp - one mode: its path in the plane of u and v / omega, and
-# the error after omega T = 2.385 against omega dt.
+# mode.gp - one mode: its path in the plane of u and v / omega, and the error
+# after omega T = 2.385 against omega dt.
 # Expected: slopes 1, 1, 2, 2 with the constants of [eq:mode-constants].
 # Reads   data  tables mode, orders
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_mode.svg"
+if (!exists("data")) data = "build/data/14_time_step/mode.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/mode.svg"
 load "figures/style.gp"
 set terminal svg size 900,470
 set output out

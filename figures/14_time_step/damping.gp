@@ -1,14 +1,14 @@
-# 13_time_step_damping.gp - energy of the linear bar in its first mode, in
-# time; the number behind a name is its steps in 1/30 s.
-# Expected: 1, and (1 + omega^2 dt^2)^-1 a step for backward Euler.
-# Reads   data  table damping
+# damping.gp - energy of the linear bar in its first mode, in time; the number
+# behind a name is its steps in 1/30 s.
+# Expected: 1, and (1 + omega^2 dt^2)^-1 per step for backward Euler.
+# Reads   data  tables damping, first_mode
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_damping.svg"
+if (!exists("data")) data = "build/data/14_time_step/damping.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/damping.svg"
 load "figures/style.gp"
 set terminal svg size 680,480
 set output out
-stats data index "bar_modes" using "omega" every ::0::0 nooutput
+stats data index "first_mode" using "omega" nooutput
 w = STATS_max
 set key above left vertical maxrows 4 reverse Left samplen 2
 set logscale y

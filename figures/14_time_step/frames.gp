@@ -1,10 +1,10 @@
-# 13_time_step_frames.gp - the loop: what every frame of the script took, by the
-# attempt that solved it, with the budget of 1/30 s.
+# frames.gp - the loop: what every frame of the script took, by the attempt that
+# solved it, with the budget of 1/30 s.
 # Reads   data  tables frames (t attempts substeps status seconds), script,
 #               machine
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_frames.svg"
+if (!exists("data")) data = "build/data/14_time_step/frames.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/frames.svg"
 load "figures/style.gp"
 set terminal svg size 860,470
 set output out
@@ -26,8 +26,8 @@ p99 = STATS_max * 1e3
 stats data index "loop" using "n" nooutput
 n = STATS_max
 by(a, b) = column("attempts") >= a && column("attempts") <= b \
-           && column("status") == 0 ? column("seconds") * 1e3 : 1/0
-lost(x) = column("status") != 0 ? column("seconds") * 1e3 : 1/0
+           && stringcolumn("status") eq "OK" ? column("seconds") * 1e3 : 1/0
+lost(x) = stringcolumn("status") ne "OK" ? column("seconds") * 1e3 : 1/0
 set label 20 machine(data) at screen 0.99,0.025 right font ",10" \
     textcolor rgb "#555555"
 set bmargin 5

@@ -1,18 +1,20 @@
-# 13_time_step_chart.gp - error of the swinging square after 0.1 s against the
-# seconds and against the factorisations that a frame of 1/30 s takes.
+# chart.gp - error of the swinging square after 0.1 s against the seconds and
+# against the factorisations that a frame of 1/30 s takes.
 # Expected: slopes -1 (first order) and -2 (second order).
 # Reads   data  table chart (method per_frame status error factorisations
 #               seconds), machine
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_chart.svg"
+if (!exists("data")) data = "build/data/14_time_step/chart.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/chart.svg"
 load "figures/style.gp"
 set terminal svg size 920,500
 set output out
 array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
 array Style[4] = [2, 1, 3, 4]
-ok(m, c) = column("method") == m && column("status") == 0 ? column(c) : 1/0
-bad(m, c) = column("method") == m && column("status") != 0 ? column(c) : 1/0
+array Word[4] = ["symplectic", "backward", "midpoint", "bdf2"]
+is(m) = stringcolumn("method") eq Word[m + 1]
+ok(m, c) = is(m) && stringcolumn("status") eq "OK" ? column(c) : 1/0
+bad(m, c) = is(m) && stringcolumn("status") ne "OK" ? column(c) : 1/0
 top = 2.5
 
 array Slope[4]
@@ -59,7 +61,7 @@ set label 2 "did not get there" at 400, top right
 set xlabel "factorisations in a frame of 1/30 s"
 plot data index "chart" using (0.8 + 0 * ok(0, "error")):(ok(0, "error")) \
          with linespoints ls 2 notitle, \
-     data index "chart" using (0.8):(bad(0, "status") > 0 ? top : 1/0) \
+     data index "chart" using (0.8):(bad(0, "per_frame") > 0 ? top : 1/0) \
          with points ls 2 pt 2 ps 0.9 notitle, \
      for [m = 2:4] data index "chart" \
          using (ok(m - 1, "factorisations")):(ok(m - 1, "error")) \

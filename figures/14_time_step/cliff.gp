@@ -1,11 +1,11 @@
-# 13_time_step_cliff.gp - symplectic Euler of the square at 0.99 and 1.01 of its
-# critical step: energy over the number of steps.
+# cliff.gp - symplectic Euler of the square at 0.99 and 1.01 of its critical
+# step: energy over the number of steps.
 # Expected: bounded by (1 + 0.99) / (1 - 0.99); at 1.01 the growth of the
 # fastest mode.
 # Reads   data  tables cliff_below, cliff_above
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_cliff.svg"
+if (!exists("data")) data = "build/data/14_time_step/cliff.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/cliff.svg"
 load "figures/style.gp"
 set output out
 stats data index "cliff_above" using "k":"energy" nooutput

@@ -1,11 +1,11 @@
-# 13_time_step_amplification.gp - what one step makes of the amplitude of a
-# mode: the spectral radius of the four integrators over omega dt.
+# amplification.gp - what one step makes of the amplitude of a mode: the
+# spectral radius of the four integrators over omega dt.
 # Expected: 1/sqrt(1 + z^2) (backward Euler), 1 (midpoint), 1 up to z = 2 and
 # z^2/2 - 1 + z sqrt(z^2/4 - 1) beyond (symplectic Euler).
 # Reads   data  tables amplification, bar_modes
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/13_time_step.tsv"
-if (!exists("out"))  out  = "figures/13_time_step_amplification.svg"
+if (!exists("data")) data = "build/data/14_time_step/amplification.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/amplification.svg"
 load "figures/style.gp"
 set output out
 
