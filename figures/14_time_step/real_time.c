@@ -2,7 +2,8 @@
  * real_time.c - which is the finest mesh whose loop keeps up with 30 frames per
  * second on this machine?
  *
- * The scripted user of user.h, log law.  A mesh is in real time when at most one
+ * The scripted user of user.h, log law.  A mesh is in real time when at most
+ * one
  * frame in a hundred is late; then its 99 % quantile is within a frame.  n is
  * doubled, then bisected over a list, until it is found or BUDGET is over; a
  * longer search needs a larger BUDGET here.  real_time is `-` when the time was
