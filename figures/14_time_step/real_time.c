@@ -3,9 +3,8 @@
  * second on this machine?
  *
  * The scripted user of user.h, log law.  A mesh is in real time when at most
- * one
- * frame in a hundred is late; then its 99 % quantile is within a frame.  n is
- * doubled, then bisected over a list, until it is found or BUDGET is over; a
+ * one frame in a hundred is late; then its 99 % quantile is within a frame.  n
+ * is doubled, then bisected over a list, until it is found or BUDGET is over; a
  * longer search needs a larger BUDGET here.  real_time is `-` when the time was
  * over before one could say.
  */
