@@ -14,16 +14,16 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { WIDTH = 78 };
+enum { WIDTH = 78, MAX_CLAIMS = 24, MAX_RUNS = 16 };
 
 static struct {
     const struct lesson *lesson;
-    const char *file;      /* what is judged, for the heading */
-    const char *reference; /* program of the reference solution */
-    const char *mistakes;  /* folder with the known mistakes' programs */
-    const char *prepare;   /* command that builds them */
-    const char *result;    /* file for "verdict check slot" */
-    char work[256];        /* folder for captured output */
+    const char *file;          /* what is judged, for the heading */
+    const char *reference;     /* program of the reference solution */
+    const char *mistakes;      /* folder with the known mistakes' programs */
+    const char *prepare;       /* command that builds them */
+    const char *result;        /* file for "verdict check slot" */
+    char work[PATH_SIZE - 300]; /* folder for captured output */
 } judging;
 
 /* ---- inside a check ------------------------------------------------------ */
@@ -53,22 +53,16 @@ void expect_close(double got, double want, double tolerance, double scale,
               got, want, fabs(got - want), tolerance * scale);
 }
 
-/* Stop this check the way the program under test stopped. */
-static void pass_on(const struct output *output, const char *options)
+/* Stop this check if the program stopped as none should: at a slot that is
+ * not written, or by a signal. */
+static void pass_on(const struct output *output)
 {
-    if (output->status == 3) {
-        fprintf(stderr, "%s\n", output->stderr_);
-        exit(3);
-    }
-    if (output->status < 0) {
-        if (output->status == -SIGALRM) raise(SIGKILL);
-        signal(-output->status, SIG_DFL);
-        raise(-output->status);
-    }
-    if (output->status != 0)
-        wrong("the program%s%s stopped with exit status %d: %s",
-              *options ? " " : "", options, output->status,
-              *output->stderr_ ? output->stderr_ : "(no message)");
+    if (output->status != 3 && output->status >= 0) return;
+    fprintf(stderr, "%s\n", output->stderr_);
+    if (output->status == 3) exit(3);
+    fflush(NULL);
+    signal(-output->status, SIG_DFL);
+    raise(-output->status);
 }
 
 static void expect_finite(const struct output *output)
@@ -77,8 +71,8 @@ static void expect_finite(const struct output *output)
         const struct named_table *table = &output->table[t];
         for (int r = 0; r < table->n_row; r++)
             for (int c = 0; c < table->n_column; c++) {
-                const double value = table->value[c * table->capacity + r];
-                if (!isfinite(value))
+                const double value = number_at(table, c, r);
+                if (!word_at(table, c, r) && !isfinite(value))
                     wrong("not finite: table `%s`, row %d, column `%s` is %g",
                           table->name, r + 1, table->column[c], value);
             }
@@ -88,51 +82,132 @@ static void expect_finite(const struct output *output)
 struct output *run(const char *options)
 {
     struct output *output = output_of(NULL, options, judging.work);
-    pass_on(output, options);
+    const char *space = *options ? " " : "";
+    pass_on(output);
+    if (output->status != 0)
+        wrong("the program%s%s stopped with exit status %d: %s", space, options,
+              output->status,
+              *output->stderr_ ? output->stderr_ : "(no message)");
     if (*output->error) wrong("the output cannot be read: %s", output->error);
     if (output->n_table == 0)
         wrong("the program%s%s ended with exit status 0 and printed no table",
-              *options ? " " : "", options);
+              space, options);
     expect_finite(output);
     return output;
 }
 
-void expect_refusal(const char *options, int status, const char *word)
+/* Run a program that must end with this status and say `text`. */
+static struct output *run_failing(const char *options, int status,
+                                  const char *text)
 {
     struct output *output = output_of(NULL, options, judging.work);
-    if (output->status == 3 || output->status < 0) pass_on(output, options);
+    pass_on(output);
     expect(output->status == status,
            "with %s the program must stop with exit status %d, not %d", options,
            status, output->status);
-    expect(output->n_table == 0,
-           "with %s the program prints a table and then fails", options);
-    expect(strstr(output->stderr_, word),
-           "with %s the message must say %s; it says: %s", options, word,
+    expect(strstr(output->stderr_, text),
+           "with %s the message must say %s; it says: %s", options, text,
            output->stderr_);
+    if (*output->error)
+        wrong("with %s the output cannot be read: %s", options, output->error);
+    return output;
+}
+
+struct output *run_unsolved(const char *options, const char *text)
+{
+    return run_failing(options, 1, text);
+}
+
+void expect_refusal(const char *options, int status, const char *text)
+{
+    struct output *output = run_failing(options, status, text);
+    expect(status == 1 || !output->printed,
+           "with %s the program prints something and then fails", options);
     output_free(output);
+}
+
+/* ---- looking at tables --------------------------------------------------- */
+
+int has_table(const struct output *output, const char *table)
+{
+    return find_table(output, table) != NULL;
+}
+
+static const struct named_table *the_table(const struct output *output,
+                                           const char *table)
+{
+    const struct named_table *found = find_table(output, table);
+    if (!found) wrong("the program prints no table `%s`", table);
+    return found;
+}
+
+int row_count(const struct output *output, const char *table)
+{
+    return the_table(output, table)->n_row;
+}
+
+static int the_column(const struct named_table *table, const char *name)
+{
+    const int c = find_column(table, name);
+    if (c < 0) wrong("table `%s` has no column `%s`", table->name, name);
+    return c;
+}
+
+static int the_row(const struct named_table *table, int row)
+{
+    const int r = row < 0 ? row + table->n_row : row;
+    if (r < 0 || r >= table->n_row)
+        wrong("table `%s` has %d rows; there is no row %d", table->name,
+              table->n_row, row < 0 ? row : row + 1);
+    return r;
+}
+
+static void expect_number(const struct named_table *table, int c, int r)
+{
+    if (word_at(table, c, r))
+        wrong("table `%s`, row %d, column `%s`: the word %s stands where a "
+              "number is due",
+              table->name, r + 1, table->column[c], word_at(table, c, r));
 }
 
 const double *column(const struct output *output, const char *table,
                      const char *name, int *n)
 {
-    const struct named_table *found = find_table(output, table);
-    if (!found) wrong("the program prints no table `%s`", table);
+    const struct named_table *found = the_table(output, table);
+    const int c = the_column(found, name);
     if (found->n_row == 0) wrong("table `%s` has no rows", table);
-    const double *value = find_column(found, name);
-    if (!value) wrong("table `%s` has no column `%s`", table, name);
+    for (int r = 0; r < found->n_row; r++) expect_number(found, c, r);
     if (n) *n = found->n_row;
-    return value;
+    return found->value + c * found->capacity;
 }
 
 double cell(const struct output *output, const char *table, const char *name,
             int row)
 {
-    int n;
-    const double *value = column(output, table, name, &n);
-    if (row < 0) row += n;
-    if (row < 0 || row >= n)
-        wrong("table `%s` has %d rows, not %d", table, n, row + 1);
-    return value[row];
+    const struct named_table *found = the_table(output, table);
+    const int c = the_column(found, name), r = the_row(found, row);
+    expect_number(found, c, r);
+    return number_at(found, c, r);
+}
+
+const char *word(const struct output *output, const char *table,
+                 const char *name, int row)
+{
+    const struct named_table *found = the_table(output, table);
+    const int c = the_column(found, name), r = the_row(found, row);
+    if (!word_at(found, c, r))
+        wrong("table `%s`, row %d, column `%s`: the number %.10g stands where "
+              "a word is due",
+              table, r + 1, name, number_at(found, c, r));
+    return word_at(found, c, r);
+}
+
+int is_missing(const struct output *output, const char *table,
+               const char *name, int row)
+{
+    const struct named_table *found = the_table(output, table);
+    const int c = the_column(found, name), r = the_row(found, row);
+    return word_at(found, c, r) && strcmp(word_at(found, c, r), "-") == 0;
 }
 
 /* ---- comparison with the reference -------------------------------------- */
@@ -150,39 +225,71 @@ static const struct column_rule *find_rule(const char *table, const char *name)
 }
 
 /* What allows |yours - reference|: tolerance times scale. */
-static double allowed(const struct column_rule *rule, int n,
-                      const double want[])
+static double allowed(const struct column_rule *rule,
+                      const struct named_table *want, int c)
 {
     double scale = rule->scale;
     if (!(scale > 0.0))
-        for (int r = 0; r < n; r++)
-            if (fabs(want[r]) > scale) scale = fabs(want[r]);
+        for (int r = 0; r < want->n_row; r++)
+            if (fabs(number_at(want, c, r)) > scale)
+                scale = fabs(number_at(want, c, r));
     return rule->tolerance * scale;
 }
 
-/* Compare one column; describe the worst and the first bad row in `text`. */
+/* A cell as a message quotes it. */
+static const char *quoted(const struct named_table *table, int c, int r,
+                          size_t size, char text[])
+{
+    if (word_at(table, c, r))
+        snprintf(text, size, "`%s`", word_at(table, c, r));
+    else
+        snprintf(text, size, "%.10g", number_at(table, c, r));
+    return text;
+}
+
+/* Whether a word differs, or stands against a number. */
+static int words_differ(const struct named_table *got, int c_got,
+                        const struct named_table *want, int c, int r)
+{
+    const char *y = word_at(got, c_got, r), *z = word_at(want, c, r);
+    return y && z ? strcmp(y, z) != 0 : y != z;
+}
+
+/* Compare one column; describe the first word that differs, or the worst and
+ * the first bad number, in `text`. */
 static int column_differs(const struct named_table *got,
                           const struct named_table *want, int c, size_t size,
                           char text[])
 {
     const char *name = want->column[c];
     const struct column_rule *rule = find_rule(want->name, name);
-    const double *y = find_column(got, name);
-    const double *z = want->value + c * want->capacity;
+    const int c_got = find_column(got, name);
+    char mine[80], due[80], label[80];
     int worst = -1, first = -1;
     double excess = 0.0;
 
     if (!rule) quit("no rule for column `%s` of table `%s`", name, want->name);
     if (rule->tolerance < 0.0) return 0;
-    if (!y) {
+    if (c_got < 0) {
         snprintf(text, size, "table `%s` has no column `%s`", want->name, name);
         return 1;
     }
-    const double limit_ = allowed(rule, want->n_row, z);
     for (int r = 0; r < want->n_row; r++) {
-        const double off = fabs(y[r] - z[r]);
-        if (off <= limit_ || (isnan(y[r]) && isnan(z[r])) || y[r] == z[r])
-            continue;
+        if (!words_differ(got, c_got, want, c, r)) continue;
+        snprintf(text, size,
+                 "table `%s`, row %d (%s = %s), column `%s`: yours %s, "
+                 "reference %s",
+                 want->name, r + 1, want->column[0],
+                 quoted(want, 0, r, sizeof label, label), name,
+                 quoted(got, c_got, r, sizeof mine, mine),
+                 quoted(want, c, r, sizeof due, due));
+        return 1;
+    }
+    const double limit_ = allowed(rule, want, c);
+    for (int r = 0; r < want->n_row; r++) {
+        const double y = number_at(got, c_got, r), z = number_at(want, c, r);
+        const double off = fabs(y - z);
+        if (off <= limit_ || (isnan(y) && isnan(z)) || y == z) continue;
         if (first < 0) first = worst = r;
         if (off > excess) {
             excess = off;
@@ -191,12 +298,14 @@ static int column_differs(const struct named_table *got,
     }
     if (first < 0) return 0;
     snprintf(text, size,
-             "table `%s`, row %d (%s = %.6g), column `%s`: yours %.10g, "
+             "table `%s`, row %d (%s = %s), column `%s`: yours %.10g, "
              "reference %.10g, %.2g times the tolerance (%.0e of the largest "
              "entry: %s); first bad row %d",
-             want->name, worst + 1, want->column[0], want->value[worst], name,
-             y[worst], z[worst], limit_ > 0.0 ? excess / limit_ : INFINITY,
-             rule->tolerance, rule->reason, first + 1);
+             want->name, worst + 1, want->column[0],
+             quoted(want, 0, worst, sizeof label, label), name,
+             number_at(got, c_got, worst), number_at(want, c, worst),
+             limit_ > 0.0 ? excess / limit_ : INFINITY, rule->tolerance,
+             rule->reason, first + 1);
     return 1;
 }
 
@@ -277,19 +386,19 @@ static void print_wrapped(const char *indent, const char *text)
     if (at > 0) putchar('\n');
 }
 
-/* Same exit status and, where it is 0, the same tables (both ways). */
+/* Same exit status and, where that is 0 or 1, all the tables of the other. */
 static int coincide(const struct output *mine, const struct output *other)
 {
     char text[900];
     if (mine->status != other->status) return 0;
-    if (mine->status != 0) return 1;
+    if (mine->status != 0 && mine->status != 1) return 1;
     return !*mine->error && !*other->error &&
            !tables_differ(mine, other, sizeof text, text);
 }
 
 static void print_explanation(const char *folder, const char *name)
 {
-    char path[512], text[2048];
+    char path[PATH_SIZE], text[2048];
     snprintf(path, sizeof path, "%s/%s.why", folder, name);
     FILE *file = fopen(path, "r");
     if (!file) quit("cannot read %s", path);
@@ -305,11 +414,10 @@ static void print_explanation(const char *folder, const char *name)
 /* Say which known mistakes give the numbers of the program under test. */
 static void diagnose(void)
 {
-    enum { MAX_RUNS = 16 };
     const int n_run = judging.lesson->n_run;
     struct output *mine[MAX_RUNS], *right[MAX_RUNS];
 
-    if (!judging.mistakes || n_run > MAX_RUNS) return;
+    if (!judging.mistakes) return;
     if (judging.prepare && system(judging.prepare) != 0) return;
     for (int r = 0; r < n_run; r++) {
         mine[r] = output_of(NULL, judging.lesson->runs[r], judging.work);
@@ -319,7 +427,7 @@ static void diagnose(void)
     struct dirent **entry;
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
     for (int i = 0; i < n_entry; i++) {
-        char program[512];
+        char program[PATH_SIZE];
         snprintf(program, sizeof program, "%s/%s", judging.mistakes,
                  entry[i]->d_name);
         int same = entry[i]->d_name[0] != '.' &&
@@ -372,7 +480,7 @@ static int killed_by(const char *message, int number)
 
 static void enter_check(void)
 {
-    char path[320];
+    char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/stdout", judging.work);
     redirect(STDOUT_FILENO, path);
     snprintf(path, sizeof path, "%s/stderr", judging.work);
@@ -382,15 +490,15 @@ static void enter_check(void)
 
 /* Check takes exit(0) in a child for a pass; a check that came to its end has
  * left this file behind. */
-static const char *finished_file(char path[320])
+static const char *finished_file(char path[PATH_SIZE])
 {
-    snprintf(path, 320, "%s/finished", judging.work);
+    snprintf(path, PATH_SIZE, "%s/finished", judging.work);
     return path;
 }
 
 static void leave_check(void)
 {
-    char path[320];
+    char path[PATH_SIZE];
     redirect(STDOUT_FILENO, finished_file(path));
 }
 
@@ -398,7 +506,7 @@ static void classify(TestResult *result, const struct claim *claim,
                      struct finding *finding)
 {
     const char *message = tr_msg(result);
-    char path[320], line[512], slot[16] = "";
+    char path[PATH_SIZE], line[512], slot[16] = "";
 
     finding->verdict = WRONG;
     snprintf(finding->slot, sizeof finding->slot, "%s",
@@ -413,13 +521,20 @@ static void classify(TestResult *result, const struct claim *claim,
     } else if (tr_rtype(result) == CK_FAILURE) {
         if (check_stopped_with(message, "not finite: "))
             finding->verdict = NONFINITE_;
-    } else if (strstr(message, "timeout expired") ||
-               killed_by(message, SIGKILL) || killed_by(message, SIGXCPU)) {
+    } else if (killed_by(message, SIGXCPU) || killed_by(message, SIGKILL)) {
         finding->verdict = TIMEOUT;
         finding->costly = 1;
         snprintf(finding->text, sizeof finding->text,
                  "no end after %d seconds: is there a loop that cannot stop?",
-                 SECONDS_A_CHECK);
+                 SECONDS_COMPUTING);
+    } else if (strstr(message, "timeout expired") ||
+               killed_by(message, SIGALRM)) {
+        finding->verdict = TIMEOUT;
+        finding->costly = 1;
+        snprintf(finding->text, sizeof finding->text,
+                 "no end after %d seconds: does the program wait for "
+                 "something?",
+                 SECONDS_WAITING);
     } else if (check_stopped_with(message, "Early exit")) {
         snprintf(path, sizeof path, "%s/stderr", judging.work);
         last_line(path, sizeof line, line);
@@ -442,6 +557,12 @@ static void classify(TestResult *result, const struct claim *claim,
                      "more than %d MB of output: is there a loop that prints "
                      "without end?",
                      MEGABYTES_OUTPUT);
+        } else {
+            snprintf(path, sizeof path, "%s/stderr", judging.work);
+            last_line(path, sizeof line, line);
+            if (*line)
+                snprintf(finding->text, sizeof finding->text, "%s: %s", message,
+                         line);
         }
     }
 }
@@ -449,11 +570,11 @@ static void classify(TestResult *result, const struct claim *claim,
 /* Run one claim in a child of its own. */
 static void examine(const struct claim *claim, struct finding *finding)
 {
-    char path[320];
+    char path[PATH_SIZE];
     const TTest test = {claim->name, (TFun)claim->check, __FILE__, __LINE__};
     Suite *suite = suite_create(judging.lesson->name);
     TCase *tcase = tcase_create(claim->name);
-    tcase_set_timeout(tcase, SECONDS_A_CHECK + 0.5);
+    tcase_set_timeout(tcase, SECONDS_WAITING + 0.5);
     tcase_add_checked_fixture(tcase, enter_check, leave_check);
     remove(finished_file(path));
     tcase_add_test(tcase, &test);
@@ -496,6 +617,22 @@ static struct claim claim_at(const struct lesson *lesson, int i)
                           check_same_numbers_as_reference, NULL};
 }
 
+/* Remove the folder with captured output; there are no folders in it. */
+static void remove_work(void)
+{
+    char path[PATH_SIZE];
+    struct dirent **entry;
+    const int n_entry = scandir(judging.work, &entry, NULL, alphasort);
+    for (int i = 0; i < n_entry; i++) {
+        snprintf(path, sizeof path, "%s/%s", judging.work, entry[i]->d_name);
+        unlink(path); /* not . and .. */
+        free(entry[i]);
+    }
+    if (n_entry >= 0) free(entry);
+    if (rmdir(judging.work) < 0)
+        quit("cannot remove %s: %s", judging.work, strerror(errno));
+}
+
 /* The names collected so far, several to a line, and begin again. */
 static void print_passed(char names[])
 {
@@ -505,7 +642,7 @@ static void print_passed(char names[])
 
 int judge(const struct lesson *lesson, int argc, char *argv[])
 {
-    enum { MAX_CLAIMS = 24, MAX_LINES = 13 };
+    enum { MAX_LINES = 13 };
     char passed[MAX_CLAIMS * 64] = ""; /* names that share lines, if many */
     struct finding finding[MAX_CLAIMS] = {0};
     const int n = lesson->n_claim + 1;
@@ -517,11 +654,17 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.mistakes = value_of(argc, argv, "--mistakes");
     judging.prepare = value_of(argc, argv, "--prepare");
     judging.result = value_of(argc, argv, "--result");
-    if (!judging.file || !judging.reference || n > MAX_CLAIMS)
+    if (n > MAX_CLAIMS)
+        quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
+    if (lesson->n_run > MAX_RUNS)
+        quit("%s has more than %d runs", lesson->name, MAX_RUNS);
+    if (!judging.file || !judging.reference)
         quit("usage: %s --file FILE --reference PROGRAM [--mistakes FOLDER] "
              "[--prepare COMMAND] [--result FILE]",
              argv[0]);
-    snprintf(judging.work, sizeof judging.work, "%s.work.XXXXXX", argv[0]);
+    if (snprintf(judging.work, sizeof judging.work, "%s.work.XXXXXX",
+                 argv[0]) >= (int)sizeof judging.work)
+        quit("a path of more than %zu characters", sizeof judging.work);
     if (!mkdtemp(judging.work)) quit("cannot make %s", judging.work);
 
     setvbuf(stdout, NULL, _IOLBF, 0);
@@ -565,8 +708,6 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         if (bad->verdict == CRASHED) printf(" in %s", claim.name);
         printf("    next: make hint-%s\n", number);
     }
-    char command[320];
-    snprintf(command, sizeof command, "rm -rf '%s'", judging.work);
-    if (system(command) != 0) return 2;
+    remove_work();
     return first < 0 ? 0 : 1;
 }

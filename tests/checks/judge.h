@@ -31,10 +31,11 @@ struct claim {
 /*
  * How to compare one column with the reference: |yours - reference| <=
  * tolerance * scale, scale being the largest |reference| in the column, or
- * `scale` where that is > 0 (for columns that vanish).  A negative tolerance
- * says: do not compare.  Either way there is a reason, which the student sees.
- * Every column of the reference's tables needs a rule; column "*" stands for
- * all the columns of a table that have none of their own.
+ * `scale` where that is > 0 (for columns that vanish).  A word, `-` too, must
+ * be the reference's word.  A negative tolerance says: do not compare.  Either
+ * way there is a reason, which the student sees.  Every column of the
+ * reference's tables needs a rule; column "*" stands for all the columns of a
+ * table that have none of their own.
  */
 struct column_rule {
     const char *table, *column;
@@ -48,7 +49,8 @@ struct lesson {
     const char *name; /* "07_poisson_bvp" */
     const struct claim *claims;
     int n_claim;
-    const char *const *runs; /* option strings; "" is the default scene */
+    const char *const *runs; /* option strings; "" is the default scene;
+                              * the reference ends with exit status 0 */
     int n_run;
     const struct column_rule *rules;
     int n_rule;
@@ -84,21 +86,46 @@ void expect_close(double got, double want, double tolerance, double scale,
 /* A program's output: its exit status, its tables, its last stderr line. */
 struct output;
 
-/* Run the program with options, split at spaces; it must exit with 0. */
+/* Run the program with options, split at spaces; it must exit with 0, and its
+ * numbers must be finite. */
 struct output *run(const char *options);
 
 /*
- * Run the program with options that it must refuse or cannot solve: it exits
- * with this status, prints no table, and its message on stderr has `word`.
+ * Run the program with options that it cannot solve: it exits with status 1,
+ * and its message on stderr has `text`.  The tables are those that it printed
+ * before, the history up to the failure; there may be none, and their numbers
+ * may be anything.
  */
-void expect_refusal(const char *options, int status, const char *word);
+struct output *run_unsolved(const char *options, const char *text);
 
-/* A column of a table, its length in *n (may be NULL); wrong() without it. */
+/*
+ * Run the program with options that it must refuse or cannot solve: it exits
+ * with this status, and its message on stderr has `text`.  With status 1 it
+ * may have printed tables, with any other it must not.
+ */
+void expect_refusal(const char *options, int status, const char *text);
+
+/* Whether there is such a table. */
+int has_table(const struct output *output, const char *table);
+
+/* A column of a table, its length in *n (may be NULL); wrong() without it, or
+ * when one of its cells is a word. */
 const double *column(const struct output *output, const char *table,
                      const char *name, int *n);
 
-/* One number of a table; row -1 is the last row. */
+/* One number of a table; row -1 is the last row.  wrong() for a word. */
 double cell(const struct output *output, const char *table, const char *name,
             int row);
+
+/* One word of a table; wrong() for a number. */
+const char *word(const struct output *output, const char *table,
+                 const char *name, int row);
+
+/* Whether a cell is the word `-`, a value that there is not. */
+int is_missing(const struct output *output, const char *table,
+               const char *name, int row);
+
+/* The number of rows of a table; wrong() without the table. */
+int row_count(const struct output *output, const char *table);
 
 #endif

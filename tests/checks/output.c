@@ -5,6 +5,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,43 +28,76 @@ void quit(const char *format, ...)
 
 /* ---- output tables ------------------------------------------------------ */
 
+static void *more(void *old, size_t n, size_t size)
+{
+    void *memory = realloc(old, n * size);
+    if (!memory) quit("out of memory");
+    return memory;
+}
+
+/* Room for twice as many rows. */
+static void grow(struct named_table *table)
+{
+    const int old = table->capacity, capacity = old ? 2 * old : 64;
+    const size_t n = (size_t)capacity * (size_t)table->n_column;
+    table->value = more(table->value, n, sizeof *table->value);
+    table->word = more(table->word, n, sizeof *table->word);
+    for (int c = table->n_column - 1; c > 0; c--) { /* the last one first */
+        memmove(table->value + c * capacity, table->value + c * old,
+                (size_t)old * sizeof *table->value);
+        memmove(table->word + c * capacity, table->word + c * old,
+                (size_t)old * sizeof *table->word);
+    }
+    table->capacity = capacity;
+}
+
+static void read_cell(struct named_table *table, int column, const char *text)
+{
+    const int at = column * table->capacity + table->n_row;
+    char *end;
+    table->value[at] = strtod(text, &end);
+    table->word[at] = NULL;
+    if (end != text && *end == '\0') return;
+    table->value[at] = NAN;
+    table->word[at] = strdup(text);
+    if (!table->word[at]) quit("out of memory");
+}
+
 static void read_row(struct output *output, struct named_table *table,
                      char *line)
 {
-    if (table->n_row == table->capacity) {
-        const int capacity = table->capacity ? 2 * table->capacity : 64;
-        double *value =
-            malloc(sizeof *value * (size_t)capacity * (size_t)table->n_column);
-        if (!value) quit("out of memory");
-        for (int c = 0; c < table->n_column; c++)
-            for (int r = 0; r < table->n_row; r++)
-                value[c * capacity + r] = table->value[c * table->capacity + r];
-        free(table->value);
-        table->value = value;
-        table->capacity = capacity;
+    int n_cell = 1;
+    for (const char *c = line; *c; c++) n_cell += *c == '\t';
+    if (n_cell != table->n_column) {
+        snprintf(output->error, sizeof output->error,
+                 "table `%s`, row %d: %d cells, but %d columns (a tab stands "
+                 "between two of them)",
+                 table->name, table->n_row + 1, n_cell, table->n_column);
+        return;
     }
-    char *rest = line;
-    for (int c = 0; c < table->n_column; c++) {
-        char *end;
-        const double value = strtod(rest, &end);
-        if (end == rest || (*end != '\t' && *end != '\0' && *end != ' ')) {
-            snprintf(output->error, sizeof output->error,
-                     "table `%s`, row %d: no number under `%s`", table->name,
-                     table->n_row + 1, table->column[c]);
-            return;
-        }
-        table->value[c * table->capacity + table->n_row] = value;
-        rest = end;
+    if (table->n_row == table->capacity) grow(table);
+    for (int c = 0; c < n_cell; c++) {
+        char *end = line + strcspn(line, "\t");
+        *end = '\0';
+        read_cell(table, c, line);
+        line = end + 1;
     }
     table->n_row++;
 }
 
-static void read_header(struct named_table *table, char *line)
+static void read_header(struct output *output, struct named_table *table,
+                        char *line)
 {
-    for (char *word = strtok(line, "\t ");
-         word && table->n_column < MAX_COLUMNS; word = strtok(NULL, "\t "))
+    for (char *name = strtok(line, "\t"); name; name = strtok(NULL, "\t")) {
+        if (table->n_column == MAX_COLUMNS) {
+            snprintf(output->error, sizeof output->error,
+                     "table `%s` has more than %d columns", table->name,
+                     MAX_COLUMNS);
+            return;
+        }
         snprintf(table->column[table->n_column++], sizeof table->column[0],
-                 "%.60s", word);
+                 "%.60s", name);
+    }
 }
 
 /* Tables as common/table.h describes them; comment lines after the name and
@@ -70,11 +105,13 @@ static void read_header(struct named_table *table, char *line)
 static void read_tables(struct output *output, const char *path)
 {
     FILE *file = fopen(path, "r");
-    char line[4096];
+    char *line = NULL;
+    size_t size = 0;
     struct named_table *table = NULL;
 
     if (!file) quit("cannot read %s: %s", path, strerror(errno));
-    while (!*output->error && fgets(line, sizeof line, file)) {
+    while (!*output->error && getline(&line, &size, file) >= 0) {
+        output->printed = 1;
         line[strcspn(line, "\r\n")] = '\0';
         if (line[strspn(line, " \t")] == '\0') {
             table = NULL;
@@ -92,18 +129,26 @@ static void read_tables(struct output *output, const char *path)
             snprintf(output->error, sizeof output->error,
                      "a line that belongs to no table: %.60s", line);
         } else if (table->n_column == 0) {
-            read_header(table, line);
+            read_header(output, table, line);
         } else {
             read_row(output, table, line);
         }
     }
+    free(line);
     fclose(file);
 }
 
 void output_free(struct output *output)
 {
     if (!output) return;
-    for (int t = 0; t < output->n_table; t++) free(output->table[t].value);
+    for (int t = 0; t < output->n_table; t++) {
+        struct named_table *table = &output->table[t];
+        for (int c = 0; c < table->n_column; c++)
+            for (int r = 0; r < table->n_row; r++)
+                free(table->word[c * table->capacity + r]);
+        free(table->value);
+        free(table->word);
+    }
     free(output);
 }
 
@@ -115,31 +160,47 @@ const struct named_table *find_table(const struct output *output,
     return NULL;
 }
 
-const double *find_column(const struct named_table *table, const char *name)
+int find_column(const struct named_table *table, const char *name)
 {
     for (int c = 0; c < table->n_column; c++)
-        if (strcmp(table->column[c], name) == 0)
-            return table->value + c * table->capacity;
-    return NULL;
+        if (strcmp(table->column[c], name) == 0) return c;
+    return -1;
+}
+
+double number_at(const struct named_table *table, int column, int row)
+{
+    return table->value[column * table->capacity + row];
+}
+
+const char *word_at(const struct named_table *table, int column, int row)
+{
+    return table->word[column * table->capacity + row];
 }
 
 /* ---- running a program -------------------------------------------------- */
 
-static void limit(int resource, rlim_t value)
+/* No more than this; a `hard` limit is for a program that ignores the first.
+ * What is limited more strictly already stays so. */
+static void limit(int resource, rlim_t value, rlim_t hard)
 {
     struct rlimit rule;
     if (getrlimit(resource, &rule) < 0) return;
-    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > value)
+    if (rule.rlim_cur == RLIM_INFINITY || rule.rlim_cur > value)
         rule.rlim_cur = value;
+    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > hard)
+        rule.rlim_max = hard;
     setrlimit(resource, &rule);
 }
 
 void set_limits(void)
 {
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, (rlim_t)MEGABYTES_OUTPUT << 20);
+    const rlim_t output = (rlim_t)MEGABYTES_OUTPUT << 20;
+    limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_FSIZE, output, output);
+    limit(RLIMIT_CPU, SECONDS_COMPUTING, SECONDS_COMPUTING + 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__APPLE__)
-    limit(RLIMIT_AS, (rlim_t)GIGABYTES_MEMORY << 30);
+    const rlim_t memory = (rlim_t)GIGABYTES_MEMORY << 30;
+    limit(RLIMIT_AS, memory, memory);
 #endif
 }
 
@@ -166,17 +227,22 @@ void last_line(const char *path, size_t size, char text[])
 struct output *output_of(const char *program, const char *options,
                          const char *folder)
 {
-    char out[320], err[320], words[512], *argv[64];
+    enum { MAX_WORDS = 64 };
+    char out[PATH_SIZE], err[PATH_SIZE], words[1024], *argv[MAX_WORDS + 1];
     int argc = 0;
     struct output *output = calloc(1, sizeof *output);
 
     if (!output) quit("out of memory");
     snprintf(out, sizeof out, "%s/out.%ld", folder, (long)getpid());
     snprintf(err, sizeof err, "%s/err.%ld", folder, (long)getpid());
-    snprintf(words, sizeof words, "%s", options);
+    if (snprintf(words, sizeof words, "%s", options) >= (int)sizeof words)
+        quit("options of more than %zu characters: %s", sizeof words, options);
     argv[argc++] = (char *)(program ? program : "program");
-    for (char *w = strtok(words, " "); w && argc < 63; w = strtok(NULL, " "))
+    for (char *w = strtok(words, " "); w; w = strtok(NULL, " ")) {
+        if (argc == MAX_WORDS)
+            quit("options of more than %d words: %s", MAX_WORDS - 1, options);
         argv[argc++] = w;
+    }
     argv[argc] = NULL;
 
     fflush(NULL);
@@ -186,7 +252,8 @@ struct output *output_of(const char *program, const char *options,
         redirect(STDOUT_FILENO, out);
         redirect(STDERR_FILENO, err);
         set_limits();
-        alarm(SECONDS_A_CHECK);
+        signal(SIGALRM, SIG_DFL); /* not Check's handler */
+        alarm(SECONDS_WAITING);
         if (!program) exit(program_main(argc, argv));
         execv(program, argv);
         _exit(127);
@@ -197,11 +264,11 @@ struct output *output_of(const char *program, const char *options,
     output->status =
         WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     last_line(err, sizeof output->stderr_, output->stderr_);
-    if (output->status == 0)
+    if (output->status == 0 || output->status == 1) {
         read_tables(output, out);
-    else {
-        FILE *file = fopen(out, "r"); /* to tell whether anything was printed */
-        if (file && fgetc(file) != EOF) output->n_table = 1;
+    } else {
+        FILE *file = fopen(out, "r");
+        if (file && fgetc(file) != EOF) output->printed = 1;
         if (file) fclose(file);
     }
     remove(out);

@@ -7,7 +7,8 @@
 #include <stddef.h>
 
 enum {
-    SECONDS_A_CHECK = 5,
+    SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
+    SECONDS_WAITING = 60,  /* wall time, for a program that only waits */
     MEGABYTES_OUTPUT = 8,
     GIGABYTES_MEMORY = 4,
     MAX_TABLES = 64,
@@ -18,17 +19,27 @@ enum {
 _Noreturn void quit(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
+/* A path in the folder of a judge, or the judge's own. */
+enum { PATH_SIZE = 4096 };
+
+/*
+ * A cell is a number when strtod takes the whole of it, nan and inf too, and
+ * a word otherwise; `value` of a word is NaN, `word` of a number NULL.  Both
+ * are arrays [n_column][capacity], by columns, and owned.
+ */
 struct named_table {
     char name[64];
     int n_column, n_row;
     char column[MAX_COLUMNS][64];
-    double *value; /* [n_column][capacity] by columns; owned */
+    double *value;
+    char **word;
     int capacity;
 };
 
 struct output {
     int status;  /* exit status, or -signal */
-    int n_table; /* where status is not 0: 1 if anything was printed */
+    int printed; /* whether there is anything on stdout */
+    int n_table; /* tables are read where status is 0 or 1 */
     struct named_table table[MAX_TABLES];
     char error[512];   /* what is wrong with the format, or "" */
     char stderr_[512]; /* last line on stderr, or "" */
@@ -45,7 +56,12 @@ void output_free(struct output *output);
 
 const struct named_table *find_table(const struct output *output,
                                      const char *name);
-const double *find_column(const struct named_table *table, const char *name);
+/* The index of a column, or -1. */
+int find_column(const struct named_table *table, const char *name);
+
+/* One cell: its number, NaN for a word; its word, NULL for a number. */
+double number_at(const struct named_table *table, int column, int row);
+const char *word_at(const struct named_table *table, int column, int row);
 
 /* Limits for this process; stdout or stderr into a file; a file's last line. */
 void set_limits(void);

@@ -2,11 +2,26 @@
 #
 #     awk -f tests/tools/show.awk -v show=NAME FILE
 #
-# The table NAME is printed, aligned and to six digits, at most 20 rows of it;
-# of the others the name and the number of rows.
+# The table NAME is printed, aligned on the right, numbers to six digits, at most
+# 20 rows of it; of the others the name and the number of rows.
+function is_number(text) {
+    return text ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/
+}
+function print_rows(    r, i, line) { # as many columns as fit into 100 places
+    shown = total = 0
+    while (shown < n_column && total + width[shown + 1] <= 100)
+        total += width[++shown]
+    for (r = 1; r <= kept; r++) {
+        line = ""
+        for (i = 1; i <= shown; i++) line = line sprintf("%" width[i] "s", cell[r, i])
+        print line
+    }
+    if (shown < n_column) printf "  ... %d columns more\n", n_column - shown
+}
 function leave() {
     if (table == "") return
     if (table == show) {
+        print_rows()
         if (rows > 21) printf "  ... %d rows more\n", rows - 21
     } else {
         others = others (others == "" ? "" : ", ") table " (" rows - 1 ")"
@@ -23,11 +38,15 @@ NF == 0 { leave(); next }
 {
     rows++
     if (table != show || rows > 21) next
-    line = ""
     n = split($0, field, "\t")
-    for (i = 1; i <= n; i++)
-        line = line sprintf(rows == 1 ? "%14s" : "%14.6g", field[i])
-    print substr(line, 1, 100)
+    if (rows == 1) n_column = n
+    kept = rows
+    for (i = 1; i <= n; i++) {
+        text = is_number(field[i]) ? sprintf("%.6g", field[i]) : field[i]
+        cell[rows, i] = text
+        if (rows == 1) width[i] = 14
+        if (length(text) + 2 > width[i]) width[i] = length(text) + 2
+    }
 }
 END {
     leave()

@@ -76,13 +76,9 @@ behave)
         judged "$1" "$3"
     }
     judged() {
-        start=$(date +%s)
         said=$("$MAKE" "check-$nn" 2>/dev/null </dev/null)
-        took=$(($(date +%s) - start))
         echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: $2"
         result $? "$nn: $1 is judged $2" "$said"
-        [ $took -le 15 ]
-        result $? "$nn: $1 is judged within 15 s" "$took s"
     }
     behave 'segmentation fault' 'int *volatile nowhere = (int *)-4096L; *nowhere = 1;' CRASHED
     behave 'endless loop' 'for (volatile int spin = 0;; spin = 1) {}' TIMEOUT

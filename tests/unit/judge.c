@@ -1,0 +1,282 @@
+/*
+ * judge.c - laws of tests/checks/judge.h and output.h: what the judge reads
+ * from a program's output, and what it takes for a difference.
+ */
+#include "../checks/output.c"
+
+#include "../checks/judge.c"
+
+#include "unit.h"
+
+/* The program that is judged here: it prints this and ends so. */
+static struct {
+    const char *text, *message;
+    int status;
+} program;
+
+int program_main(int argc, char *argv[])
+{
+    (void)argc;
+    (void)argv;
+    fputs(program.text, stdout);
+    fputs(program.message, stderr);
+    return program.status;
+}
+
+static struct output *printed(const char *text, int status)
+{
+    program.text = text;
+    program.message = "why it stopped: NOT_SPD";
+    program.status = status;
+    return output_of(NULL, "", judging.work);
+}
+
+static void begin(void)
+{
+    static const struct column_rule rules[] = {
+        {"t", "free", NOT_COMPARED, "it differs from run to run", 0},
+        {"t", "*", 1e-9, "round-off", 0},
+    };
+    static const struct lesson lesson = {
+        .name = "00_unit", .rules = rules, .n_rule = COUNT(rules)};
+    judging.lesson = &lesson;
+    snprintf(judging.work, sizeof judging.work, "/tmp/unit's judge.XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(judging.work));
+}
+
+static void cells_are_numbers_or_words(void)
+{
+    begin();
+    struct output *o = printed("# t\n# note\nmethod\tx\ty\n"
+                               "exact\t1.5\t-\nline search\t-2e3\t3e\n"
+                               "1x\tnan\t-inf\n\n\n",
+                               0);
+    ck_assert_str_eq(o->error, "");
+    ck_assert_int_eq(row_count(o, "t"), 3);
+    ck_assert_str_eq(word(o, "t", "method", 1), "line search");
+    ck_assert_str_eq(word(o, "t", "method", -1), "1x");
+    ck_assert_str_eq(word(o, "t", "y", 1), "3e");
+    ck_assert(cell(o, "t", "x", 0) == 1.5 && cell(o, "t", "x", 1) == -2e3);
+    ck_assert(isnan(cell(o, "t", "x", 2)) && cell(o, "t", "y", 2) < -1e308);
+    ck_assert(is_missing(o, "t", "y", 0) && !is_missing(o, "t", "y", 1));
+    ck_assert(!is_missing(o, "t", "x", 2) && !has_table(o, "u"));
+    output_free(o);
+    remove_work();
+}
+
+/* Many rows, so that the arrays grow several times. */
+static void every_row_keeps_its_cells(void)
+{
+    enum { N = 3000 };
+    static char text[N * 40];
+    size_t end = (size_t)sprintf(text, "# t\nk\tw\tm\n");
+    for (int k = 0; k < N; k++)
+        end += (size_t)sprintf(text + end, "%d\tw%d\t%s\n", k, k % 37,
+                               k % 3 ? "2.385" : "-");
+    begin();
+    struct output *o = printed(text, 0);
+    ck_assert_int_eq(row_count(o, "t"), N);
+    for (int k = 0; k < N; k++) {
+        char w[16];
+        snprintf(w, sizeof w, "w%d", k % 37);
+        ck_assert(cell(o, "t", "k", k) == k);
+        ck_assert_str_eq(word(o, "t", "w", k), w);
+        ck_assert_int_eq(is_missing(o, "t", "m", k), k % 3 == 0);
+    }
+    output_free(o);
+    remove_work();
+}
+
+static void unreadable_output_is_named(void)
+{
+    static const char *const bad[][2] = {
+        {"# t\na\tb\n1\t2\n3\n", "table `t`, row 2: 1 cells, but 2 columns"},
+        {"# t\na\n1\t2\n", "table `t`, row 1: 2 cells, but 1 columns"},
+        {"# t\na\n1\n\n5\n", "a line that belongs to no table: 5"},
+        {"hello\n", "a line that belongs to no table: hello"},
+    };
+    begin();
+    for (int i = 0; i < COUNT(bad); i++) {
+        struct output *o = printed(bad[i][0], 0);
+        ck_assert_msg(strstr(o->error, bad[i][1]), "%s", o->error);
+        output_free(o);
+    }
+    char text[1024] = "# t\n";
+    for (int c = 0; c <= MAX_COLUMNS; c++)
+        strcat(text, c < MAX_COLUMNS ? "c\t" : "c\n");
+    struct output *o = printed(text, 0);
+    ck_assert_str_eq(o->error, "table `t` has more than 32 columns");
+    output_free(o);
+    text[0] = '\0';
+    for (int t = 0; t <= MAX_TABLES; t++) strcat(text, "# t\na\n1\n\n");
+    o = printed(text, 0);
+    ck_assert_str_eq(o->error, "more than 64 tables");
+    output_free(o);
+    remove_work();
+}
+
+/* What the judge says of a program that prints `mine` for `reference`. */
+static const char *difference(const char *mine, const char *reference)
+{
+    static char text[900];
+    struct output *got = printed(mine, 0), *want = printed(reference, 0);
+    if (!tables_differ(got, want, sizeof text, text)) text[0] = '\0';
+    output_free(got);
+    output_free(want);
+    return text;
+}
+
+static void words_must_be_the_reference_s(void)
+{
+    const char *const want = "# t\nlaw\tx\tfree\nlog\t1\tA\ncubic\t-\t2\n\n\n";
+    begin();
+    ck_assert_str_eq(difference(want, want), "");
+    ck_assert_str_eq(
+        difference("# t\nlaw\tx\tfree\nlog\t1\t7\ncubic\t-\t-\n", want), "");
+    ck_assert_str_eq(
+        difference("# t\nfree\tx\tlaw\n7\t1.0000000001\tlog\n7\t-\tcubic\n",
+                   want), "");
+    ck_assert_str_eq(
+        difference("# t\nlaw\tx\tfree\nlog\t1\tA\nlin\t-\t2\n", want),
+        "table `t`, row 2 (law = `cubic`), column `law`: yours `lin`, "
+        "reference `cubic`");
+    ck_assert_str_eq(
+        difference("# t\nlaw\tx\tfree\nlog\t1\tA\ncubic\t0\t2\n", want),
+        "table `t`, row 2 (law = `cubic`), column `x`: yours 0, "
+        "reference `-`");
+    ck_assert_str_eq(
+        difference("# t\nlaw\tx\tfree\nlog\t-\tA\ncubic\t-\t2\n", want),
+        "table `t`, row 1 (law = `log`), column `x`: yours `-`, reference 1");
+    ck_assert_ptr_nonnull(
+        strstr(difference("# t\nlaw\tx\tfree\nlog\tnan\tA\ncubic\tnan\t2\n",
+                          want), "yours nan, reference `-`"));
+    ck_assert_ptr_nonnull(
+        strstr(difference("# t\nlaw\tx\tfree\nlog\t1.1\tA\ncubic\t-\t2\n",
+                          want), "yours 1.1, reference 1, 1e+08 times"));
+    remove_work();
+}
+
+static const char *const HISTORY = "# t\nx\n1\n2\n\n\n";
+
+static void known_mistakes_tell_by_words_and_histories(void)
+{
+    begin();
+    struct output *o[] = {printed(HISTORY, 0), printed(HISTORY, 1),
+                          printed("# t\nx\n1\n-\n\n\n", 1), printed("", 1),
+                          printed("", 2)};
+    for (int i = 0; i < COUNT(o); i++)
+        for (int k = 0; k < COUNT(o); k++) /* all but the history of none */
+            ck_assert_msg(coincide(o[i], o[k]) ==
+                              (i == k || (k == 3 && (i == 1 || i == 2))),
+                          "%d and %d", i, k);
+    for (int i = 0; i < COUNT(o); i++) output_free(o[i]);
+    remove_work();
+}
+
+/* ---- as a check sees it: a wrong() leaves with its message ----------------- */
+
+static void expect_wrong(void (*check)(void), const char *message)
+{
+    const TTest test = {"check", (TFun)check, __FILE__, __LINE__};
+    Suite *suite = suite_create("judge");
+    TCase *tcase = tcase_create("check");
+    tcase_add_test(tcase, &test);
+    suite_add_tcase(suite, tcase);
+    SRunner *runner = srunner_create(suite);
+    srunner_run_all(runner, CK_SILENT);
+    TestResult **result = srunner_results(runner);
+    if (message)
+        ck_assert_msg(strstr(tr_msg(result[0]), message), "it says: %s",
+                      tr_msg(result[0]));
+    else
+        ck_assert_msg(tr_rtype(result[0]) == CK_PASS, "it says: %s",
+                      tr_msg(result[0]));
+    free(result);
+    srunner_free(runner);
+}
+
+static void ask_refusal(void)
+{
+    expect_refusal("--p 1", 1, "NOT_SPD");
+}
+
+static void ask_bad_usage(void)
+{
+    expect_refusal("--p 1", 2, "NOT_SPD");
+}
+
+static void ask_other_reason(void)
+{
+    expect_refusal("--p 1", 1, "STALLED");
+}
+
+static void ask_history(void)
+{
+    struct output *o = run_unsolved("--p 1", "NOT_SPD");
+    expect(cell(o, "t", "x", -1) == 2, "the history is not there");
+    output_free(o);
+}
+static void ask_solved(void)
+{
+    output_free(run("--p 1"));
+}
+
+static void ask_number(void)
+{
+    cell(run("--p 1"), "t", "law", 0);
+}
+
+static void ask_numbers(void)
+{
+    column(run("--p 1"), "t", "law", NULL);
+}
+
+static void ask_word(void)
+{
+    word(run("--p 1"), "t", "x", 0);
+}
+
+static void unsolved_runs_keep_their_tables(void)
+{
+    begin();
+    output_free(printed(HISTORY, 1));
+    expect_wrong(ask_history, NULL);
+    expect_wrong(ask_refusal, NULL);
+    expect_wrong(ask_bad_usage, "must stop with exit status 2, not 1");
+    expect_wrong(ask_other_reason, "the message must say STALLED");
+    expect_wrong(ask_solved, "stopped with exit status 1: why it stopped");
+    output_free(printed("", 1));
+    expect_wrong(ask_refusal, NULL);
+    output_free(printed("no table\n", 1));
+    expect_wrong(ask_history, "the output cannot be read");
+    output_free(printed("", 2));
+    expect_wrong(ask_bad_usage, NULL);
+    output_free(printed(HISTORY, 2));
+    expect_wrong(ask_bad_usage, "prints something and then fails");
+    remove_work();
+}
+
+static void a_word_is_no_number(void)
+{
+    begin();
+    output_free(printed("# t\nlaw\tx\nlog\t1\n", 0));
+    expect_wrong(ask_solved, NULL);
+    expect_wrong(ask_number, "column `law`: the word log stands where a number");
+    expect_wrong(ask_numbers, "column `law`: the word log stands where a number");
+    expect_wrong(ask_word, "column `x`: the number 1 stands where a word");
+    output_free(printed("# t\nlaw\tx\nlog\tnan\n", 0));
+    expect_wrong(ask_solved, "not finite: table `t`, row 1, column `x` is nan");
+    remove_work();
+}
+
+static const struct unit_law laws[] = {
+    {"cells_are_numbers_or_words", cells_are_numbers_or_words},
+    {"every_row_keeps_its_cells", every_row_keeps_its_cells},
+    {"unreadable_output_is_named", unreadable_output_is_named},
+    {"words_must_be_the_reference_s", words_must_be_the_reference_s},
+    {"known_mistakes_tell_by_words_and_histories",
+     known_mistakes_tell_by_words_and_histories},
+    {"unsolved_runs_keep_their_tables", unsolved_runs_keep_their_tables},
+    {"a_word_is_no_number", a_word_is_no_number},
+};
+UNIT_MAIN("judge", laws)
