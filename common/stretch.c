@@ -95,10 +95,11 @@ struct stretch_report stretch_cured(enum cure cure, struct material material,
                                     struct newton_control control)
 {
     double F = 1.0 - jump;
-    if (cure == STEPPING) return stretch_stepping(&material, p, jump, &control);
-    if (cure == SEARCH) control.line_search = 1;
-    if (cure == CUBIC_LAW) material.law = CUBIC;
-    if (cure == BETTER_START)
+    if (cure == CURE_STEPPING)
+        return stretch_stepping(&material, p, jump, &control);
+    if (cure == CURE_SEARCH) control.line_search = 1;
+    if (cure == CURE_CUBIC) material.law = CUBIC;
+    if (cure == CURE_START)
         F = p == 0.0 ? 1.0 - jump / n : exp(p / material_modulus(&material));
     return stretch_newton(&material, p, F, &control);
 }

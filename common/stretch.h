@@ -51,13 +51,16 @@ struct stretch_report stretch_stepping(const struct material *material,
                                        double p, double jump,
                                        const struct newton_control *control);
 
-enum cure { PLAIN, STEPPING, SEARCH, BETTER_START, CUBIC_LAW, N_CURE };
+enum cure {
+    CURE_PLAIN, CURE_STEPPING, CURE_SEARCH, CURE_START, CURE_CUBIC, N_CURE
+};
 #define CURES "plain stepping search start cubic" /* as words, in this order */
 
 /*
  * From rest to the stress p with the boundary moved by jump, one cure at a
- * time.  PLAIN starts at F = 1 - jump; BETTER_START at exp(p / (2 mu + lambda))
- * or, for p = 0, at the linear lift, where n elements share the jump.
+ * time.  CURE_PLAIN starts at F = 1 - jump; CURE_START at
+ * exp(p / (2 mu + lambda)) or, for p = 0, at the linear lift, where n elements
+ * share the jump.
  */
 struct stretch_report stretch_cured(enum cure cure, struct material material,
                                     double p, double jump, int n,

@@ -82,9 +82,10 @@ static void cures_arrive(void)
         for (int c = 0; c < N_CURE; c++) {
             const struct stretch_report got =
                 stretch_cured((enum cure)c, of(LOG, 0.3), p, jump, 10, plain);
-            const int fails = c == PLAIN || (c == SEARCH && jump > 0.0);
+            const int fails =
+                c == CURE_PLAIN || (c == CURE_SEARCH && jump > 0.0);
             ck_assert_int_eq(got.status, fails ? INVERTED : OK);
-            const struct material m = of(c == CUBIC_LAW ? CUBIC : LOG, 0.3);
+            const struct material m = of(c == CURE_CUBIC ? CUBIC : LOG, 0.3);
             if (!fails)
                 close_to(material1_pk1(&m, got.F), p, 1e-9 * (1.0 - p));
         }
@@ -104,6 +105,61 @@ static void stepping_stops_at_the_limit_load(void)
         stretch_stepping(&m, 613.7, 0.0, &short_of);
     ck_assert_int_eq(cut.status, MAX_ITERATIONS);
     ck_assert_int_le(cut.iterations, 7);
+}
+
+/* The boundary of a bar of 7 elements, free at the other end, moves by dg. */
+static void boundary_step_is_one_stretch(void)
+{
+    enum { n = 7 };
+    const double b[n + 1] = {0.0};
+    for (int k = -6; k < 4; k++) {
+        const double jump = 0.4237 * k + 0.05;
+        const struct bar bar = {n, 1.0 / n, {1, 0}, b, of(LOG, 0.3)};
+        double u[n + 1] = {jump / n};
+        ck_assert_int_eq(
+            stretch_newton(&bar.material, 0.0, 1.0 - jump, &plain).status,
+            bar_newton(&bar, &plain, u, NULL).status);
+    }
+}
+
+/* u(0, t) = sin t: every step starts the first element at F = 1 - dg / dX. */
+static void moving_end_is_the_oracles(void)
+{
+    for (int k = 0; k < COUNT(oracle_example); k++) {
+        const double dt = oracle_example[k].dt, n = oracle_example[k].n;
+        double fails = 0.0, largest = 0.0;
+        int most[3] = {0, 0, 0};
+        for (int i = 1; (i - 1) * dt < 6.3 - 1e-9; i++)
+            for (int law = LOG; law <= CUBIC; law++) {
+                const struct material m = of((enum law)law, 0.3);
+                const double dg = (sin(i * dt) - sin((i - 1) * dt)) * n;
+                largest = fmax(largest, fabs(dg));
+                if (law == LOG && fails > 0.0) continue;
+                const struct stretch_report end =
+                    stretch_newton(&m, 0.0, 1.0 - dg, &plain);
+                if (end.status != OK) fails = i * dt;
+                if (end.iterations > most[law]) most[law] = end.iterations;
+            }
+        close_to(largest, oracle_example[k].largest_step, 1e-9);
+        close_to(fails, oracle_example[k].fails, 1e-9);
+        close_to(most[CUBIC], oracle_example[k].cubic, 2);
+        if (oracle_example[k].log >= 0)
+            close_to(most[LOG], oracle_example[k].log, 2);
+    }
+}
+
+/* Limit loads and second rest states of the cubic law: P' = 0, P = 0. */
+static void limit_loads_are_the_oracles(void)
+{
+    for (int k = 0; k < COUNT(oracle_giveup); k++) {
+        const struct material m = of(CUBIC, oracle_giveup[k].nu);
+        const double F = oracle_giveup[k].F_limit;
+        const double rest = oracle_giveup[k].F_rest;
+        if (F > 0.0) close_to(material1_dpk1(&m, F), 0.0, 1e-9);
+        if (F > 0.0)
+            close_to(material1_pk1(&m, F), oracle_giveup[k].P_limit, 1e-9);
+        if (rest > 0.0) close_to(material1_pk1(&m, rest), 0.0, 1e-9);
+    }
 }
 
 /* Ten elements, both ends held, the right one moved at once. */
@@ -134,6 +190,9 @@ static const struct unit_law laws[] = {
      what_is_no_number_ends_with_a_reason},
     {"cures_arrive", cures_arrive},
     {"stepping_stops_at_the_limit_load", stepping_stops_at_the_limit_load},
+    {"boundary_step_is_one_stretch", boundary_step_is_one_stretch},
+    {"moving_end_is_the_oracles", moving_end_is_the_oracles},
+    {"limit_loads_are_the_oracles", limit_loads_are_the_oracles},
     {"bar_localises_as_the_oracles", bar_localises_as_the_oracles},
 };
 UNIT_MAIN("stretch", laws)
