@@ -31,7 +31,7 @@ double order_of(double coarse, double fine, double ratio);
 _Noreturn void claim_failed(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
-/* ---- seconds -------------------------------------------------------------- */
+/* ---- seconds ------------------------------------------------------------ */
 
 /* Samples of the seconds that one run takes.  A run whose answer is not valid
  * has no seconds: its sample is NAN, and so is then every figure below. */

@@ -5,7 +5,7 @@
 
 T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
-.PHONY: test starters workbook programs all memcheck
+.PHONY: test starters workbook programs studies all memcheck
 
 # ---- starters, known mistakes, workbook -------------------------------------
 
@@ -133,9 +133,9 @@ UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
 
 # ---- the whole, in other builds, and the closing line -----------------------
 
-STUDY_PROGRAMS := $(STUDIES:%=$(BUILD)/figures/%)
-programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(COUNTED:%=$(BUILD)/figures/%)
-all: programs $(PROGRAMS:=.judge) $(STUDY_PROGRAMS) \
+programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
+studies: $(COUNTED:%=$(BUILD)/figures/%)
+all: programs $(PROGRAMS:=.judge) $(STUDIES:%=$(BUILD)/figures/%) \
      $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
 
 # what any test may rest on

@@ -2,6 +2,8 @@
 # cli.sh - what programs and make targets do with bad input, a full disk, a
 # closed pipe, a missing file.  Prints "ok ..." or "FAIL ..." lines.
 set -u
+LC_ALL=C
+export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
@@ -100,19 +102,40 @@ wait $watch 2>/dev/null
 grep -q "VERDICT $nn: UNFINISHED" "$tmp/watch" && grep -q "VERDICT $nn: OK" "$tmp/watch"
 result $? 'watch checks again at a save' "$(cat "$tmp/watch")"
 
-figure=$(ls figures/"$slug"_*.gp | head -n 1)
+figure=$(ls figures/"$slug"/*.gp | head -n 1)
 picture=${figure%.gp}.svg
+cp "$picture" "$tmp/before.svg"
 sh tests/tools/figure.sh "$figure" no-such-file.tsv "$picture" >/dev/null 2>&1
-[ $? != 0 ] && [ ! -e "$picture" ] && [ ! -e "$picture.part" ]
-result $? 'a figure without its data leaves no file' "$(ls figures)"
+[ $? != 0 ] && cmp -s "$picture" "$tmp/before.svg" && [ ! -e "$picture.part" ]
+result $? 'a figure without its data leaves the old picture' "$(ls figures/*)"
 echo 'plot nonsense' >>"$figure"
 "$MAKE" "$picture" >/dev/null 2>&1
-[ $? != 0 ] && [ ! -e "$picture" ] && [ ! -e "$picture.part" ]
-result $? 'a figure whose script fails leaves no file' "$(ls figures)"
+[ $? != 0 ] && cmp -s "$picture" "$tmp/before.svg" && [ ! -e "$picture.part" ]
+result $? 'a figure whose script fails leaves the old picture' "$(ls figures/*)"
 sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' workbook.md >stale.md
-sh tests/tools/workbook.sh check stale.md >/dev/null 2>&1
-[ $? != 0 ]
-result $? 'a stale number in the workbook is noticed' ''
+said=$(sh tests/tools/workbook.sh check workbook.md stale.md 2>&1)
+[ $? = 1 ] && echo "$said" | grep -q '^stale.md is stale' &&
+    ! echo "$said" | grep -q '^workbook.md is stale'
+result $? 'a stale number in the book is noticed' "$said"
+printf '%s\n' '# words' 'name	value' 'NOT_SPD	1.25' 'stretch	-' '' '' \
+    >build/data/words.tsv
+printf '%s\n' '<!-- table words words; name %d; value %.1f; value %s -->' \
+    '<!-- end -->' >words.md
+sh tests/tools/workbook.sh fill words.md >/dev/null 2>&1
+grep -qxF '| NOT_SPD | 1.2 | 1.25 |' words.md &&
+    grep -qxF '| stretch | - | - |' words.md
+result $? 'a word in a table is printed as it is' "$(cat words.md)"
+comma=$(locale -a 2>/dev/null | grep -iE '^(de_DE|fr_FR|tr_TR)\.utf-?8$' | head -n 1)
+if [ -n "$comma" ]; then
+    said=$(LC_ALL=$comma sh tests/tools/workbook.sh check workbook.md 2>&1)
+    result $? "the book is filled alike under $comma" "$said"
+    "$MAKE" "lesson-$nn" >/dev/null 2>&1
+    said=$(LC_ALL=$comma "$MAKE" "lesson-$nn" 2>&1)
+    [ "$said" = "$("$MAKE" "lesson-$nn" 2>&1)" ]
+    result $? "a lesson is shown alike under $comma" "$said"
+else
+    echo 'skip cli: no locale with a decimal comma here'
+fi
 awk '/^\/\* SLOT|^    \/\* SLOT/ { print "    int spoiled;" } { print }' \
     "solutions/$slug.c" | awk -f tests/tools/starter.awk | cmp -s - "lessons/$slug.c"
 [ $? != 0 ]

@@ -4,6 +4,8 @@
 # KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
 # UBSan), valgrind (no leak, no invalid access).  Prints ok, FAIL, skip lines.
 set -u
+LC_ALL=C
+export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 kind=$1 dir=$BUILD/$1
 result() {
@@ -13,13 +15,6 @@ have() { # have COMMAND ARGS...: it compiles a program that runs
     echo 'int main(void) { return 0; }' >"$dir.c" &&
         "$@" "$dir.c" -o "$dir.out" >/dev/null 2>&1 && "$dir.out"
 }
-# a short run of a program: a small time budget, no fine mesh, where it has them
-quick() {
-    "$1" -h | grep -q -e --budget && echo '--budget 0.01'
-    "$1" -h | grep -q -e --finest && echo '--finest 16'
-    "$1" -h | grep -q -e --levels && echo '--n 4 --levels 5 --loop 6'
-}
-
 mkdir -p "$dir"
 case $kind in
 gcc | clang)
@@ -29,7 +24,7 @@ gcc | clang)
 sanitize)
     flags='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
     if ! have "${CC:-cc}" $flags; then echo 'skip sanitize: no ASan here'; exit 0; fi
-    said=$("$MAKE" all BUILD="$dir" CFLAGS="$flags" 2>&1)
+    said=$("$MAKE" programs studies BUILD="$dir" CFLAGS="$flags" 2>&1)
     result $? 'everything compiles' "$said" ;;
 valgrind)
     if ! command -v valgrind >/dev/null; then
@@ -43,13 +38,17 @@ esac
 [ $kind = sanitize ] || [ $kind = valgrind ] || exit 0
 run=
 [ $kind = sanitize ] || run='valgrind -q --leak-check=full --error-exitcode=9'
-for program in "$dir"/solutions/[0-9][0-9]_*; do
-    case $program in *.*) continue ;; esac
-    said=$($run "$program" $(quick "$program") 2>&1 >/dev/null)
-    result $? "$(basename "$program") is clean" "$said"
+# The default run of every solution; of every study under the sanitizers, which
+# are quicker than valgrind.
+set -- "$dir"/solutions/[0-9][0-9]_*
+[ $kind = valgrind ] || set -- "$@" "$dir"/figures/*/*
+for program in "$@"; do
+    case ${program##*/} in *.*) continue ;; esac
+    said=$($run "$program" 2>&1 >/dev/null)
+    result $? "${program#"$dir"/} is clean" "$said"
 done
 for program in "$dir"/unit/*; do
-    case $program in *.*) continue ;; esac
+    case ${program##*/} in *.*) continue ;; esac
     # Check keeps its own structures to the end of the process
     said=$(ASAN_OPTIONS=detect_leaks=0 $(echo "$run" | sed 's/--leak-check=full//') \
         "$program" 2>&1)

@@ -4,6 +4,8 @@
 # Uses apt-get or Homebrew, and only for what is missing; without either it
 # prints what to install.  Says nothing but one line when all is there.
 set -u
+LC_ALL=C
+export LC_ALL
 
 have_header() { printf '#include <%s>\n' "$1" | ${CC:-cc} $2 -E - >/dev/null 2>&1; }
 

@@ -3,10 +3,13 @@
 #
 # Prints "ok lint: RULE" or "FAIL lint: RULE: where".
 set -u
+LC_ALL=C
+export LC_ALL
 rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
-sources=$(ls common/*.[ch] solutions/*.c tests/*/*.[ch])
+studies=$(ls figures/*/*.c)
+sources=$(ls common/*.[ch] solutions/*.c figures/*/*.c tests/*/*.[ch])
 lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
@@ -26,8 +29,8 @@ rule 'every header of common/ has its layer' "$(for f in common/*.h; do
 done)"
 rule 'common/ knows no lesson' \
     "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*.c common/*.h)"
-rule 'solutions include libc, GSL and common/ only' \
-    "$(grep -nH '^#include "' solutions/*.c | while IFS=: read -r file line text; do
+rule 'solutions and studies include libc, GSL and common/ only' \
+    "$(grep -nH '^#include "' solutions/*.c $studies | while IFS=: read -r file line text; do
         header=$(echo "$text" | sed 's/.*"\(.*\)".*/\1/')
         [ -f "common/$header" ] || echo "$file:$line"
     done)"
@@ -40,45 +43,100 @@ rule 'lines of at most 80 columns' \
     "$(for f in $sources; do awk -v f="$f" 'length > 80 { print f ":" FNR }' "$f"; done)"
 rule 'no // comments' "$(grep -nE '(^|[^:"])//' $sources)"
 rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile)"
+sh tests/tools/sizes.sh lint
+rule 'a header of at most 25 lines tells what a program is for' \
+    "$(for f in solutions/*.c $studies; do
+        awk -v f="$f" 'NR == 1 && !/^\/\*/ { print f ": none" }
+            /\*\// { if (NR > 25) print f ": " NR; exit }' "$f"; done)"
+# longest FILES ALLOWED PATTERN: functions that begin with PATTERN and are longer
+longest() {
+    for f in $1; do
+        awk -v f="$f" -v most="$2" -v pattern="$3" '
+            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0 }
+            /^}/ { if (start && NR - start + 1 > most)
+                       print f ": " NR - start + 1 ": " name; start = 0 }' "$f"
+    done
+}
+rule 'main() has at most 50 lines' \
+    "$(longest "$(ls solutions/*.c)" 50 '^int main\(')"
+rule 'a function has at most 60 lines' \
+    "$(longest "$sources" 60 '^[a-z_].*\(')"
+rule 'a lesson has at most 8 options' \
+    "$(for f in solutions/*.c; do
+        n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
+        [ "$n" -le 8 ] || echo "$f: $n"; done)"
+rule 'a study ends in its claim, and takes no options' \
+    "$(for f in $studies; do
+        case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
+        grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
+
+# ---- the book -----------------------------------------------------------------
+book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
+rule 'every chapter is in the contents' \
+    "$(for f in $book; do case $f in
+        workbook.md | solutions/*) ;;
+        *) grep -qF "]($f)" workbook.md || echo "$f" ;;
+    esac; done)"
+rule 'hints and answers are in solutions/, not in a chapter' \
+    "$(grep -nE '<summary>(Hint|Answer)' workbook.md lessons/*.md figures/*/README.md)"
+rule 'every formula survives Markdown (tests/tools/math.awk)' \
+    "$(awk -f tests/tools/math.awk README.md $book)"
+rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
+    "$(grep -nE '^ *<!-- n ' $book)"
+
+# What the text links to, as FILE:TARGET from the top of the tree.
+links=$(for f in README.md $book; do
+    awk '/^ *```/ { fence = !fence; next } !fence' "$f" | grep -oE '\]\([^)]*\)' |
+        sed -n 's/^](\([^#)][^#)]*\).*/\1/p' | grep -v '^https*:' |
+        sed "s|^|$(dirname "$f")/|; s|^\./||
+             :up
+             s|[^/.][^/]*/\.\./||; t up
+             s|^|$f:|"
+done)
+rule 'every picture and file that the text names is there' \
+    "$(echo "$links" | while IFS=: read -r f target; do
+        [ -s "$target" ] || echo "$f: $target"; done)"
 
 # ---- equation labels ----------------------------------------------------------
+labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
+undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
 defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
-cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c tests/bench/*.c | tr '\n' ' ' |
-    grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u)
+cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule 'every label cited by code is defined in workbook.md' \
-    "$(for c in $cited; do echo "$defined" | grep -qxF "$c" || echo "$c"; done)"
+    "$(echo "$cited" | undefined)"
 rule 'every label of workbook.md is cited by code' \
     "$(for d in $defined; do echo "$cited" | grep -qxF "$d" || echo "$d"; done)"
-rule 'every label cited in workbook.md is defined there' \
-    "$(grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' workbook.md | tr -d '[]' | sort -u |
-        while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done)"
+rule 'every label cited in the book is defined in workbook.md' \
+    "$(cat $book | labels | undefined)"
 
 # ---- each lesson is whole -----------------------------------------------------
 for slug in $lessons; do
     nn=${slug%%_*}
     missing=
-    for file in "lessons/$slug.c" "tests/checks/$slug.c" "tests/mistakes/$slug.txt"; do
+    for file in "lessons/$slug.c" "lessons/$slug.md" "solutions/$slug.md" \
+        "tests/checks/$slug.c" "tests/mistakes/$slug.txt"; do
         [ -f "$file" ] || missing="$missing $file"
     done
-    ls figures/"$slug"_*.gp >/dev/null 2>&1 || missing="$missing figure"
-    grep -q "^## Lesson $nn: " workbook.md || missing="$missing chapter"
+    ls figures/"$slug"/*.gp >/dev/null 2>&1 || missing="$missing figure"
+    head -n 1 "lessons/$slug.md" | grep -q "^# Lesson $nn: " ||
+        missing="$missing chapter's-title"
     grep -q '^ \* Plot: ' "solutions/$slug.c" || missing="$missing Plot:line"
     list=tests/mistakes/$slug.txt
     [ "$(grep -c '^mistake: ' "$list")" -ge 5 ] || missing="$missing five-mistakes"
     grep -q '^verdict: NONFINITE' "$list" || missing="$missing NONFINITE-mistake"
     grep -q '^equivalent: ' "$list" || missing="$missing equivalent-program"
-    chapter=$(awk -v lesson="$nn" '/^## / { here = ($0 ~ "^## Lesson " lesson) } here' workbook.md)
+    hints=solutions/$slug.md
     for slot in $(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c"); do
         for level in 1 2 3; do
-            printf '%s\n' "$chapter" | grep -q "<summary>Hint $level: slot $slot" ||
+            grep -q "<summary>Hint $level: slot $slot" "$hints" ||
                 missing="$missing hint-$level-for-$slot"
         done
     done
-    printf '%s\n' "$chapter" | grep -q '<summary>Answer' || missing="$missing answer"
+    grep -q '<summary>Answer' "$hints" || missing="$missing answer"
     rule "lesson $nn is whole" "$missing"
     rule "hints of lesson $nn name checks or slots that exist" \
-        "$(printf '%s\n' "$chapter" | sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' |
+        "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |
             while read -r what; do
                 case $what in
                 slot*) grep -q "SLOT ${what#slot }(" "solutions/$slug.c" || echo "$what" ;;
@@ -94,19 +152,15 @@ for slug in $lessons; do
 done
 
 # ---- figures ------------------------------------------------------------------
-plots=$(ls figures/*.gp | grep -vE '/(style|overlay)\.gp$')
+plots=$(ls figures/*/*.gp)
 picture() { # what a script makes
     if grep -q '^set terminal gif' "$1"; then echo "${1%.gp}.gif"; else echo "${1%.gp}.svg"; fi
 }
 rule 'every figure is committed' \
     "$(for f in $plots; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
-rule 'every figure is in workbook.md' \
-    "$(for f in $plots; do grep -qF "($(picture "$f"))" workbook.md || echo "$f"; done)"
-rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
-    "$(grep -nE '^ *<!-- n ' workbook.md)"
-rule 'every picture that the text names is there' \
-    "$(cat workbook.md README.md | grep -oE '\(figures/[^)]*\)' | tr -d '()' |
-        while read -r f; do [ -s "$f" ] || echo "$f"; done)"
+rule 'every figure is in the book' \
+    "$(for f in $plots; do
+        echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

@@ -5,6 +5,8 @@
 # Progress is kept in $BUILD/progress, replaced files in $BUILD/saved; neither
 # is touched by `make clean`.
 set -u
+LC_ALL=C
+export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}"
 command=$1
 slug=${2:-}
@@ -15,7 +17,7 @@ mkdir -p "$BUILD/progress" "$BUILD/saved" "$BUILD/mine"
 
 sum() { cksum <"$1" 2>/dev/null; }
 starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
-title() { sed -n "s/^## Lesson ${1%%_*}[: ]*//p" workbook.md | head -n 1; }
+title() { sed -n '1s/^# Lesson [0-9]*[: ]*//p' "lessons/$1.md"; }
 
 # The stamp of a pass holds the sum of the file that passed.
 passed() { [ -f "$state.pass" ] && [ "$(cat "$state.pass")" = "$(sum "$mine")" ]; }
@@ -76,11 +78,9 @@ judge() {
     return $status
 }
 
-# Sections of the lesson's chapter: <details><summary>Hint 1 ...</summary>
+# Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>
 hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
-    awk -v lesson="$nn" -v level="$1" -v pattern="$2" '
-        /^## / { here = ($0 ~ "^## Lesson " lesson) }
-        !here { next }
+    awk -v level="$1" -v pattern="$2" '
         /^<details><summary>Hint / {
             title = $0
             gsub(/<[^>]*>/, "", title)
@@ -89,7 +89,7 @@ hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
             next
         }
         /^<\/details>/ { showing = 0 }
-        showing && NF { print "  " $0 }' workbook.md
+        showing && NF { print "  " $0 }' "solutions/$slug.md"
 }
 
 last_result() { # the last verdict's word, failed check and slot

@@ -1,28 +1,34 @@
-# workbook.awk - fill the numbers, tables and code of workbook.md.
+# workbook.awk - fill the numbers, tables and code of one file of the book.
 #
-#     awk -f tests/tools/workbook.awk -v data=build/data workbook.md
+#     awk -f tests/tools/workbook.awk -v data=build/data lessons/NN_slug.md
 #
-# Numbers come from build/data/NN_slug.tsv, what each solution prints by
-# default.  What stands between these markers is replaced:
+# SOURCE is NN_slug, what a solution prints by default, or NN_slug/what, what the
+# study figures/NN_slug/what.c prints: data/SOURCE.tsv.  What stands between
+# these markers is replaced:
 #
-#   <!-- table NN_slug TABLE; COLUMN FORMAT HEADING; ... -->   a whole table
+#   <!-- table SOURCE TABLE; COLUMN FORMAT HEADING; ... -->    a whole table
 #   <!-- end -->
 #   <!-- code FILE WHAT -->      a slot (7a) or a function of that file
 #   <!-- end -->
-#   <!-- n NN_slug TABLE COLUMN ROW FORMAT -->85375<!-- /n -->   in a line;
+#   <!-- n SOURCE TABLE COLUMN ROW FORMAT -->85375<!-- /n -->   in a line;
 #       rows count from 0, -1 is the last
+#
+# FORMAT is that of printf.  A cell that is no number (a word, or - where there
+# is none) stands as it is, whatever its FORMAT.
+#
+# To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 
 function stop(text) {
-    print "workbook: line " NR ": " text > "/dev/stderr"
+    print "workbook: " FILENAME ", line " FNR ": " text > "/dev/stderr"
     failed = 1
     exit 2
 }
 
-# Read a lesson's tables once: value[lesson, table, column, row], rows[...].
-function load(lesson,    path, line, name, n, c, word, column, status) {
-    if (lesson in loaded) return
-    loaded[lesson] = 1
-    path = data "/" lesson ".tsv"
+# Read a program's tables once: value[source, table, column, row], rows[...].
+function load(source,    path, line, name, n, c, word, column, status) {
+    if (source in loaded) return
+    loaded[source] = 1
+    path = data "/" source ".tsv"
     while ((status = (getline line < path)) > 0) {
         if (line == "") { name = ""; continue }
         if (line ~ /^#/) {
@@ -31,20 +37,24 @@ function load(lesson,    path, line, name, n, c, word, column, status) {
         }
         c = split(line, word, "\t")
         if (n < 0) { for (; c > 0; c--) column[c] = word[c] }
-        else for (; c > 0; c--) value[lesson, name, column[c], n] = word[c]
+        else for (; c > 0; c--) value[source, name, column[c], n] = word[c]
         n++
-        rows[lesson, name] = n
+        rows[source, name] = n
     }
     if (status < 0) stop("cannot read " path)
     close(path)
 }
 
-function number(lesson, table, column, row, format,    text) {
-    load(lesson)
-    if (row < 0) row += rows[lesson, table]
-    if (!((lesson, table, column, row) in value))
-        stop("no number " lesson " " table " " column " row " row)
-    text = sprintf(format, value[lesson, table, column, row])
+function cell(source, table, column, row, format,    text) {
+    load(source)
+    if (row < 0) row += rows[source, table]
+    if (!((source, table, column, row) in value))
+        stop("no cell " source " " table " " column " row " row)
+    text = value[source, table, column, row] ""
+    if (text !~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/)
+        return text
+    if (format !~ /%[-0-9.]*s/) text = sprintf(format, text + 0)
+    else text = sprintf(format, text)
     sub(/^-0(\.0*)?$/, "0&", text) # a rounded -1e-17 is 0
     sub(/^0-0/, "0", text)
     return text
@@ -67,7 +77,7 @@ function print_table(spec,    part, n, i, word, k, row, head, rule, line) {
     for (row = 0; row < rows[word[1], word[2]]; row++) {
         line = ""
         for (i = 2; i <= n; i++)
-            line = line "| " number(word[1], word[2], name[i], row, format[i]) " "
+            line = line "| " cell(word[1], word[2], name[i], row, format[i]) " "
         print line "|"
     }
 }
@@ -120,7 +130,7 @@ skipping { next }
         open = spec; sub(/-->.*/, "-->", open)
         split(open, word, " ")
         printf "%s%s%s<!-- /n -->", substr(line, 1, RSTART - 1), open, \
-            number(word[3], word[4], word[5], word[6] + 0, word[7])
+            cell(word[3], word[4], word[5], word[6] + 0, word[7])
         line = substr(line, RSTART + RLENGTH)
     }
     print line

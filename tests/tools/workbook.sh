@@ -1,21 +1,32 @@
 #!/bin/sh
-# workbook.sh fill|check [FILE] - fill the generated parts of workbook.md, or
-# say whether they are stale (exit status 1, with the lines that differ).
+# workbook.sh fill|check [FILE...] - fill the generated parts of the book's
+# files, or say which of them are stale (exit status 1, with the lines that
+# differ).  Without FILE all files of the book.
 set -u
-file=${2:-workbook.md}
+LC_ALL=C
+export LC_ALL
+command=$1
+shift
+if [ $# = 0 ]; then
+    for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
+        if [ -f "$file" ]; then set -- "$@" "$file"; fi
+    done
+fi
 new=$(mktemp) || exit 2
 trap 'rm -f "$new"' EXIT
-awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" "$file" >"$new" ||
-    exit 2
-if cmp -s "$new" "$file"; then
-    echo "  book     $file is up to date"
-    exit 0
-fi
-if [ "$1" = fill ]; then
-    cp "$new" "$file.part" && mv "$file.part" "$file" &&
+said=0
+for file; do
+    awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" "$file" \
+        >"$new" || { said=2; continue; }
+    if cmp -s "$new" "$file"; then continue; fi
+    if [ "$command" = fill ]; then
+        cp "$new" "$file.part" && mv "$file.part" "$file" || exit 2
         echo "  book     $file is filled"
-else
-    diff "$file" "$new" | head -n 20
-    echo "$file is stale: make workbook"
-    exit 1
-fi
+    else
+        diff "$file" "$new" | head -n 20
+        echo "$file is stale: make workbook"
+        [ $said = 2 ] || said=1
+    fi
+done
+[ $said != 0 ] || echo "  book     up to date: $# files"
+exit $said

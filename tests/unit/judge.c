@@ -173,7 +173,7 @@ static void known_mistakes_tell_by_words_and_histories(void)
     remove_work();
 }
 
-/* ---- as a check sees it: a wrong() leaves with its message ----------------- */
+/* ---- as a check sees it: wrong() leaves with its message ----------------- */
 
 static void expect_wrong(void (*check)(void), const char *message)
 {
@@ -261,8 +261,8 @@ static void a_word_is_no_number(void)
     begin();
     output_free(printed("# t\nlaw\tx\nlog\t1\n", 0));
     expect_wrong(ask_solved, NULL);
-    expect_wrong(ask_number, "column `law`: the word log stands where a number");
-    expect_wrong(ask_numbers, "column `law`: the word log stands where a number");
+    expect_wrong(ask_number, "`law`: the word log stands where a number");
+    expect_wrong(ask_numbers, "`law`: the word log stands where a number");
     expect_wrong(ask_word, "column `x`: the number 1 stands where a word");
     output_free(printed("# t\nlaw\tx\nlog\tnan\n", 0));
     expect_wrong(ask_solved, "not finite: table `t`, row 1, column `x` is nan");

@@ -335,6 +335,70 @@ static void gsl_band_cholesky_needs_unpadded_rows(void)
     matrix_free(A);
 }
 
+/* beta = 1, both ends given: (2/h) (1 - cos k pi h)
+ * [eq:stiffness-eigenvalues]. */
+static void eigenvalues_are_those_in_closed_form(void)
+{
+    enum { n = 12 };
+    for (int storage = DENSE; storage <= BANDED; storage++) {
+        struct matrix *A = matrix_alloc((enum storage)storage, n - 1, 1);
+        double value[n - 1];
+        for (int i = 0; i < n - 1; i++) {
+            matrix_add(A, i, i, 2.0 * n);
+            if (i == 0) continue;
+            matrix_add(A, i, i - 1, -n);
+            matrix_add(A, i - 1, i, -n);
+        }
+        ck_assert_int_eq(matrix_eigenvalues(A, value), OK);
+        for (int k = 1; k < n; k++)
+            close_to(value[k - 1], 2.0 * n * (1.0 - cos(k * M_PI / n)),
+                     1e-14 * 4 * n);
+        close_to(matrix_get(A, 3, 3), 2.0 * n, 1e-15); /* A is not touched */
+        matrix_add(A, 2, 2, NAN);
+        ck_assert_int_eq(matrix_eigenvalues(A, value), NONFINITE);
+        matrix_free(A);
+    }
+}
+
+/* Sylvester: as many negative pivots as negative eigenvalues of A - s I. */
+static void negative_pivots_count_negative_eigenvalues(void)
+{
+    enum { n = 40 };
+    struct matrix *A = random_band(n, 5), *I = matrix_alloc(BANDED, n, 5);
+    struct matrix *shifted = matrix_alloc(BANDED, n, 5);
+    double value[n];
+    ck_assert_int_eq(matrix_eigenvalues(A, value), OK);
+    for (int i = 0; i < n; i++) matrix_add(I, i, i, 1.0);
+    for (int k = 0; k <= n; k += 8) {
+        const double s = k == 0   ? value[0] - 1.0
+                         : k == n ? value[n - 1] + 1.0
+                                  : 0.5 * (value[k - 1] + value[k]);
+        double b[n] = {2.385};
+        int negative = -1;
+        matrix_combine(A, -s, I, shifted);
+        ck_assert_int_eq(matrix_solve_indefinite(shifted, b, &negative), OK);
+        ck_assert_int_eq(negative, k);
+    }
+    matrix_free(A), matrix_free(I), matrix_free(shifted);
+}
+
+static void a_combination_is_entry_by_entry(void)
+{
+    struct matrix *A = random_band(23, 4), *B = random_band(23, 4);
+    struct matrix *C = matrix_copy(A);
+    matrix_add(B, 7, 5, 3.714);
+    for (int twice = 0; twice < 2; twice++) {
+        matrix_combine(C, -2.385, B, C); /* C may be A */
+        for (int i = 0; i < 23; i++)
+            for (int j = 0; j < 23; j++)
+                close_to(matrix_get(C, i, j),
+                         matrix_get(A, i, j) -
+                             (twice + 1) * 2.385 * matrix_get(B, i, j),
+                         1e-12);
+    }
+    matrix_free(A), matrix_free(B), matrix_free(C);
+}
+
 static const struct unit_law laws[] = {
     {"solve_equals_lu_for_every_storage_and_bandwidth",
      solve_equals_lu_for_every_storage_and_bandwidth},
@@ -351,6 +415,11 @@ static const struct unit_law laws[] = {
      the_room_behind_a_column_stays_zero},
     {"a_wide_band_that_is_not_spd_is_reported",
      a_wide_band_that_is_not_spd_is_reported},
+    {"eigenvalues_are_those_in_closed_form",
+     eigenvalues_are_those_in_closed_form},
+    {"negative_pivots_count_negative_eigenvalues",
+     negative_pivots_count_negative_eigenvalues},
+    {"a_combination_is_entry_by_entry", a_combination_is_entry_by_entry},
     {"gsl_band_cholesky_needs_unpadded_rows",
      gsl_band_cholesky_needs_unpadded_rows},
 };

@@ -1,0 +1,55 @@
+#!/bin/sh
+# sizes.sh table|lint - how long the files are, against what is allowed.
+#
+# table prints the figures; lint prints lines "ok lint: ..." or "FAIL lint: ...".
+# Lessons stay small: an experiment has its room in figures/, and the library
+# its room in common/.
+set -u
+LC_ALL=C
+export LC_ALL
+lines() { # lines FILES: "lines file" of each that exists
+    for f in "$@"; do [ -f "$f" ] && echo "$(($(wc -l <"$f"))) $f"; done
+}
+shares() { # per cent of a starter that comes after its last slot
+    for f in solutions/[0-9][0-9]_*.c; do
+        awk -f tests/tools/starter.awk "$f" | awk -v f="lessons/${f##*/}" '
+            / todo\("[0-9]+[a-z]"/ { last = NR }
+            END { printf "%d %s\n", 100 * (NR - last) / NR, f }'
+    done
+}
+starters() { # what the student gets, whatever stands in lessons/ now
+    for f in solutions/[0-9][0-9]_*.c; do
+        echo "$(($(awk -f tests/tools/starter.awk "$f" | wc -l))) lessons/${f##*/}"
+    done
+}
+# row WHAT MEDIAN-ALLOWED LARGEST-ALLOWED, of lines "size file" on stdin
+row() {
+    sort -n | awk -v what="$1" -v middle="$2" -v most="$3" -v mode="$mode" '
+        { size[NR] = $1; file[NR] = $2 }
+        END {
+            if (NR == 0) exit
+            median = size[int((NR + 1) / 2)]
+            if (mode == "table") {
+                printf "  %-34s %5d %8d %9d   allowed %s%d  %s\n", what, NR,
+                    median, size[NR], (middle == "-" ? "" : middle " / "),
+                    most, file[NR]
+                exit
+            }
+            bad = ""
+            if (middle != "-" && median > middle) bad = " median " median " of " middle
+            for (i = 1; i <= NR; i++)
+                if (size[i] > most) bad = bad " " file[i] " " size[i]
+            print (bad == "" ? "ok" : "FAIL") " lint: " what ", at most " \
+                (middle == "-" ? "" : middle " in the middle and ") most \
+                (bad == "" ? "" : ":" bad)
+        }'
+}
+mode=$1
+[ "$mode" = lint ] || printf '  %-34s %5s %8s %9s\n' '' files median largest
+lines solutions/*.c | row 'lines of a solution' 230 300
+starters | row 'lines of a starter' 180 230
+shares | row 'per cent after the last slot' - 35
+lines $(ls figures/*/*.c | grep -v '^figures/speed/') | row 'lines of a study' - 120
+lines figures/speed/*.c | row 'lines of a study of speed' - 170
+lines common/*.[ch] | row 'lines of a file of common/' - 420
+lines workbook.md | row 'lines of workbook.md' - 500

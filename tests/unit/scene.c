@@ -1,0 +1,267 @@
+/* scene.c - laws of common/scene.h and of the doors of body.h. */
+#include "scene.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers without a pattern, in (-1, 1). */
+static double entropy(int i) { return sin(2.385 * i * i + 3.714 * i + 0.7); }
+
+static struct scene *scene_of(enum reading reading, enum law law, int n)
+{
+    const struct scene_setting set = scene_notes(reading, law, n);
+    return scene_alloc(&set);
+}
+
+static double *vector(const struct scene *scene, double size)
+{
+    double *v = allocate((size_t)scene->n_dof, sizeof *v);
+    for (int r = 0; r < scene->n_dof; r++) v[r] = size * entropy(r);
+    return v;
+}
+
+/* ---- scenes ------------------------------------------------------------- */
+
+/* Column: reading; g at X1 = -1 and X1 = 1, in units of reach. */
+static void ends_move_as_the_words_say(void)
+{
+    const double t = 0.7, s = sin(t);
+    const double want[8][2][2] = {
+        [RIGID] = {{s, 0}, {s, 0}},     [BOTH] = {{s, s}, {s, s}},
+        [STRETCH] = {{-s, 0}, {s, 0}},  [COMPRESS] = {{s, 0}, {-s, 0}},
+        [STEADY] = {{t * sin(1), 0}, {t * sin(1), 0}}};
+    for (int reading = RIGID; reading <= SPIN; reading++) {
+        struct scene_setting set = scene_notes((enum reading)reading, CUBIC, 3);
+        set.reach = 2.385;
+        struct scene *scene = scene_alloc(&set);
+        const int n_held[] = {8, 8, 8, 8, 8, 4, 4, 0};
+        int held = 0;
+        scene_hold(scene, t);
+        for (int a = 0; a < scene->mesh->n_vertex; a++) {
+            const int right = scene->mesh->X[2 * a] > 0.0;
+            held += scene->held[a];
+            ck_assert(!scene->held[a] ||
+                      fabs(fabs(scene->mesh->X[2 * a]) - 1.0) < 1e-15);
+            for (int i = 0; i < 2; i++)
+                close_to(scene->g[2 * a + i],
+                         scene->held[a] ? 2.385 * want[reading][right][i] : 0,
+                         1e-14);
+        }
+        ck_assert_int_eq(held, n_held[reading]);
+        scene_free(scene);
+    }
+}
+
+/* Forces of a constant density and traction: their sums and their torque about
+ * the origin are the integrals, whatever n is. */
+static void nodal_forces_add_up_to_the_loads(void)
+{
+    for (int n = 1; n <= 7; n += 3)
+        for (int reading = GRAVITY; reading <= SPIN; reading++) {
+            struct scene *scene = scene_of((enum reading)reading, LOG, n);
+            const double want[3][3] = {{0.0, -200.0, 0.0},
+                                       {80.0, -60.0, -60.0}, {0.0, 0.0, 0.0}};
+            double sum[3] = {0.0, 0.0, 0.0};
+            for (int r = 0; r < scene->n_dof; r++) {
+                const double X = scene->mesh->X[r % 2 ? r - 1 : r + 1];
+                sum[r % 2] += scene->f[r];
+                sum[2] += r % 2 ? X * scene->f[r] : -X * scene->f[r];
+            }
+            for (int k = 0; k < 3; k++)
+                close_to(sum[k], want[reading - GRAVITY][k], 1e-12);
+            scene_free(scene);
+        }
+}
+
+/* The mass matrix integrates a linear velocity exactly: M v.v = int |v|^2. */
+static void a_spin_starts_with_its_energy_and_momenta(void)
+{
+    struct scene *scene = scene_of(SPIN, CUBIC, 5);
+    struct scene_measures m = scene_measure(scene);
+    close_to(m.kinetic, 0.5 * (4.0 * 0.05 + 36.0 * 8.0 / 3.0), 1e-12);
+    close_to(m.elastic, 0.0, 1e-12);
+    close_to(m.momentum[0], 0.8, 1e-13);
+    close_to(m.momentum[1], 0.4, 1e-13);
+    close_to(m.angular, 6.0 * 8.0 / 3.0, 1e-12);
+    close_to(m.min_J, 1.0, 1e-14);
+    const struct step_control control = {1e-12, 20, FROM_VELOCITY, 1, 0, 0,
+                                         NEVER};
+    for (int k = 0; k < 3; k++)
+        ck_assert_int_eq(scene_step(scene, &control).status, OK);
+    ck_assert_int_eq(scene->steps, 3);
+    m = scene_measure(scene);
+    close_to(m.momentum[0], 0.8, 1e-10); /* no force from outside */
+    close_to(m.momentum[1], 0.4, 1e-10);
+    ck_assert_double_eq(m.external, 0.0);
+    scene_free(scene);
+}
+
+/* Dead load f: the external energy is -f.u and does not forget the sign. */
+static void gravity_pulls_downwards(void)
+{
+    struct scene *scene = scene_of(GRAVITY, LOG, 4);
+    const struct step_control control = {1e-12, 20, FROM_LAST, 1, 0, 0, NEVER};
+    ck_assert_int_eq(scene_step(scene, &control).status, OK);
+    const struct scene_measures m = scene_measure(scene);
+    ck_assert(m.external < 0.0 && m.elastic > 0.0 && m.kinetic > 0.0);
+    ck_assert(m.momentum[1] < 0.0);
+    scene_free(scene);
+}
+
+static void a_step_that_fails_is_not_counted(void)
+{
+    struct scene *scene = scene_of(RIGID, LOG, 8);
+    const struct step_control none = {1e-12, 0, FROM_LAST, 0, 0, 0, NEVER};
+    ck_assert_int_eq(scene_step(scene, &none).status, MAX_ITERATIONS);
+    ck_assert_int_eq(scene->steps, 0);
+    for (int r = 0; r < scene->n_dof; r++)
+        ck_assert_double_eq(scene->u[r], 0.0);
+    scene_free(scene);
+}
+
+static void every_scene_has_its_word(void)
+{
+    char words[128] = "";
+    for (int reading = RIGID; reading <= SPIN; reading++) {
+        if (*words) strcat(words, " ");
+        strcat(words, scene_name((enum reading)reading));
+    }
+    ck_assert_str_eq(words, SCENES);
+    strcpy(words, "");
+    for (int law = LINEAR; law <= CUBIC; law++) {
+        if (*words) strcat(words, " ");
+        strcat(words, material_law((enum law)law));
+    }
+    ck_assert_str_eq(words, MATERIAL_LAWS);
+}
+
+/* ---- doors of the body --------------------------------------------------- */
+
+/* The force is the gradient of the energy, the stiffness that of the force:
+ * central differences along a direction, steps where both errors are small. */
+static void force_and_stiffness_are_derivatives(void)
+{
+    const double step = 1e-5;
+    for (int law = LOG; law <= CUBIC; law++) {
+        struct scene *scene = scene_of(TRACTION, (enum law)law, 4);
+        const struct body *body = scene->body;
+        const size_t free_size = (size_t)body->n_equation;
+        double *u = vector(scene, 0.03), *move = vector(scene, 0.5);
+        double *q[3], energy[2], slope = 0.0;
+        double *d = allocate(3 * free_size, sizeof *d);
+        double *Kd = d + free_size, *dq = Kd + free_size;
+        struct matrix *K = body_matrix(body);
+
+        for (int k = 0; k < 3; k++) q[k] = vector(scene, 0.0);
+        for (int r = 0; r < scene->n_dof; r++)
+            if (scene->held[r / 2]) move[r] = 0.0;
+        ck_assert_int_eq(body_force(body, u, q[2]), OK);
+        ck_assert_int_eq(body_stiffness(body, u, K), OK);
+        for (int k = 0; k < 2; k++) {
+            for (int r = 0; r < scene->n_dof; r++)
+                u[r] += (k ? 2.0 : -1.0) * step * move[r];
+            ck_assert_int_eq(body_energy(body, u, &energy[k]), OK);
+            ck_assert_int_eq(body_force(body, u, q[k]), OK);
+        }
+        for (int r = 0; r < scene->n_dof; r++) {
+            slope += q[2][r] * move[r];
+            q[1][r] = (q[1][r] - q[0][r]) / (2.0 * step);
+        }
+        close_to((energy[1] - energy[0]) / (2.0 * step), slope,
+                 1e-6 * fabs(slope)); /* step^2 and eps / step */
+        body_gather(body, move, d);
+        body_gather(body, q[1], dq);
+        matrix_multiply(K, d, Kd);
+        for (size_t i = 0; i < free_size; i++) close_to(dq[i], Kd[i], 1e-3);
+        matrix_free(K);
+        for (int k = 0; k < 3; k++) free(q[k]);
+        free(u), free(move), free(d);
+        scene_free(scene);
+    }
+}
+
+static void doors_equal_the_assembly(void)
+{
+    struct scene *scene = scene_of(STRETCH, CUBIC, 5);
+    struct body *body = scene->body;
+    double *u = vector(scene, 0.03), *q = vector(scene, 0.0);
+    double *w = vector(scene, 0.0), *inertia = vector(scene, 0.0);
+    double *whole = vector(scene, 0.0);
+    struct matrix *K = body_matrix(body), *M = body_matrix(body);
+    const double dt = 0.2385;
+
+    ck_assert_int_eq(body_force(body, u, q), OK);
+    ck_assert_int_eq(body_stiffness(body, u, K), OK);
+    body_mass_matrix(body, M);
+    body_mass(body, u, inertia);
+    ck_assert_int_eq(body_assemble(body, dt, w, NULL, u, EXACT, whole), OK);
+    for (int r = 0; r < scene->n_dof; r++)
+        close_to(whole[r], inertia[r] + dt * dt * q[r], 1e-12);
+    matrix_combine(M, dt * dt, K, K);
+    for (int i = 0; i < K->n; i++)
+        for (int j = 0; j <= i; j++)
+            close_to(matrix_get(K, i, j), matrix_get(body->K, i, j), 1e-11);
+    matrix_free(K), matrix_free(M);
+    free(u), free(q), free(w), free(inertia), free(whole);
+    scene_free(scene);
+}
+
+static void gather_and_scatter_are_inverse(void)
+{
+    struct scene *scene = scene_of(TRACTION, CUBIC, 4);
+    const struct body *body = scene->body;
+    double *v = vector(scene, 1.0), *back = vector(scene, 7.0);
+    double *p = vector(scene, 0.0), *Mv = vector(scene, 0.0);
+    double *some = allocate(2 * (size_t)body->n_equation, sizeof *some);
+    double *M_some = some + body->n_equation;
+    struct matrix *M = body_matrix(body);
+
+    body_gather(body, v, some);
+    body_scatter(body, some, back);
+    for (int r = 0; r < scene->n_dof; r++)
+        ck_assert_double_eq(back[r], scene->held[r / 2] ? 0.0 : v[r]);
+    /* M of the free unknowns is that of the whole where the rest is 0 */
+    body_mass_matrix(body, M);
+    matrix_multiply(M, some, M_some);
+    body_scatter(body, M_some, Mv);
+    body_mass(body, back, p);
+    for (int r = 0; r < scene->n_dof; r++)
+        if (!scene->held[r / 2]) close_to(Mv[r], p[r], 1e-14);
+    matrix_free(M);
+    free(v), free(back), free(some), free(p), free(Mv);
+    scene_free(scene);
+}
+
+static void doors_report_states_outside(void)
+{
+    struct scene *scene = scene_of(TRACTION, LOG, 2);
+    double *u = vector(scene, 5.0), *q = vector(scene, 0.0);
+    struct matrix *K = body_matrix(scene->body);
+    ck_assert_int_eq(body_force(scene->body, u, q), INVERTED);
+    ck_assert_int_eq(body_stiffness(scene->body, u, K), INVERTED);
+    u[3] = NAN;
+    ck_assert_int_eq(body_force(scene->body, u, q), NONFINITE);
+    matrix_free(K);
+    free(u), free(q);
+    scene_free(scene);
+}
+
+static const struct unit_law laws[] = {
+    {"ends_move_as_the_words_say", ends_move_as_the_words_say},
+    {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
+    {"a_spin_starts_with_its_energy_and_momenta",
+     a_spin_starts_with_its_energy_and_momenta},
+    {"gravity_pulls_downwards", gravity_pulls_downwards},
+    {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
+    {"every_scene_has_its_word", every_scene_has_its_word},
+    {"force_and_stiffness_are_derivatives",
+     force_and_stiffness_are_derivatives},
+    {"doors_equal_the_assembly", doors_equal_the_assembly},
+    {"gather_and_scatter_are_inverse", gather_and_scatter_are_inverse},
+    {"doors_report_states_outside", doors_report_states_outside},
+};
+
+UNIT_MAIN("scene", laws)

@@ -1,0 +1,108 @@
+/* study.c - laws of common/study.h. */
+#include "study.h"
+
+#include "status.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static double cubic(double x, void *shift)
+{
+    return x * x * x - *(double *)shift;
+}
+
+static double never(double x, void *unused)
+{
+    (void)unused;
+    return 1.0 + x * x;
+}
+
+static double hole(double x, void *unused)
+{
+    (void)unused;
+    return x < 0.1 || x > 0.9 ? x - 0.5 : (double)NAN;
+}
+
+static void a_root_is_found_to_the_last_digit(void)
+{
+    double shift = 2.385;
+    close_to(root_of(cubic, &shift, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
+    shift = 8.0; /* at an end */
+    ck_assert_double_eq(root_of(cubic, &shift, 1.0, 2.0), 2.0);
+    ck_assert_double_eq(root_of(cubic, &shift, 2.0, 3.0), 2.0);
+}
+
+static void ask_without_a_root(void) { root_of(never, NULL, -1.0, 1.0); }
+static void ask_a_hole(void) { root_of(hole, NULL, 0.0, 1.0); }
+
+static void no_root_is_an_error(void)
+{
+    struct outcome outcome = outcome_of(ask_without_a_root);
+    ck_assert_int_eq(outcome.status, 1);
+    ck_assert(strstr(outcome.err, "no change of sign between -1 and 1"));
+    outcome = outcome_of(ask_a_hole);
+    ck_assert_int_eq(outcome.status, 1);
+    ck_assert(strstr(outcome.err, "not finite"));
+}
+
+static void orders_are_the_exponents(void)
+{
+    const double h = 0.2385;
+    close_to(order_of(3.0 * pow(3.0 * h, 2.5), 3.0 * pow(h, 2.5), 3.0), 2.5,
+             1e-13);
+    ck_assert(isnan(order_of(0.0, 1.0, 2.0)));
+    ck_assert(isnan(order_of(1.0, 0.0, 2.0)));
+    ck_assert(isnan(order_of((double)NAN, 1.0, 2.0)));
+}
+
+static void claim_what_is_true(void)
+{
+    puts("table");
+    claim(1 + 1 == 2, "never printed");
+}
+
+static void claim_what_is_false(void)
+{
+    puts("table");
+    claim(1 + 1 == 3, "1 + 1 is %d", 3);
+}
+
+static void a_false_claim_ends_the_study(void)
+{
+    struct outcome outcome = outcome_of(claim_what_is_true);
+    ck_assert_int_eq(outcome.status, 0);
+    ck_assert_str_eq(outcome.err, "");
+    outcome = outcome_of(claim_what_is_false);
+    ck_assert_int_eq(outcome.status, 1);
+    ck_assert_str_eq(outcome.out, "table\n"); /* the tables are not lost */
+    ck_assert(strstr(outcome.err, "the claim is false: 1 + 1 is 3"));
+}
+
+static void seconds_are_sorted_and_need_a_valid_answer(void)
+{
+    static struct times t;
+    ck_assert(isnan(times_median(&t)));
+    const double sample[] = {5.0, 1.0, 4.0, 2.0, 3.0};
+    for (int i = 0; i < 5; i++) times_record(&t, sample[i], 1);
+    ck_assert_double_eq(times_best(&t), 1.0);
+    ck_assert_double_eq(times_median(&t), 3.0);
+    ck_assert_double_eq(times_quantile(&t, 0.25), 2.0);
+    close_to(times_spread(&t), 4.0 / 3.0, 1e-15);
+    times_record(&t, 0.001, 0);
+    ck_assert(isnan(times_best(&t)) && isnan(times_median(&t)));
+    for (int i = 0; i < 2 * STUDY_SAMPLES; i++) times_record(&t, 1.0, 1);
+    ck_assert_int_eq(t.runs, STUDY_SAMPLES);
+}
+
+static const struct unit_law laws[] = {
+    {"a_root_is_found_to_the_last_digit", a_root_is_found_to_the_last_digit},
+    {"no_root_is_an_error", no_root_is_an_error},
+    {"orders_are_the_exponents", orders_are_the_exponents},
+    {"a_false_claim_ends_the_study", a_false_claim_ends_the_study},
+    {"seconds_are_sorted_and_need_a_valid_answer",
+     seconds_are_sorted_and_need_a_valid_answer},
+};
+
+UNIT_MAIN("study", laws)
