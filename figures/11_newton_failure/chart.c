@@ -33,7 +33,7 @@ int main(void)
 
     table_begin_note("chart", "solves " CURES, "relative error of F");
     for (int k = 0; k <= MOST; k++) {
-        struct newton_control control = {1e-10, k, 0};
+        struct newton_control control = {1e-10, k, 0, 0};
         double row[N_CURE + 1] = {k};
         for (int c = 0; c < N_CURE; c++) {
             const struct stretch_report end =

@@ -16,7 +16,7 @@ enum { GRID = 60, ELEMENTS = 10 };
 
 int main(void)
 {
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material m = material_notes(LOG);
     int lost[2][N_CURE] = {{0}}, below[2] = {1, 1}, lift = 1;
 

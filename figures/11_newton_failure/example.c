@@ -18,7 +18,7 @@ int main(void)
     static const struct { int n; double dt; } scene[N_SCENE] = {
         {10, 0.001}, {10, 0.01}, {10, 0.1}, {10, 0.2}, {10, 0.5},
         {100, 0.001}, {100, 0.01}, {100, 0.05}, {100, 0.1}, {100, 0.5}};
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material law[] = {material_notes(LOG), material_notes(CUBIC)};
     const double pull = exp(0.5 + law[0].mu / law[0].lambda) - 1.0;
     int as_predicted = 1, cubic_fails = 0;

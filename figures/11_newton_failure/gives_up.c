@@ -13,7 +13,7 @@
 #include <math.h>
 
 enum { N = 10, N_NU = 8, E = 1000, FAR = 8 };
-static const struct newton_control control = {1e-10, 1000, 0};
+static const struct newton_control control = {1e-10, 1000, 0, 0};
 
 static double P(double F, void *m) { return material1_pk1(m, F); }
 static double dP(double F, void *m) { return material1_dpk1(m, F); }

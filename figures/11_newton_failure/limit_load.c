@@ -11,8 +11,8 @@
 
 int main(void)
 {
-    const struct newton_control control = {1e-10, 1000, 0};
-    const struct newton_control searched = {1e-10, 1000, 1};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
+    const struct newton_control searched = {1e-10, 1000, 1, 0};
     int differ = 1, jumped = 1;
     double last = 0.0;
 

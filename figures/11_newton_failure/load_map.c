@@ -21,7 +21,7 @@ static double boundary(const struct material *m, double F)
 
 int main(void)
 {
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material log_law = material_notes(LOG);
     const struct material cubic = material_notes(CUBIC);
     const double modulus = material_modulus(&log_law);

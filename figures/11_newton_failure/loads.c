@@ -13,7 +13,7 @@ int main(void)
 {
     static const double load[] = {1000.0,  -100.0,  -1346.0,  -1347.0, -4000.0,
                                   -4326.0, -4327.0, -10000.0, -100000.0};
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material log_law = material_notes(LOG);
     const struct material cubic = material_notes(CUBIC);
     const double modulus = material_modulus(&log_law);

@@ -13,7 +13,7 @@
 
 int main(void)
 {
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material m = material_notes(LOG);
     double increment = 0.0, residual = 0.0, farthest = 0.0;
 

@@ -17,7 +17,7 @@ enum { GRID = 60, PUSH = 0, PULL = 1 };
 
 int main(void)
 {
-    const struct newton_control control = {1e-10, 1000, 0};
+    const struct newton_control control = {1e-10, 1000, 0, 0};
     const struct material m = material_notes(LOG);
     const double limit[] = {1.0, exp(0.5 + m.mu / m.lambda) - 1.0};
     int wrong = 0, failed = 0;

@@ -150,7 +150,7 @@ static void increment_is_that_of_elimination(void)
     for (int ends = 1; ends < 4; ends++) {
         double b[N_node], q[N_node], du[N_node], r[N_node];
         const struct bar bar = a_bar(CUBIC, ends & 1, ends >> 1, b);
-        const int first = bar.fixed[0], last = n_elem - bar.fixed[1];
+        const int first = bar.held[0], last = n_elem - bar.held[1];
         double A[N_node][N_node];
         struct matrix *K = matrix_alloc(BANDED, N_node, 1);
         bar_residual(&bar, u_, q);
@@ -173,8 +173,8 @@ static void increment_is_that_of_elimination(void)
             for (int j = i + 1; j <= last; j++) r[i] -= A[i][j] * r[j];
             r[i] /= A[i][i];
         }
-        if (bar.fixed[0]) r[0] = 0.0;
-        if (bar.fixed[1]) r[n_elem] = 0.0;
+        if (bar.held[0]) r[0] = 0.0;
+        if (bar.held[1]) r[n_elem] = 0.0;
         for (int i = 0; i < N_node; i++)
             expect_close(du[i], r[i], 1e-11, 1.0,
                          "du[%d] with the %s held, against elimination", i,
@@ -200,7 +200,7 @@ static void newton_follows_the_oracles_iterates(void)
         const double F[] = {o->F1, o->F2, o->F3, o->F};
         for (int j = 0; j < 4; j++) {
             const struct newton_control control = {1e-12, j < 3 ? j + 1 : 100,
-                                                   0};
+                                                   0, 0};
             struct state s = state_make(&scene);
             s.report = newton(&s.bar, &control, s.u);
             expect(s.report.status == (j < 3 ? MAX_ITERATIONS : OK),
@@ -228,7 +228,7 @@ static void newton_follows_the_oracles_iterates(void)
 static void newton_stops_at_solutions_only(void)
 {
     struct scene scene = weight_scene(CUBIC, 10, 0.0);
-    const struct newton_control control = {1e-12, 100, 0};
+    const struct newton_control control = {1e-12, 100, 0, 0};
 
     struct state s = state_make(&scene);
     s.report = newton(&s.bar, &control, s.u);
@@ -249,7 +249,7 @@ static void newton_stops_at_solutions_only(void)
 
     /* here the first increment is 9.5e-10 or less, and P = -1.1e12 or more */
     for (int k = 0; k < COUNT(oracle_false); k++) {
-        const struct newton_control loose = {1e-8, 100, 0};
+        const struct newton_control loose = {1e-8, 100, 0, 0};
         scene.material = notes_material(LOG);
         scene.g[0] = 0.1 * (1.0 - oracle_false[k].F0);
         s = state_make(&scene);
@@ -399,7 +399,7 @@ static void fast_and_common_agree(void)
         for (int k = 0; k < 4; k++) {
             struct scene scene =
                 weight_scene(CUBIC, n, k < 2 ? 500.0 : -1300.0);
-            scene.fixed[1] = k & 1;
+            scene.held[1] = k & 1;
             struct state s = solved(&scene);
             expect(s.report.status == OK, "n = %d, c = %g: %s", n, scene.c,
                    status_name(s.report.status));

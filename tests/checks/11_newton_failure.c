@@ -12,7 +12,7 @@
 #define CONVERGED 1e-9    /* quadratic: beyond the tolerance 1e-10 */
 #define SHIFT 2           /* stopping tests and round-off move the count */
 
-static const struct newton_control plain = {1e-10, 1000, 0};
+static const struct newton_control plain = {1e-10, 1000, 0, 0};
 
 static struct material of(enum law law, double nu)
 {
@@ -283,7 +283,7 @@ static void same_as_common_stretch(void)
     for (int law = LINEAR; law <= CUBIC; law++)
         for (int k = 0; k < 2 * COUNT(p) * COUNT(start); k++) {
             const struct material m = of((enum law)law, law == CUBIC ? 0 : 0.3);
-            const struct newton_control control = {1e-10, 150, k % 2};
+            const struct newton_control control = {1e-10, 150, k % 2, 0};
             const double load = p[k / 2 % COUNT(p)];
             const double F = start[k / 2 / COUNT(p)];
             const struct outcome got[] = {

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const struct newton_control plain = {1e-10, 1000, 0};
+static const struct newton_control plain = {1e-10, 1000, 0, 0};
 
 static struct material of(enum law law, double nu)
 {
@@ -23,7 +23,7 @@ static void stretch_is_a_bar_of_one_element(void)
         for (int search = 0; search < 2; search++)
             for (int k = 0; k < COUNT(p); k++) {
                 const struct material m = of((enum law)l, 0.3);
-                const struct newton_control control = {1e-10, 1000, search};
+                const struct newton_control control = {1e-10, 1000, search, 0};
                 const double b[] = {0.0, p[k]};
                 const struct bar bar = {1, 1.0, {1, 0}, b, m};
                 double u[] = {0.0, 0.0};
@@ -100,7 +100,7 @@ static void stepping_stops_at_the_limit_load(void)
     ck_assert_int_eq(got.status, STALLED);
     close_to(material1_pk1(&m, got.F), 500.0, 1.0);
     ck_assert(got.F < 2.0);
-    const struct newton_control short_of = {1e-10, 7, 0};
+    const struct newton_control short_of = {1e-10, 7, 0, 0};
     const struct stretch_report cut =
         stretch_stepping(&m, 613.7, 0.0, &short_of);
     ck_assert_int_eq(cut.status, MAX_ITERATIONS);
