@@ -6,7 +6,7 @@ load "figures/style.gp"
 set terminal svg size 940,470
 set output out
 set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
-stats data index "critical" using "cubic_tangent" name "TANGENT" nooutput
+stats data index "critical" using "cubic_tangent" name "LIMIT" nooutput
 stats data index "critical" using "cubic_rest" name "REST" nooutput
 set style textbox opaque noborder margins 0.3,0.3
 set multiplot
@@ -35,8 +35,8 @@ plot data index "stress" using "F":"nu30" with lines ls 1 title "ν = 0.3", \
          "log30" with lines ls 8 title "log law, 0.3", \
      data index "giveup" using "F_limit":(column("P_limit") / 1000) \
          with points pt 6 ps 0.9 lc rgb "black" lw 1.5 title "limit load", \
-     data index "giveup" using "F_rest":(0) with points pt 4 ps 0.9 lc rgb "black" lw 1.5 \
-         title "second zero", \
+     data index "giveup" using "F_rest":(0) \
+         with points pt 4 ps 0.9 lc rgb "black" lw 1.5 title "second zero", \
      0 with lines ls 9 notitle
 unset object 1
 unset label
@@ -48,12 +48,12 @@ set ylabel "Poisson's ratio ν"
 set xrange [-1.1:6.1]
 set yrange [-0.004:0.104]
 set lmargin 10
-set arrow 1 from -1.1, TANGENT_max to 6.1, TANGENT_max nohead ls 8 front
+set arrow 1 from -1.1, LIMIT_max to 6.1, LIMIT_max nohead ls 8 front
 set arrow 2 from -1.1, REST_max to 6.1, REST_max nohead ls 8 front
-set label 1 sprintf("limit load below %.4f", TANGENT_max) at -0.9, TANGENT_max + 0.0035 \
-    font ",12" front boxed
-set label 2 sprintf("two rest states below %.4f", REST_max) at -0.9, REST_max + 0.0038 \
-    font ",12" front boxed
+set label 1 sprintf("limit load below %.4f", LIMIT_max) \
+    at -0.9, LIMIT_max + 0.0035 font ",12" front boxed
+set label 2 sprintf("two rest states below %.4f", REST_max) \
+    at -0.9, REST_max + 0.0038 font ",12" front boxed
 set key at graph 0, graph 1.03 left bottom maxrows 3 samplen 1 font ",12"
 ends(a, b) = strcol("reason") eq "OK" && column("F") > a && \
     column("F") < b ? column("nu") : NaN
