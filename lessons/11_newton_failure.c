@@ -167,7 +167,7 @@ static void print_limits(const struct material *m)
 
 int main(int argc, char *argv[])
 {
-    struct newton_control control = {1e-10, 1000, 0};
+    struct newton_control control = {1e-10, 1000, 0, 0};
     int law = LOG, stepping = 0;
     double nu = 0.3, p = -1346.0, start = 1.0;
     const struct option options[] = {

@@ -36,6 +36,7 @@ do for [k = 1:4] {
              : NaN) with points pt 7 ps 0.4 lc rgb "#0072B2" \
              title "converged", \
          data index "step_map" using "dg":(strcol(name) eq "INVERTED" ? \
-             column("n") : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" title "inverted"
+             column("n") : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" \
+             title "inverted"
 }
 unset multiplot
