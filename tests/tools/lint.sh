@@ -52,7 +52,9 @@ rule 'a header of at most 25 lines tells what a program is for' \
 longest() {
     for f in $1; do
         awk -v f="$f" -v most="$2" -v pattern="$3" '
-            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0 }
+            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0; body = 0 }
+            /^\{/ || / = \{$/ { body = 1 }
+            start && !body && /;$/ { start = 0 } # a declaration
             /^}/ { if (start && NR - start + 1 > most)
                        print f ": " NR - start + 1 ": " name; start = 0 }' "$f"
     done
