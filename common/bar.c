@@ -148,11 +148,8 @@ struct newton_report bar_newton(const struct bar *bar,
         report.status = bar_residual(bar, u, q);
         if (report.status == OK)
             report.status = bar_energy(bar, u, &step.energy);
-        if (report.status == OK) {
-            if (bar->held[0]) q[0] = 0.0;
-            if (bar->held[1]) q[bar->n] = 0.0;
+        if (report.status == OK)
             report.residual = step.residual = bar_max_free(bar, q);
-        }
         describe(bar, u, report.status, &step);
         if (history) history[k] = step;
         if (report.status != OK) break;

@@ -201,7 +201,7 @@ static struct newton_report newton(const struct bar *bar,
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(2 * size, sizeof *q), *du = q + size;
     /* SLOT 10e(bar, control, u, &report, K, q, du): the loop, with report
-     * filled on the way; bar_max_free() of bar.h is max |..| over free nodes. */
+     * filled on the way; bar_max_free() of bar.h is max |v_i| of free nodes. */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 
@@ -258,13 +258,15 @@ int main(int argc, char *argv[])
         if (report.status != MAX_ITERATIONS) break;
     }
     table_end();
+    if (report.status == OK) {
+        table_begin("nodes", "X u");
+        for (int i = 0; i <= scene.n; i++) table_row(i * s->bar.h, s->u[i]);
+        table_end();
+    }
+    bar_state_free(s);
     if (report.status != OK)
         die("Newton's method with %s: %s after step %d%s",
             search ? "line search" : "full steps", status_name(report.status),
             report.iterations, search ? "" : "; --search on may get further");
-    table_begin("nodes", "X u");
-    for (int i = 0; i <= scene.n; i++) table_row(i * s->bar.h, s->u[i]);
-    table_end();
-    bar_state_free(s);
     return table_finish();
 }

@@ -48,7 +48,7 @@ static void print_cosine(void)
 
 static void print_both_held(void)
 {
-    table_begin("both_fixed", "c n reaction u_half F_first F_last iterations");
+    table_begin("both_held", "c n reaction u_half F_first F_last iterations");
     for (int k = 0; k < 6; k++) {
         struct bar_scene scene = bar_scene_notes(CUBIC, 16 << k % 3);
         scene.c = k < 3 ? 1e3 : 4e3;

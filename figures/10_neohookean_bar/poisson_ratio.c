@@ -4,9 +4,9 @@
  * Below nu = 0.0712 the cubic law has a largest tension.  Where the weight is
  * beyond it, the branch that starts at rest has no equilibrium, the tangent
  * loses definiteness on the way, and Newton's method that stops there, as
- * Cholesky does, says NOT_SPD.  A bar of such a material that is held at both
- * ends and pulled to twice its length at once does find an equilibrium, but
- * not the uniform one; there the indefinite tangents are solved as they are.
+ * Cholesky does, says NOT_SPD.  A bar with nu = 0.05 that is held at both ends
+ * and pulled to twice its length at once does find an equilibrium, but not the
+ * uniform one.
  */
 #include "bar_scene.h"
 #include "options.h"

@@ -109,7 +109,7 @@ static void oracle_values(void)
 
 enum { n = 16 };
 
-/* A bar fixed on the left under its own weight c. */
+/* A bar held on the left under its own weight c. */
 static void weight(double c, double b[n + 1])
 {
     for (int i = 0; i <= n; i++) b[i] = c / n * (i == 0 || i == n ? 0.5 : 1.0);
