@@ -145,60 +145,48 @@ static struct outcome load_stepping(const struct material *material, double p,
     return state;
 }
 
-static struct outcome outcome_of(const struct material *material, double p,
-                                 double start, int stepping,
-                                 const struct newton_control *control)
-{
-    return stepping ? load_stepping(material, p, 1.0 - start, control)
-                    : solve(material, p, start, control);
-}
-
-static void print_limits(const struct material *m)
-{
-    table_begin("limits", "F load step start push pull collapse");
-    for (int k = 0; k < 4; k++) {
-        const double F = (double[]){1.0, 0.75, 0.25, 0.05}[k];
-        const struct limits l = predict(m->mu, m->lambda, F);
-        table_row(F, l.load, l.step, cell_if(isfinite(l.start), l.start),
-                  l.push, cell_if(isfinite(l.pull), l.pull), l.collapse);
-    }
-    table_end();
-}
-
 int main(int argc, char *argv[])
 {
-    struct newton_control control = {1e-10, 1000, 0, 0};
-    int law = LOG, stepping = 0;
+    int law = LOG, search = 0, stepping = 0, cap = 1000;
     double nu = 0.3, p = -1346.0, start = 1.0;
     const struct option options[] = {
         {"law", .choice = &law, .choices = MATERIAL_LAWS, .help = "material"},
         {"nu", .real = &nu, .min = 0.0, .max = 0.4999,
-         .help = "Poisson's ratio",
-         .why = "at 1/2 the material is incompressible and lambda infinite"},
+         .help = "Poisson's ratio", .why = "at 1/2 lambda is infinite"},
         {"p", .real = &p, .min = -1e12, .max = 1e12, .unit = "N/m^2",
          .help = "stress"},
         {"start", .real = &start, .min = -20.0, .max = 20.0,
          .help = "F0; by stepping the boundary moves by 1 - F0"},
-        {"search", .choice = &control.line_search, .choices = "off on",
+        {"search", .choice = &search, .choices = "off on",
          .help = "line search"},
         {"stepping", .choice = &stepping, .choices = "off on",
          .help = "load stepping from rest"},
-        {"cap", .integer = &control.max_iterations, .min = 1, .max = 1000,
-         .help = "iterations"},
+        {"cap", .integer = &cap, .min = 1, .max = 1000, .help = "iterations"},
     };
     options_parse("11_newton_failure", options, COUNT(options), argc, argv);
     const struct material m = material_make((enum law)law, 1000.0, nu);
-    const struct outcome end = outcome_of(&m, p, start, stepping, &control);
+    struct outcome end = {OK, 0, start};
 
+    /* the state after k iterations is where a run with the cap k ends */
     table_begin("history", "k F residual");
-    for (int k = 0; k <= end.iterations; k++) {
-        control.max_iterations = k;
-        const double F = outcome_of(&m, p, start, stepping, &control).F;
-        const int ok = material_defined(&m, F); /* else no residual */
-        table_row(k, F, cell_if(ok, ok ? material1_pk1(&m, F) - p : 0.0));
+    for (int k = 0; k <= cap; k++) {
+        const struct newton_control control = {1e-10, k, search, 0};
+        end = stepping ? load_stepping(&m, p, 1.0 - start, &control)
+                       : solve(&m, p, start, &control);
+        if (end.iterations < k) break;
+        const int ok = material_defined(&m, end.F); /* else no residual */
+        table_row(k, end.F,
+                  cell_if(ok, ok ? material1_pk1(&m, end.F) - p : 0.0));
     }
     table_end();
-    print_limits(&m);
+    table_begin("limits", "F load step start push pull collapse");
+    for (int k = 0; k < 4; k++) {
+        const double F = (double[]){1.0, 0.75, 0.25, 0.05}[k];
+        const struct limits l = predict(m.mu, m.lambda, F);
+        table_row(F, l.load, l.step, cell_if(isfinite(l.start), l.start),
+                  l.push, cell_if(isfinite(l.pull), l.pull), l.collapse);
+    }
+    table_end();
     if (end.status != OK)
         die("%s after %d iterations, F = %g", status_name(end.status),
             end.iterations, end.F);

@@ -334,7 +334,7 @@ static void failures_are_refused_with_their_reason(void)
                    "NOT_SPD");
     expect_refusal("--start 1e-200 --p 0", 1, "STALLED");
     expect_refusal("--start -0.137", 1, "INVERTED after 0 iterations");
-    expect_refusal("--nu 0.5", 2, "incompressible");
+    expect_refusal("--nu 0.5", 2, "lambda is infinite");
     expect_refusal("--p nan", 2, "--p");
     expect_refusal("--cap 0", 2, "--cap");
 }
