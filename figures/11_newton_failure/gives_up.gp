@@ -1,13 +1,13 @@
-# 11_newton_failure_giveup.gp - what the cubic law gives up: stress over stretch
+# gives_up.gp - what the cubic law gives up: stress over stretch
 # for small nu, which rest state Newton finds, and a bar that localises.
-# Reads   data  tables stress, giveup, rest_map, localised
+# Reads   data  tables stress, giveup, critical, rest_map, localised
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/11_newton_failure.tsv"
-if (!exists("out"))  out  = "figures/11_newton_failure_giveup.svg"
 load "figures/style.gp"
 set terminal svg size 940,470
 set output out
 set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
+stats data index "critical" using "cubic_tangent" name "LIMIT" nooutput
+stats data index "critical" using "cubic_rest" name "REST" nooutput
 set style textbox opaque noborder margins 0.3,0.3
 set multiplot
 set origin 0, 0
@@ -33,12 +33,10 @@ plot data index "stress" using "F":"nu30" with lines ls 1 title "ν = 0.3", \
      data index "stress" using "F":"nu0" with lines ls 5 title "0", \
      data index "stress" using (column("F") > 0.05 ? column("F") : NaN):\
          "log30" with lines ls 8 title "log law, 0.3", \
-     data index "giveup" using (column("F_limit") > 0 ? column("F_limit") : \
-         NaN):(column("P_limit") / 1000) with points pt 6 ps 0.9 \
-         lc rgb "black" lw 1.5 title "limit load", \
-     data index "giveup" using (column("F_rest") > 0 ? column("F_rest") : \
-         NaN):(0) with points pt 4 ps 0.9 lc rgb "black" lw 1.5 \
-         title "second zero", \
+     data index "giveup" using "F_limit":(column("P_limit") / 1000) \
+         with points pt 6 ps 0.9 lc rgb "black" lw 1.5 title "limit load", \
+     data index "giveup" using "F_rest":(0) \
+         with points pt 4 ps 0.9 lc rgb "black" lw 1.5 title "second zero", \
      0 with lines ls 9 notitle
 unset object 1
 unset label
@@ -50,19 +48,22 @@ set ylabel "Poisson's ratio ν"
 set xrange [-1.1:6.1]
 set yrange [-0.004:0.104]
 set lmargin 10
-set arrow 1 from -1.1, 0.0712220 to 6.1, 0.0712220 nohead ls 8 front
-set arrow 2 from -1.1, 0.0283946 to 6.1, 0.0283946 nohead ls 8 front
-set label 1 "limit load below 0.0712" at -0.9, 0.0747 font ",12" front boxed
-set label 2 "two rest states below 0.0284" at -0.9, 0.0322 font ",12" front boxed
+set arrow 1 from -1.1, LIMIT_max to 6.1, LIMIT_max nohead ls 8 front
+set arrow 2 from -1.1, REST_max to 6.1, REST_max nohead ls 8 front
+set label 1 sprintf("limit load below %.4f", LIMIT_max) \
+    at -0.9, LIMIT_max + 0.0035 font ",12" front boxed
+set label 2 sprintf("two rest states below %.4f", REST_max) \
+    at -0.9, REST_max + 0.0038 font ",12" front boxed
 set key at graph 0, graph 1.03 left bottom maxrows 3 samplen 1 font ",12"
-ends(r, a, b) = column("reason") == r && column("F") > a && \
+ends(a, b) = strcol("reason") eq "OK" && column("F") > a && \
     column("F") < b ? column("nu") : NaN
-plot data index "rest_map" using "start":(ends(0, 0.99, 1.01)) \
+lost(reason) = strcol("reason") eq reason ? column("nu") : NaN
+plot data index "rest_map" using "start":(ends(0.99, 1.01)) \
          with points pt 7 ps 0.35 lc rgb "#9CC7E6" title "ends at F = 1", \
-     data index "rest_map" using "start":(ends(0, 1.01, 9)) \
+     data index "rest_map" using "start":(ends(1.01, 9)) \
          with points pt 5 ps 0.45 lc rgb "#D55E00" \
          title "at another rest state", \
-     data index "rest_map" using "start":(ends(3, -1, 1)) \
+     data index "rest_map" using "start":(lost("NONFINITE")) \
          with points pt 2 ps 0.9 lw 2 lc rgb "black" \
          title "not finite: P' = 0"
 unset arrow
