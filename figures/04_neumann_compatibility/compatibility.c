@@ -75,8 +75,8 @@ int main(void)
     table_end();
 
     claim(fabs(order - 2.0) < 1e-4 && fabs(ratio - 1.0) < 1e-5,
-          "the midpoint rule's defect has order 2 and, at n = 256, the constant "
-          "of its first term (order %g, ratio %g)", order, ratio);
+          "the midpoint rule's defect has order 2 and, at n = 256, the "
+          "constant of its first term (order %g, ratio %g)", order, ratio);
     claim(off < 1e-3, "the other defects are (e-1)h^2/12 and -(e-1)h^4/4320 to "
           "0.1 %% from n = 16 on (off by %g)", off);
     claim(refused == rows, "every one of these systems is refused");

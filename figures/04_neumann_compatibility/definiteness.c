@@ -27,7 +27,8 @@ static double one(double x)
 /* The eigenvector of the smallest eigenvalue of A, scaled to mean 1. */
 static void lowest_eigenvector(const struct matrix *A, double v[N])
 {
-    gsl_matrix *copy = gsl_matrix_alloc(N, N), *vectors = gsl_matrix_alloc(N, N);
+    gsl_matrix *copy = gsl_matrix_alloc(N, N);
+    gsl_matrix *vectors = gsl_matrix_alloc(N, N);
     gsl_vector *values = gsl_vector_alloc(N);
     gsl_eigen_symmv_workspace *work = gsl_eigen_symmv_alloc(N);
     double mean = 0.0;

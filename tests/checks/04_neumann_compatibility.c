@@ -278,7 +278,7 @@ static void defect_is_the_quadrature_error(void)
     const struct quadrature *const rule[] = {&MIDPOINT, &TRAPEZOID, &GAUSS2};
     const double E = expm1(1.0);
     for (int n = 4; n <= 64; n *= 2) {
-        const double h = 1.0 / n, h2 = h * h, first_term = h2 / 30.0 + 1e-3 * h2;
+        const double h2 = 1.0 / n / n, first_term = h2 / 30.0 + 1e-3 * h2;
         const double want[] = {-E * h2 / 24.0, E * h2 / 12.0,
                                -E * h2 * h2 / 4320.0};
         struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
