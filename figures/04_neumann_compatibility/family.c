@@ -3,8 +3,8 @@
  *
  * -u'' = e^x with flux 0 at x = 0 and -(e - 1) at x = 1, four elements,
  * midpoint rule; b is projected and one node pinned.  Tables: three members of
- * the family u + c [eq:neumann-family] with the exact solution x - e^x + C of
- * the same nodal mean; their energy v^T A v [eq:quadratic-form], norm and integral.
+ * the family u + c [eq:neumann-family] and the exact x - e^x + C of the same
+ * nodal mean; their energy v^T A v [eq:quadratic-form], norm and integral.
  */
 #include "poisson.h"
 #include "study.h"
