@@ -72,8 +72,8 @@ static double error(const struct problem *p, int n, int i)
     U[m + 1] = (1.0 - s) * u[e] + s * u[e + 1];
     const struct poisson_error
         nodes = poisson_errors(n, x, u, p->beta, p->exact, p->exact_dx),
-        norm = poisson_errors(n + (m < n), X, U, p->beta, p->exact, p->exact_dx);
-    const double size[] = {nodes.nodal, norm.L2, norm.energy};
+        all = poisson_errors(n + (m < n), X, U, p->beta, p->exact, p->exact_dx);
+    const double size[] = {nodes.nodal, all.L2, all.energy};
     return size[i / p->cases];
 }
 
