@@ -162,7 +162,7 @@ int main(int argc, char *argv[])
     options_parse("06_quadrature", options, COUNT(options), argc, argv);
 
     const struct quadrature rule = quadrature_rule((enum rule)kind);
-    const double qa = held == LEFT ? 0.0 : -2.0; /* beta u' n = 2 n e^x cos 2x */
+    const double qa = held == LEFT ? 0.0 : -2.0; /* beta u' n */
     const double qb = held == LEFT ? 2.0 * exp(1.0) * cos(2.0) : 0.0;
     double *x = allocate(3 * (size_t)(n + 1), sizeof *x);
     double *mean = x + n + 1, *u = mean + n + 1;
