@@ -268,6 +268,23 @@ double matrix_residual(const struct matrix *A, const double x[],
     return largest;
 }
 
+double matrix_backward_error(const struct matrix *A, const double u[],
+                             const double b[])
+{
+    double norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
+    for (int i = 0; i < A->n; i++) {
+        const int last = i + A->p < A->n ? i + A->p : A->n - 1;
+        double sum = 0.0;
+        for (int j = i > A->p ? i - A->p : 0; j <= last; j++)
+            sum += fabs(matrix_get(A, i, j));
+        norm_A = fmax(norm_A, sum);
+        norm_u = fmax(norm_u, fabs(u[i]));
+        norm_b = fmax(norm_b, fabs(b[i]));
+    }
+    return matrix_residual(A, u, b) /
+           (DBL_EPSILON * (norm_A * norm_u + norm_b));
+}
+
 size_t matrix_bytes(const struct matrix *A)
 {
     return (size_t)A->n * A->stride * sizeof *A->a;

@@ -59,6 +59,16 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
                       const struct quadrature *rule, struct matrix *A,
                       double b[]);
 
+/* Of [eq:poisson-bvp], in closed form: b_i := int f e_i dx. */
+void bvp_exact_load(int n, const double x[], double b[]);
+
+/*
+ * The same with test functions phi_i, which have the values of e_i at the nodes
+ * and constant flux beta phi_i' on each element: A_ij = int beta e_i' phi_j' dx,
+ * b_i = int f phi_i dx.  The nodal values are then exact.
+ */
+void bvp_fitted_assemble(int n, const double x[], struct matrix *A, double b[]);
+
 /* Errors of u_h = sum_j u[j] e_j, by five-point Gauss on each element. */
 struct poisson_error {
     double nodal;  /* max_j |u(x_j) - u_j| */

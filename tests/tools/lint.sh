@@ -14,7 +14,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status clock tensor material banded matrix poisson bar bar_fast mesh body step scene study options table'
+layers='status clock tensor material banded matrix poisson bar bar_fast bar_gsl bar_scene mesh body step scene study options table'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -52,7 +52,9 @@ rule 'a header of at most 25 lines tells what a program is for' \
 longest() {
     for f in $1; do
         awk -v f="$f" -v most="$2" -v pattern="$3" '
-            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0 }
+            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0; body = 0 }
+            /^\{/ || / = \{$/ { body = 1 }
+            start && !body && /;$/ { start = 0 } # a declaration
             /^}/ { if (start && NR - start + 1 > most)
                        print f ": " NR - start + 1 ": " name; start = 0 }' "$f"
     done

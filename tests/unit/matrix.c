@@ -438,6 +438,32 @@ static void costs_are_counted(void)
     close_to(matrix_cost(DENSE, 100001, 1).numbers, 10000200001.0, 1e-4);
 }
 
+/* A + e e_0 e_0^T is solved exactly by u: the residual is e |u_0|. */
+static void backward_error_is_that_of_a_nearby_system(void)
+{
+    enum { n = 23 };
+    struct matrix *A = random_band(n, 4), *near = matrix_copy(A);
+    double u[n], b[n], norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
+    const double e = 1e-6 * matrix_get(A, 0, 0);
+    for (int i = 0; i < n; i++) u[i] = sin(2.385 * i + 0.7);
+    matrix_add(near, 0, 0, e);
+    matrix_multiply(near, u, b);
+    for (int i = 0; i < n; i++) {
+        double row = 0.0;
+        for (int j = 0; j < n; j++) row += fabs(matrix_get(A, i, j));
+        norm_A = fmax(norm_A, row);
+        norm_u = fmax(norm_u, fabs(u[i]));
+        norm_b = fmax(norm_b, fabs(b[i]));
+    }
+    const double want =
+        e * fabs(u[0]) / (DBL_EPSILON * (norm_A * norm_u + norm_b));
+    close_to(matrix_backward_error(A, u, b), want, 10.0); /* round-off: eps */
+    ck_assert_double_lt(matrix_backward_error(near, u, b), 10.0);
+    u[3] = NAN;
+    ck_assert(isnan(matrix_backward_error(A, u, b)));
+    matrix_free(A), matrix_free(near);
+}
+
 static const struct unit_law laws[] = {
     {"solve_equals_lu_for_every_storage_and_bandwidth",
      solve_equals_lu_for_every_storage_and_bandwidth},
@@ -458,6 +484,8 @@ static const struct unit_law laws[] = {
      eigenvalues_are_those_in_closed_form},
     {"negative_pivots_count_negative_eigenvalues",
      negative_pivots_count_negative_eigenvalues},
+    {"backward_error_is_that_of_a_nearby_system",
+     backward_error_is_that_of_a_nearby_system},
     {"a_combination_is_entry_by_entry", a_combination_is_entry_by_entry},
     {"a_block_has_the_entries_of_its_rows",
      a_block_has_the_entries_of_its_rows},
