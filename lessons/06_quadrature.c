@@ -123,10 +123,8 @@ static double load_entry(int j, int n, const double x[], field *f,
     return b;
 }
 
-/* u[0..n] of the smooth problem: u is given at node `held`, and the flux at the
- * other end; that at `held` does not matter, since its equation is replaced. */
-static enum status solve(int n, int held, const double x[], const double mean[],
-                         const struct quadrature *rule, double qa, double qb,
+/* u := A^{-1} b, b in u; at node `held` u is given as sin 2x. */
+static enum status solve(int n, const double x[], const double mean[], int held,
                          double u[])
 {
     const double given = smooth_exact(x[held]);
@@ -137,7 +135,6 @@ static enum status solve(int n, int held, const double x[], const double mean[],
         for (int k = 0; k < 3; k++)
             if (j + k >= 1 && j + k <= n + 1)
                 matrix_add(A, j, j + k - 1, row[k]);
-        u[j] = load_entry(j, n, x, smooth_f, rule, qa, qb);
     }
     matrix_dirichlet(A, u, 1, &held, &given, KEEP_DIAGONAL);
     const enum status status = matrix_factor(A);
@@ -172,11 +169,12 @@ int main(int argc, char *argv[])
     print_exactness();
     print_A(n, x, mean);
     table_begin("b", "j b");
-    for (int j = 0; j <= n; j++)
-        table_row(j, load_entry(j, n, x, smooth_f, &rule, qa, qb));
+    for (int j = 0; j <= n; j++) {
+        u[j] = load_entry(j, n, x, smooth_f, &rule, qa, qb);
+        table_row(j, u[j]);
+    }
     table_end();
-    const enum status status =
-        solve(n, held == LEFT ? 0 : n, x, mean, &rule, qa, qb, u);
+    const enum status status = solve(n, x, mean, held == LEFT ? 0 : n, u);
     if (status != OK) die("the matrix is %s", status_name(status));
     table_begin("nodes", "x u exact");
     for (int j = 0; j <= n; j++) table_row(x[j], u[j], smooth_exact(x[j]));
