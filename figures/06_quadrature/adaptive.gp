@@ -1,9 +1,9 @@
-# 06_quadrature_cost.gp - what int |x - 1/3| dx costs: error against the
-# number of evaluations of the integrand.
-# Reads   data  tables load_kink, adaptive
+# adaptive.gp - what int |x - 1/3| dx costs: error against the number of
+# evaluations of the integrand.
+#
+# Reads   data  tables load_kink (n midpoint gauss2), adaptive (evaluations
+#               error evaluations_split error_split)
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/06_quadrature.tsv"
-if (!exists("out"))  out  = "figures/06_quadrature_cost.svg"
 load "figures/style.gp"
 set output out
 set logscale xy

@@ -1,8 +1,8 @@
-# 04_neumann_compatibility_defect.gp - how far b is from being compatible.
+# compatibility.gp - how far b is from being compatible.
 #
-# Reads data (tables compatibility: h, sum_b; rules: h, midpoint, trapezoid,
-# gauss2), writes out.  Expected: (e-1) h^2/24, (e-1) h^2/12, (e-1) h^4/4320.
-
+# Reads   data  tables compatibility (h sum_b), rules (h midpoint trapezoid
+#               gauss2); expected (e-1) h^2/24, (e-1) h^2/12, (e-1) h^4/4320
+# Writes  out   SVG
 load "figures/style.gp"
 set output out
 set key maxrows 4
