@@ -2,6 +2,8 @@
  * judge.c - laws of tests/checks/judge.h and output.h: what the judge reads
  * from a program's output, and what it takes for a difference.
  */
+#include "../checks/child.c"
+
 #include "../checks/output.c"
 
 #include "../checks/judge.c"
