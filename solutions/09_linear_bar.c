@@ -585,7 +585,7 @@ static double newton_end(struct material material, double c, int cap,
     const struct scene s = {.n = n, .L = 1.0, .c = c,
                             .modulus = material_modulus(&material),
                             .left = {FIXED, 0.0}, .right = {FREE, 0.0}};
-    const struct newton_control control = {1e-12, cap, 0};
+    const struct newton_control control = {1e-12, cap, 0, 0};
     struct matrix *K = matrix_alloc(BANDED, n + 1, 1);
     double b[n + 1], u[n + 1] = {0};
 

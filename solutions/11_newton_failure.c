@@ -610,7 +610,7 @@ int main(int argc, char *argv[])
 {
     int law = 1, search = 0, n = 10, grid = 60, cap = 1000;
     double E = 1000.0, nu = 0.3, p = -1346.0, start = 1.0, hard = -1.5;
-    struct newton_control control = {1e-10, 0, 0};
+    struct newton_control control = {1e-10, 0, 0, 0};
     const struct option options[] = {
         {"law", .choice = &law, .choices = "linear log cubic",
          .help = "material of the single run"},

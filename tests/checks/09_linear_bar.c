@@ -310,8 +310,8 @@ static void linear_bar_is_newtons_first_step(void)
     enum { n = 16 };
     const struct material m = material_make(LOG, 1000.0, 0.3);
     const struct material linear = material_make(LINEAR, 1000.0, 0.3);
-    const struct newton_control one_step = {1e-12, 1, 0};
-    const struct newton_control full = {1e-12, 60, 0};
+    const struct newton_control one_step = {1e-12, 1, 0, 0};
+    const struct newton_control full = {1e-12, 60, 0, 0};
     for (int k = 0; k < COUNT(oracle_hanging); k++) {
         const double c = oracle_hanging[k].c;
         double b[n + 1], u[n + 1], v[n + 1] = {0}, w[n + 1] = {0};

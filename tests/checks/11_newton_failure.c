@@ -11,7 +11,7 @@
 #define CONVERGED 1e-9    /* quadratic: beyond the tolerance 1e-10 */
 #define SHIFT 2           /* stopping tests and round-off move the count */
 
-static const struct newton_control plain = {1e-10, 1000, 0};
+static const struct newton_control plain = {1e-10, 1000, 0, 0};
 
 static struct material of(enum law law, double nu)
 {
@@ -193,7 +193,7 @@ static void scalar_newton_is_the_bar(void)
         for (int s = 0; s < 2; s++)
             for (int k = 0; k < COUNT(p); k++) {
                 const struct material m = of((enum law)l, 0.3);
-                const struct newton_control control = {1e-10, 1000, s};
+                const struct newton_control control = {1e-10, 1000, s, 0};
                 const double b[] = {0.0, p[k]};
                 const struct bar bar = {1, 1.0, {1, 0}, b, m};
                 double u[] = {0.0, 0.0};
