@@ -22,7 +22,8 @@ static struct {
     const char *file;          /* what is judged, for the heading */
     const char *reference;     /* program of the reference solution */
     const char *mistakes;      /* folder with the known mistakes' programs */
-    const char *prepare;       /* command that builds them */
+    const char *prepare;       /* command that builds those that the checks
+                                * named behind it catch */
     const char *result;        /* file for "verdict check slot" */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 } judging;
@@ -425,14 +426,20 @@ static void print_explanation(const char *folder, const char *name)
     print_wrapped("    ", text);
 }
 
-/* Say which known mistakes give the numbers of the program under test. */
-static void diagnose(void)
+/* Say which known mistakes give the numbers of the program under test; only
+ * those can be that the failed checks (names between blanks) catch. */
+static void diagnose(const char *failed)
 {
     const int n_run = judging.lesson->n_run;
     struct output *mine[MAX_RUNS], *right[MAX_RUNS];
 
     if (!judging.mistakes) return;
-    if (judging.prepare && system(judging.prepare) != 0) return;
+    if (judging.prepare) {
+        char command[PATH_SIZE];
+        snprintf(command, sizeof command, "%s CAUGHT_BY='%s' >/dev/null",
+                 judging.prepare, failed);
+        if (system(command) != 0) return;
+    }
     for (int r = 0; r < n_run; r++) {
         mine[r] = output_of(NULL, judging.lesson->runs[r], judging.work);
         right[r] =
@@ -530,8 +537,8 @@ static void explain_end(struct ending ending, struct finding *finding)
         quit("%s", line + 7);
     } else {
         snprintf(text, size,
-                 "the program left in the middle of its work, with exit status "
-                 "%d%s%s", ending.status, colon, line);
+                 "the program left in the middle of its work, with exit(%d)%s%s",
+                 ending.status, colon, line);
     }
 }
 
@@ -626,6 +633,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
 {
     enum { MAX_LINES = 13 };
     char passed[MAX_CLAIMS * 64] = ""; /* names that share lines, if many */
+    char failed[MAX_CLAIMS * 64] = "";
     struct finding finding[MAX_CLAIMS] = {0};
     const int n = lesson->n_claim + 1;
     int first = -1, over = 0; /* over: no further check is run */
@@ -671,6 +679,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
             continue;
         }
         print_passed(passed);
+        if (finding[i].verdict != PASS)
+            strcat(strcat(failed, " "), claim.name);
         printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
     }
     print_passed(passed);
@@ -693,7 +703,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         printf(":\n");
         print_wrapped("    ", bad->text);
         if (!over && (bad->verdict == WRONG || bad->verdict == NONFINITE_))
-            diagnose();
+            diagnose(failed);
         printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
         if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
         if (bad->verdict == CRASHED) printf(" in %s", claim.name);
