@@ -8,6 +8,7 @@
 
 #include "../checks/judge.c"
 
+#include "status.h"
 #include "unit.h"
 
 #include <fcntl.h>
