@@ -100,8 +100,8 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
 }
 
 /* With t = 1 + x the load of the right node is (ln(t1/t0) - h/t1)/h: two
- * numbers that agree in all but O(h^2), so the difference is taken by a function
- * made for it, y -> ln(1+y) - y. */
+ * numbers that agree in all but O(h^2), so the difference is taken by a
+ * function made for it, y -> ln(1+y) - y. */
 void bvp_exact_load(int n, const double x[], double b[])
 {
     for (int i = 0; i <= n; i++) b[i] = 0.0;

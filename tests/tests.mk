@@ -15,7 +15,7 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
-	$(Q)$(COMPILE) -Werror -fsyntax-only $<
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*) -Werror
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from

@@ -1,10 +1,8 @@
-# 01_deformation_mesh.gp - a square pushed inside with its boundary held, before
+# meshes.gp - a square pushed inside with its boundary held, before
 # and after, inverted triangles coloured, with the exact curve J = 0; and a
 # strip in a loop: J > 0 everywhere, and a part of it covered twice.
-# Reads   data  tables square, strip (one row a triangle), push
+# Reads   data  tables square, strip (one row per triangle)
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/01_deformation.tsv"
-if (!exists("out"))  out  = "figures/01_deformation_mesh.svg"
 load "figures/style.gp"
 set terminal svg size 940,400
 set output out
@@ -19,9 +17,11 @@ polygons(table, first, test) = sprintf( \
      on == 2 && (%s) { for (k = 0; k < 4; k++) \
          print $(%d + 2 * (k %% 3)) \"\t\" $(%d + 1 + 2 * (k %% 3)); \
          print \"\" }' '%s'", table, test, first, first, data)
-# the push of the scene: the last row of table push
-s = system("awk -F'\t' '$0 == \"# push\" { on = 1 } NF == 0 { on = 0 } \
-            on { s = $1 } END { print s }' '".data."'") + 0.0
+# the push of the scene: how far the centre goes
+s = system("awk -F'\t' '$0 == \"# square\" { on = 1 } NF == 0 { on = 0 } \
+            on { for (k = 3; k <= 7; k += 2) \
+                 if ($(k + 6) == \"0\" && $(k + 7) == \"0\") s = $k } \
+            END { print s }' '".data."'") + 0.0
 
 set style fill solid noborder
 set multiplot
@@ -43,11 +43,11 @@ set label 1 "before: where J < 0" at graph 0, graph 1.05
 height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
 edge(X) = X > 0 && X < 1 && height(X) >= 0 ? sqrt(height(X)) : NaN
 set samples 2001
-plot polygons("square", 8, "$1 > 0") using 1:2 with filledcurves closed \
+plot polygons("square", 9, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
-     polygons("square", 8, "$1 <= 0") using 1:2 with filledcurves closed \
+     polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
          fc rgb "#D55E00", \
-     polygons("square", 8, "1") using 1:2 with lines lw 0.5 \
+     polygons("square", 9, "1") using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2", \
      edge(x) with lines lw 2 dt 2 lc rgb "black", \
      -edge(x) with lines lw 2 dt 2 lc rgb "black"
@@ -57,11 +57,11 @@ set rmargin at screen 0.675
 set xlabel "x (m)"
 set ylabel "y (m)" offset 2
 set label 1 "after: inverted triangles" at graph 0, graph 1.05
-plot polygons("square", 2, "$1 > 0") using 1:2 with filledcurves closed \
+plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
-     polygons("square", 2, "$1 <= 0") using 1:2 with filledcurves closed \
+     polygons("square", 3, "$1 <= 0") using 1:2 with filledcurves closed \
          fs transparent solid 0.6 fc rgb "#D55E00", \
-     polygons("square", 2, "1") using 1:2 with lines lw 0.5 \
+     polygons("square", 3, "1") using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2"
 
 set lmargin at screen 0.70
