@@ -121,15 +121,15 @@ $(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LINK)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(BUILD)/tests/judge.o $(BUILD)/tests/output.o
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge output child)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $(CHECK_CFLAGS) -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks -c $< -o $@
 
 # $(call build_judge,program to judge,NN_slug)
-build_judge = $(COMPILE) -I. -Itests/checks $(CHECK_CFLAGS) \
+build_judge = $(COMPILE) -I. -Itests/checks \
               -DPROGRAM='"$1"' tests/checks/$2.c -o $@ $(JUDGE) \
-              $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+              $(LINK)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB)
 	$(call say,judge,$<)

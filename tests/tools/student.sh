@@ -45,14 +45,10 @@ judge() {
         verdict "UNFINISHED (empty file)" "UNFINISHED - -" "make reset-$nn"
         return 1
     fi
-    if ! command -v pkg-config >/dev/null || ! pkg-config --exists check; then
-        echo "Judging needs Check (libcheck), which is missing." >&2
-        echo "Run: make deps" >&2
-        return 2
-    fi
     log=$BUILD/mine/$slug.log
     if ! "$MAKE" "$BUILD/solutions/$slug" \
-        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" >"$log" 2>&1; then
+        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" \
+        "$BUILD/tests/child.o" >"$log" 2>&1; then
         cat "$log" >&2
         return 2
     fi
@@ -71,7 +67,7 @@ judge() {
     "./$BUILD/mine/$slug.judge" --file "$mine" \
         --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" \
-        --prepare "'$MAKE' mistakes-$nn >/dev/null" \
+        --prepare "'$MAKE' mistakes-$nn" \
         --result "$state.result"
     status=$?
     if [ $status = 0 ]; then sum "$mine" >"$state.pass"; fi
