@@ -48,8 +48,8 @@ COUNTED := $(filter-out $(SPEED),$(STUDIES))
 SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
 MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
                /dev/null figures/*/*.gp))
-TIMED   := $(patsubst figures/%.gp,%,$(shell grep -l 'machine.data' /dev/null \
-               figures/*/*.gp))
+TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
+               $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
@@ -121,15 +121,15 @@ $(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LINK)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(BUILD)/tests/judge.o $(BUILD)/tests/output.o
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge output child)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $(CHECK_CFLAGS) -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks -c $< -o $@
 
 # $(call build_judge,program to judge,NN_slug)
-build_judge = $(COMPILE) -I. -Itests/checks $(CHECK_CFLAGS) \
+build_judge = $(COMPILE) -I. -Itests/checks \
               -DPROGRAM='"$1"' tests/checks/$2.c -o $@ $(JUDGE) \
-              $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+              $(LINK)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB)
 	$(call say,judge,$<)

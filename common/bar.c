@@ -5,9 +5,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double stretch(const struct bar *bar, const double u[], int e)
+double bar_stretch(const struct bar *bar, const double u[], int e)
 {
     return 1.0 + (u[e] - u[e - 1]) / bar->h;
+}
+
+double bar_min_stretch(const struct bar *bar, const double u[])
+{
+    double least = INFINITY;
+    for (int e = 1; e <= bar->n; e++)
+        least = fmin(least, bar_stretch(bar, u, e));
+    return least;
 }
 
 enum status bar_energy(const struct bar *bar, const double u[], double *energy)
@@ -15,7 +23,7 @@ enum status bar_energy(const struct bar *bar, const double u[], double *energy)
     *energy = 0.0;
     for (int i = 0; i <= bar->n; i++) *energy -= bar->b[i] * u[i];
     for (int e = 1; e <= bar->n; e++) {
-        const double F = stretch(bar, u, e);
+        const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
         *energy += bar->h * material1_psi(&bar->material, F);
     }
@@ -26,7 +34,7 @@ enum status bar_residual(const struct bar *bar, const double u[], double q[])
 {
     for (int i = 0; i <= bar->n; i++) q[i] = -bar->b[i];
     for (int e = 1; e <= bar->n; e++) {
-        const double F = stretch(bar, u, e);
+        const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
         const double P = material1_pk1(&bar->material, F);
         q[e - 1] -= P;
@@ -42,7 +50,7 @@ enum status bar_tangent(const struct bar *bar, const double u[],
 {
     matrix_zero(K);
     for (int e = 1; e <= bar->n; e++) {
-        const double F = stretch(bar, u, e);
+        const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
         const double k = material1_dpk1(&bar->material, F) / bar->h;
         if (!isfinite(k)) return NONFINITE;
@@ -54,44 +62,32 @@ enum status bar_tangent(const struct bar *bar, const double u[],
     return OK;
 }
 
-static double max_free(const struct bar *bar, const double v[])
+double bar_max_free(const struct bar *bar, const double v[])
 {
     double largest = 0.0;
-    for (int i = bar->fixed[0]; i <= bar->n - bar->fixed[1]; i++)
+    for (int i = bar->held[0]; i <= bar->n - bar->held[1]; i++) {
+        if (!isfinite(v[i])) return INFINITY;
         if (fabs(v[i]) > largest) largest = fabs(v[i]);
+    }
     return largest;
 }
 
 /*
- * Solve K du = -q for the free nodes by a tridiagonal L D L^T sweep; du = 0 at
- * the prescribed ones.  K may be indefinite (P' < 0 somewhere): *positive says
- * whether all pivots were > 0.  NOT_SPD only when a pivot is 0 to round-off.
+ * Solve K du = -q for the free nodes, du = 0 at the held ones, which K loses.
+ * K may be indefinite (P' < 0 somewhere), in *negative directions.
  */
-static enum status solve_tridiagonal(const struct bar *bar,
-                                     const struct matrix *K, const double q[],
-                                     double d[], double du[], int *positive)
+static enum status increment(const struct bar *bar, struct matrix *K,
+                             const double q[], double du[], int *negative)
 {
-    const int first = bar->fixed[0], last = bar->n - bar->fixed[1];
+    const int ends[2] = {0, bar->n}, n_held = bar->held[0] + bar->held[1];
+    const double zero[2] = {0.0, 0.0};
 
-    *positive = 1;
-    du[0] = du[bar->n] = 0.0;
-    for (int i = first; i <= last; i++) {
-        const double K_ii = matrix_get(K, i, i);
-        d[i] = K_ii;
-        du[i] = -q[i];
-        if (i > first) {
-            const double l = matrix_get(K, i, i - 1) / d[i - 1];
-            d[i] -= l * matrix_get(K, i, i - 1);
-            du[i] -= l * du[i - 1];
-        }
-        if (!(fabs(d[i]) > DBL_EPSILON * fabs(K_ii))) return NOT_SPD;
-        if (d[i] < 0.0) *positive = 0;
-    }
-    for (int i = last; i >= first; i--) {
-        du[i] /= d[i];
-        if (i < last) du[i] -= matrix_get(K, i + 1, i) / d[i] * du[i + 1];
+    for (int i = 0; i <= bar->n; i++) du[i] = -q[i];
+    matrix_dirichlet(K, du, n_held, &ends[!bar->held[0]], zero,
+                     UNIT_DIAGONAL);
+    if (matrix_solve_indefinite(K, du, negative) != OK) return NOT_SPD;
+    for (int i = 0; i <= bar->n; i++)
         if (!isfinite(du[i])) return NONFINITE;
-    }
     return OK;
 }
 
@@ -119,15 +115,18 @@ static enum status line_search(const struct bar *bar, const double q[],
     return STALLED;
 }
 
+/* Smallest F and P' of a state; one that failed has no P', energy, residual. */
 static void describe(const struct bar *bar, const double u[],
-                     struct newton_step *step)
+                     enum status status, struct newton_step *step)
 {
-    step->min_F = step->min_dP = INFINITY;
-    for (int e = 1; e <= bar->n; e++) {
-        const double F = stretch(bar, u, e);
-        step->min_F = fmin(step->min_F, F);
-        step->min_dP = fmin(step->min_dP, material1_dpk1(&bar->material, F));
-    }
+    step->min_F = bar_min_stretch(bar, u);
+    step->min_dP = INFINITY;
+    if (status != OK)
+        step->min_dP = step->energy = step->residual = (double)NAN;
+    for (int e = 1; e <= bar->n && status == OK; e++)
+        step->min_dP = fmin(step->min_dP,
+                            material1_dpk1(&bar->material,
+                                           bar_stretch(bar, u, e)));
 }
 
 struct newton_report bar_newton(const struct bar *bar,
@@ -138,23 +137,22 @@ struct newton_report bar_newton(const struct bar *bar,
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(size, sizeof *q), *du = allocate(size, sizeof *du);
-    double *d = allocate(size, sizeof *d), *trial = allocate(size, sizeof *d);
+    double *trial = allocate(size, sizeof *trial);
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 
     for (int k = 0;; k++) {
         struct newton_step step = {.length = 1.0};
-        int positive;
+        int negative;
 
         report.status = bar_residual(bar, u, q);
         if (report.status == OK)
             report.status = bar_energy(bar, u, &step.energy);
-        if (report.status != OK) break;
-        if (bar->fixed[0]) q[0] = 0.0;
-        if (bar->fixed[1]) q[bar->n] = 0.0;
-        report.residual = step.residual = max_free(bar, q);
-        describe(bar, u, &step);
+        if (report.status == OK)
+            report.residual = step.residual = bar_max_free(bar, q);
+        describe(bar, u, report.status, &step);
         if (history) history[k] = step;
+        if (report.status != OK) break;
         if (step.residual <= force && (k > 0 ? report.increment <= length
                                              : step.residual == 0.0))
             break;
@@ -168,14 +166,16 @@ struct newton_report bar_newton(const struct bar *bar,
 
         report.status = bar_tangent(bar, u, K);
         if (report.status == OK)
-            report.status = solve_tridiagonal(bar, K, q, d, du, &positive);
+            report.status = increment(bar, K, q, du, &negative);
+        if (report.status == OK && negative > 0 &&
+            (control->line_search || control->definite))
+            report.status = NOT_SPD;
         if (report.status != OK) break;
         report.iterations = k + 1;
-        report.increment = step.increment = max_free(bar, du);
+        report.increment = step.increment = bar_max_free(bar, du);
         if (control->line_search)
-            report.status = positive ? line_search(bar, q, du, step.energy, u,
-                                                   trial, &step.length)
-                                     : NOT_SPD;
+            report.status = line_search(bar, q, du, step.energy, u, trial,
+                                        &step.length);
         else
             for (int i = 0; i <= bar->n; i++) u[i] += du[i];
         if (history) history[k] = step;
@@ -183,7 +183,6 @@ struct newton_report bar_newton(const struct bar *bar,
     }
     free(q);
     free(du);
-    free(d);
     free(trial);
     matrix_free(K);
     return report;

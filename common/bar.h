@@ -19,10 +19,19 @@
 struct bar {
     int n;           /* elements */
     double h;        /* element length (m) */
-    int fixed[2];    /* is u prescribed at node 0, at node n? */
+    int held[2];     /* is u prescribed at node 0, at node n? */
     const double *b; /* [n+1] nodal loads; borrowed */
     struct material material;
 };
+
+/* F_e of element e = 1..n. */
+double bar_stretch(const struct bar *bar, const double u[], int e);
+
+/* The smallest of them. */
+double bar_min_stretch(const struct bar *bar, const double u[]);
+
+/* max |v_i| over the nodes that are free; INFINITY where one is not finite. */
+double bar_max_free(const struct bar *bar, const double v[]);
 
 /* INVERTED: some F_e is where the material is not defined; the outputs are
  * then incomplete.  NONFINITE: a NaN or an infinity came out. */
@@ -37,6 +46,8 @@ struct newton_control {
                          * both at once */
     int max_iterations; /* cap */
     int line_search;    /* halve the step until the energy decreases */
+    int definite;       /* stop, NOT_SPD, where K is not positive definite;
+                         * else it is solved as it is */
 };
 
 /* One line of the history: the state before step k, and the step. */
@@ -52,7 +63,7 @@ struct newton_report {
     enum status status; /* OK, INVERTED, NONFINITE, NOT_SPD, STALLED,
                          * MAX_ITERATIONS */
     int iterations;     /* linear systems solved */
-    double residual, increment; /* of the last line of the history */
+    double residual, increment; /* the last that there were */
 };
 
 /*
@@ -62,9 +73,12 @@ struct newton_report {
  *
  * u        in/out  start, solution; the last state reached when not OK
  * history  out     max_iterations + 1 lines, or NULL; report.iterations + 1
- *                  of them are set
+ *                  of them are set, and NAN is in them what a state that is
+ *                  INVERTED or NONFINITE does not have
  *
  * INVERTED   an element left the domain of the material (without line search)
+ * NOT_SPD    K is singular, or not positive definite with control->definite or
+ *            control->line_search; that system does not count as solved
  * STALLED    no step length decreases the energy, or the increment is at
  *            round-off while the residual is not
  */

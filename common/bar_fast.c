@@ -94,9 +94,9 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
     const int n = bar->n;
     const double *b = bar->b;
     const struct polynomial law = stress_polynomial(bar);
-    struct front L = front_make(&law, bar->fixed[0], u[1] - u[0]);
+    struct front L = front_make(&law, bar->held[0], u[1] - u[0]);
     struct front R =
-        front_make(&law, m < n && bar->fixed[1], u[n] - u[n - 1]);
+        front_make(&law, m < n && bar->held[1], u[n] - u[n - 1]);
     int i = 0, j = n;
 
     if (L.held) l[i] = z[i] = 0.0, i++;
@@ -111,7 +111,7 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
         eliminate(&law, -1.0, u[j] - u[j - 1], b[j], &R, &l[j], &z[j]);
     *max_q = R.max_q > L.max_q ? R.max_q : L.max_q;
     *du_m = 0.0;
-    const int open = m < n || !bar->fixed[1]; /* node m may move */
+    const int open = m < n || !bar->held[1]; /* node m may move */
     const double minus_q = open ? R.P - L.P + b[m] : 0.0;
     const double y = L.y + R.y + minus_q, s = (L.held ? 1.0 / L.c : 0.0) +
                                               (R.held ? 1.0 / R.c : 0.0);
@@ -155,7 +155,8 @@ struct newton_report bar_fast_newton(const struct bar *bar,
                                      const struct newton_control *control,
                                      enum sweep sweep, double u[])
 {
-    assert(bar->material.law == CUBIC && !control->line_search);
+    assert(bar->material.law == CUBIC && !control->line_search &&
+           !control->definite);
     const int n = bar->n, m = sweep == FROM_LEFT ? n : (n + 1) / 2;
     const size_t size = (size_t)n + 1;
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};

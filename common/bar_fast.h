@@ -29,8 +29,8 @@
 enum sweep { FROM_LEFT, FROM_BOTH_ENDS };
 
 /*
- * bar_newton() for the law CUBIC and without line search (asserted): the same
- * iterates to round-off, the same tests, statuses and report.
+ * bar_newton() for the law CUBIC, neither line_search nor definite (asserted):
+ * the same iterates to round-off, the same tests, statuses and report.
  *
  * NOT_SPD    a pivot is 0 to round-off; negative ones are no failure
  * NONFINITE  a NaN or an infinity came out (also where some P' is 0)

@@ -50,6 +50,17 @@ struct matrix *matrix_copy(const struct matrix *A)
     return copy;
 }
 
+struct matrix *matrix_block(const struct matrix *A, int first, int n)
+{
+    assert(0 <= first && first + n <= A->n);
+    struct matrix *block = matrix_alloc(A->storage, n, A->p);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            if (abs(i - j) <= block->p)
+                matrix_add(block, i, j, matrix_get(A, first + i, first + j));
+    return block;
+}
+
 void matrix_free(struct matrix *A)
 {
     if (!A) return;
@@ -257,7 +268,34 @@ double matrix_residual(const struct matrix *A, const double x[],
     return largest;
 }
 
+double matrix_backward_error(const struct matrix *A, const double u[],
+                             const double b[])
+{
+    double norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
+    for (int i = 0; i < A->n; i++) {
+        const int last = i + A->p < A->n ? i + A->p : A->n - 1;
+        double sum = 0.0;
+        for (int j = i > A->p ? i - A->p : 0; j <= last; j++)
+            sum += fabs(matrix_get(A, i, j));
+        norm_A = fmax(norm_A, sum);
+        norm_u = fmax(norm_u, fabs(u[i]));
+        norm_b = fmax(norm_b, fabs(b[i]));
+    }
+    return matrix_residual(A, u, b) /
+           (DBL_EPSILON * (norm_A * norm_u + norm_b));
+}
+
 size_t matrix_bytes(const struct matrix *A)
 {
     return (size_t)A->n * A->stride * sizeof *A->a;
+}
+
+struct matrix_cost matrix_cost(enum storage storage, int n, int p)
+{
+    const double order = n, q = storage == DENSE ? n - 1 : p;
+    const struct matrix_cost cost = {
+        order * (q + 1.0), /* n - q full columns, then q, q - 1, ... below */
+        (order - q) * (q + 1.0) * (q + 1.0) +
+            q * (q + 1.0) * (2.0 * q + 1.0) / 6.0};
+    return cost;
 }

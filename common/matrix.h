@@ -38,9 +38,19 @@ struct matrix {
     double *a;     /* entries, see above; owned */
 };
 
+/* What a matrix costs, see matrix_cost(). */
+struct matrix_cost {
+    double numbers; /* kept, without the room behind a wide band's columns */
+    double flops;   /* of the factorisation */
+};
+
 /* A zero matrix; p is ignored when dense.  The caller frees it. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_copy(const struct matrix *A);
+
+/* A new matrix, of A's storage: rows and columns first .. first + n - 1 of A,
+ * which is what is left when the others are struck out. */
+struct matrix *matrix_block(const struct matrix *A, int first, int n);
 void matrix_free(struct matrix *A);
 
 /* Zero every entry and keep the memory: call it before each assembly. */
@@ -116,7 +126,24 @@ void matrix_multiply(const struct matrix *A, const double x[], double y[]);
 double matrix_residual(const struct matrix *A, const double x[],
                        const double b[]);
 
+/*
+ * |b - A u| / (|A| |u| + |b|) in units of eps, maximum norms, for an A that is
+ * not factored: how far the system that u solves exactly is from A u = b.  NaN
+ * if an entry is.  Source: Higham, Accuracy and Stability of Numerical
+ * Algorithms, 2nd ed., theorem 7.1.
+ */
+double matrix_backward_error(const struct matrix *A, const double u[],
+                             const double b[]);
+
 /* Bytes that the entries occupy. */
 size_t matrix_bytes(const struct matrix *A);
+
+/*
+ * What order n and half bandwidth p cost, without a matrix [eq:band-cost]; p is
+ * not looked at when dense.  Each + - * / and square root of the textbook's
+ * Cholesky counts one: (m + 1)^2 for a column with m entries below its pivot.
+ * Real numbers, for n^3 exceeds any int.
+ */
+struct matrix_cost matrix_cost(enum storage storage, int n, int p);
 
 #endif

@@ -17,6 +17,10 @@
 /* A given function of x: beta, f, an exact solution or its derivative. */
 typedef double field(double x);
 
+/* A smooth problem of which no rule has the integrals: beta = e^x and f so that
+ * u = sin 2x in (0, 1); u' with it. */
+field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
+
 /* The lecture's boundary value problem [eq:poisson-bvp]: beta = 1 + x, f =
  * (1+x)^-2 in (0, 1), u(0) = 1, beta u'(1) = -1/2; its solution u = 2 - 1/(1+x)
  * - ln(1+x) and u'. */
@@ -54,6 +58,19 @@ void poisson_element(double x0, double x1, field *beta, field *f,
 void poisson_assemble(int n, const double x[], field *beta, field *f,
                       const struct quadrature *rule, struct matrix *A,
                       double b[]);
+
+/* Of [eq:poisson-bvp], in closed form: b_i := int f e_i dx. */
+void bvp_exact_load(int n, const double x[], double b[]);
+
+/*
+ * The same with test functions phi_i, which have the values of e_i at the nodes
+ * and constant flux beta phi_i' on each element:
+ *
+ *     A_ij = int beta e_i' phi_j' dx,   b_i = int f phi_i dx.
+ *
+ * The nodal values are then exact.
+ */
+void bvp_fitted_assemble(int n, const double x[], struct matrix *A, double b[]);
 
 /* Errors of u_h = sum_j u[j] e_j, by five-point Gauss on each element. */
 struct poisson_error {

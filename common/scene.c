@@ -126,18 +126,6 @@ void scene_scatter(struct scene *scene, int seed, double reach)
     gsl_rng_free(rng);
 }
 
-double scene_triangle(const struct scene *scene, const double u[], int e,
-                      double corner[6])
-{
-    for (int r = 0; r < 6; r++) {
-        const int dof = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
-        corner[r] = scene->mesh->X[dof] + u[dof];
-    }
-    const double *x = corner;
-    return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
-           (2.0 * scene->body->area[e]);
-}
-
 struct scene_measures scene_measure(const struct scene *scene)
 {
     const double *X = scene->mesh->X, *u = scene->u, *v = scene->v;
@@ -155,4 +143,14 @@ struct scene_measures scene_measure(const struct scene *scene)
     }
     free(p);
     return m;
+}
+
+double scene_triangle(const struct scene *scene, int e, double x[6])
+{
+    for (int r = 0; r < 6; r++) {
+        const int k = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
+        x[r] = scene->mesh->X[k] + scene->u[k];
+    }
+    return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
+           (2.0 * scene->body->area[e]);
 }

@@ -75,10 +75,6 @@ struct step_report scene_step(struct scene *scene,
  * by GSL's Mersenne twister. */
 void scene_scatter(struct scene *scene, int seed, double reach);
 
-/* Corners (x, y; x, y; x, y) of triangle e displaced by u; returns its J. */
-double scene_triangle(const struct scene *scene, const double u[], int e,
-                      double corner[6]);
-
 struct scene_measures {
     double kinetic, elastic, external; /* energies (J); external: -f.u */
     double momentum[2], angular;       /* sum M v, sum x cross M v */
@@ -87,5 +83,8 @@ struct scene_measures {
 
 /* Energies and momenta of the state, which the material must allow. */
 struct scene_measures scene_measure(const struct scene *scene);
+
+/* The corners of triangle e in their places, x0 y0 x1 y1 x2 y2 (m); its J. */
+double scene_triangle(const struct scene *scene, int e, double x[6]);
 
 #endif

@@ -16,6 +16,7 @@
 
 double root_of(study_function *f, void *context, double low, double high)
 {
+    if (low > high) return root_of(f, context, high, low);
     const double f_low = f(low, context), f_high = f(high, context);
     if (!(f_low * f_high < 0.0)) {
         if (f_low == 0.0) return low;

@@ -9,9 +9,9 @@
 typedef double study_function(double x, void *context);
 
 /*
- * The x in (low, high) with f(x) = 0, to the last digit, by GSL's Brent.  f
- * must change its sign between low and high; die() when it does not, or when f
- * is not finite there.
+ * The x between low and high, in either order, with f(x) = 0, to the last
+ * digit, by GSL's Brent.  f must change its sign between them; die() when it
+ * does not, or when f is not finite there.
  */
 double root_of(study_function *f, void *context, double low, double high);
 

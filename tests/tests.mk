@@ -15,6 +15,7 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*) -Werror
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
@@ -41,12 +42,22 @@ $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
 	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
-# all known mistakes of a lesson; one that is no longer listed goes
+# the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
+# that is no longer listed goes
+CAUGHT_BY =
+caught := $(shell awk '/^mistake: / { name = $$2 } /^caught-by: / { \
+    slug = FILENAME; sub(/.*\//, "", slug); sub(/\.txt$$/, "", slug); \
+    print slug "/" name "," $$2 }' /dev/null $(LESSONS:%=tests/mistakes/%.txt))
+by_check = $(foreach c,$(CAUGHT_BY),$(filter %$(comma)$c,$(caught)))
+comma := ,
 define mistakes_rule
-mistakes-$(call number,$1): $(patsubst %,$(BUILD)/mistakes/%,\
-        $(filter $1/%,$(MISTAKES)))
-	@for why in $(BUILD)/mistakes/$1/*.why; do name=$$$${why%.why}; \
-	    case ' $$^ ' in *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
+mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
+        $(CAUGHT_BY),$(foreach m,$(filter $1/%,$(by_check)),$(firstword \
+        $(subst $(comma), ,$m))),$(filter $1/%,$(MISTAKES))))
+	@for why in $(BUILD)/mistakes/$1/*.why; do \
+	    [ -f "$$$$why" ] || continue; name=$$$${why%.why}; \
+	    case ' $(patsubst %,$(BUILD)/mistakes/%,$(MISTAKES)) ' in \
+	    *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
 	    esac; done
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
@@ -110,7 +121,6 @@ UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
     $$1 == "file:" { file = $$2 } $$1 == "unit:" { unit = $$2 } \
     $$1 == "caught-by:" { print name "," file "," unit "," $$2 }' \
     tests/unit/mistakes.txt)
-comma := ,
 unit_field = $(word $2,$(subst $(comma), ,$1))
 define unit_mistake
 $(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \

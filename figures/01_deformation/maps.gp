@@ -1,10 +1,8 @@
-# 01_deformation_maps.gp - the notes' Figure 4 through a mesh: X^2 and
+# maps.gp - the notes' Figure 4 through a mesh: X^2 and
 # sin 2 pi X, each element coloured by the sign of its J; and the share of the
 # elements that sin 2 pi X inverts, against their number.
 # Reads   data  tables curve, bar, refine
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/01_deformation.tsv"
-if (!exists("out"))  out  = "figures/01_deformation_maps.svg"
 load "figures/style.gp"
 set terminal svg size 940,400
 set output out
@@ -17,7 +15,7 @@ set bmargin at screen 0.14
 # an element as an arrow along (X, phi): its ends are on the curve
 square(X) = X * X
 sine(X) = sin(2 * pi * X)
-rise(f, sign, want) = sign == want ? f : NaN
+rise(f, sign, want) = sign eq want ? f : NaN
 
 set lmargin at screen 0.065
 set rmargin at screen 0.325
@@ -33,7 +31,7 @@ plot data index "curve" using "X":"square" with lines ls 8 title "φ = X^2", \
      data index "bar" using "X0":(square(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(square(column("X1")) - square(column("X0")), \
-               column("square_sign"), 1)) \
+               strcol("square_sign"), "upright")) \
          with vectors nohead ls 1 lw 3 title "elements, J > 0", \
      data index "bar" using "X0":(square(column("X0"))) with points \
          pt 7 ps 0.45 lc rgb "black" notitle, \
@@ -52,17 +50,17 @@ set label 1 "φ' < 0" at 0.5, 0.93 center font ",12"
 plot data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
-               column("sine_sign"), 1)) \
+               strcol("sine_sign"), "upright")) \
          with vectors nohead ls 1 lw 3 title "J > 0", \
      data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
-               column("sine_sign"), -1)) \
+               strcol("sine_sign"), "inverted")) \
          with vectors nohead ls 2 lw 3 dt (6,2) title "J < 0, inverted", \
      data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
-               column("sine_sign"), 0)) \
+               strcol("sine_sign"), "collapsed")) \
          with vectors nohead ls 3 lw 4 dt (2,2) title "J = 0, collapsed", \
      data index "curve" using "X":"sine" with lines ls 8 \
          title "φ = sin 2πX", \

@@ -1,10 +1,8 @@
-# 01_deformation_strain.gp - strain measures of a body that only turns: from
+# strain.gp - strain measures of a body that only turns: from
 # rest, with the angles where the linear strain is 1, 5 and 10 %; and how much
 # the strains of a stretched body change when it turns.
 # Reads   data  tables angles, thresholds
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/01_deformation.tsv"
-if (!exists("out"))  out  = "figures/01_deformation_strain.svg"
 load "figures/style.gp"
 set terminal svg size 860,410
 set output out

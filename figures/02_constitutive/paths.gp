@@ -1,8 +1,6 @@
-# 02_constitutive_paths.gp - the three laws in the plane, along four paths.
+# paths.gp - the three laws in the plane, along four paths.
 # Reads   data  tables equibiaxial_LAW, uniaxial_LAW, shear_LAW, rotation_LAW
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/02_constitutive.tsv"
-if (!exists("out"))  out  = "figures/02_constitutive_paths.svg"
 load "figures/style.gp"
 set terminal svg size 860,660
 set output out

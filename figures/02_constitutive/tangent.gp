@@ -1,8 +1,6 @@
-# 02_constitutive_tangent.gp - dP/dF over F for several nu; shaded: negative.
+# tangent.gp - dP/dF over F for several nu; shaded: negative.
 # Reads   data  tables tangent_cubic, tangent_log, thresholds
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/02_constitutive.tsv"
-if (!exists("out"))  out  = "figures/02_constitutive_tangent.svg"
 load "figures/style.gp"
 set terminal svg size 860,450
 set output out

@@ -1,10 +1,8 @@
-# 02_constitutive_taylor.gp - Taylor remainders of the energy against the step,
+# taylor.gp - Taylor remainders of the energy against the step,
 # for the right law, a wrong stress, a wrong tangent.
 # Expected slopes: 2 and 3; 1 and 1; 2 and 2.
 # Reads   data  tables taylor, taylor_slopes
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/02_constitutive.tsv"
-if (!exists("out"))  out  = "figures/02_constitutive_taylor.svg"
 load "figures/style.gp"
 set terminal svg size 860,400
 set output out

@@ -1,4 +1,4 @@
-# 07_poisson_bvp_orders.gp - three errors against h, on the lines that the
+# orders.gp - three errors against h, on the lines that the
 # theory predicts.
 #
 # Reads   data  table orders (n, three errors with their orders and constants)

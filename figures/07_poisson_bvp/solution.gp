@@ -1,4 +1,4 @@
-# 07_poisson_bvp_solution.gp - u_h on four elements, and its error in between.
+# solution.gp - u_h on four elements, and its error in between.
 #
 # Reads   data  tables nodes (x u exact), curve (x uh exact error fitted_error)
 # Writes  out   SVG

@@ -1,4 +1,4 @@
-# 07_poisson_bvp_trap.gp - nodal errors that are the quadrature's, or nothing.
+# trap.gp - nodal errors that are the quadrature's, or nothing.
 #
 # Reads   data  table trap (nodal errors but for L2, with their orders)
 # Writes  out   SVG

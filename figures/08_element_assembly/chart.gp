@@ -1,4 +1,4 @@
-# 08_element_assembly_chart.gp - the speed-accuracy chart: what an error costs.
+# chart.gp - the speed-accuracy chart: what an error costs.
 #
 # Expected: error ~ n^-2 and cost ~ n (banded) or n^3 (dense), hence slopes -2
 # and -2/3.  A run that is not valid has no time: a cross at the top.
@@ -6,16 +6,14 @@
 #               roundoff), machine from the note
 # Writes  out   SVG
 
-if (!exists("data")) data = "build/data/08_element_assembly.tsv"
-if (!exists("out"))  out  = "figures/08_element_assembly_chart.svg"
-
 load "figures/style.gp"
 set terminal svg size 860,440
 set output out
 
+is(c, word) = strcol(c) eq word
 # Measured slopes, in the seconds: least squares over the valid points before
 # round-off (L2 > 1e-9), without the small n whose time is mostly the call.
-good(c) = column("valid") == 1 && column("roundoff") == 0 && \
+good(c) = is("valid", "yes") && is("roundoff", "no") && \
           column("n") >= 64 && column("L2") > 1e-9 ? log(column(c)) : 1/0
 do for [c in "seconds flops"] {
     stats data index "chart_dense" using (good(c)):(good("L2")) \
@@ -23,10 +21,10 @@ do for [c in "seconds flops"] {
     stats data index "chart_banded" using (good(c)):(good("L2")) \
         name "B".c nooutput
 }
-ok(c) = column("valid") == 1 && column("roundoff") == 0 ? column(c) : 1/0
-turned(c) = column("valid") == 1 && column("roundoff") == 1 ? column(c) : 1/0
-any(c) = column("valid") == 1 ? column(c) : 1/0
-failed(y) = column("valid") == 0 ? y : 1/0
+ok(c) = is("valid", "yes") && is("roundoff", "no") ? column(c) : 1/0
+turned(c) = is("valid", "yes") && is("roundoff", "yes") ? column(c) : 1/0
+any(c) = is("valid", "yes") ? column(c) : 1/0
+failed(y) = is("valid", "no") ? y : 1/0
 line(x, m, lx, ly, factor) = factor*exp(ly + m*(log(x) - lx))
 
 set multiplot layout 1,2

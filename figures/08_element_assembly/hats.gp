@@ -1,13 +1,10 @@
-# 08_element_assembly_hats.gp - one element's share of the hats and of A.
+# hats.gp - one element's share of the hats and of A.
 #
 # Left: the hat functions on a small unequal grid, one element's two halves in
 # colour.  Right: the pattern of A; each element adds a square of four entries,
 # and neighbouring squares overlap in one diagonal entry.
 # Reads   data  tables K_local (e x0 x1 K00 ..), nodes (x)
 # Writes  out   SVG
-
-if (!exists("data")) data = "build/data/08_element_assembly.tsv"
-if (!exists("out"))  out  = "figures/08_element_assembly_hats.svg"
 
 load "figures/style.gp"
 set terminal svg size 860,400

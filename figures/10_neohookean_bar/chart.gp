@@ -1,11 +1,9 @@
-# 10_neohookean_bar_chart.gp - the speed-accuracy chart of the bar: what an
-# error costs with four programs, and what they need an unknown and step.
+# chart.gp - the speed-accuracy chart of the bar: what an
+# error costs with four programs, and what they need per unknown and step.
 # Expected: error ~ n^-2 and cost ~ n, slope -2.
 # Reads   data  tables chart_readable, chart_gsl, chart_fused, chart_both (n
-#               iterations error valid seconds ns_an_unknown), machine
+#               iterations error seconds ns_per_unknown), large, machine
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/10_neohookean_bar.tsv"
-if (!exists("out"))  out  = "figures/10_neohookean_bar_chart.svg"
 load "figures/style.gp"
 set terminal svg size 860,460
 set output out
@@ -26,7 +24,6 @@ last(t) = int(system(sprintf("awk -v t='# %s' '$0 == t { on = 1 } \
     on && /^[0-9]/ { k++ } on && /^$/ { print k - 1; exit }' '%s'", t, data)))
 slope(t) = log(cell(t, "error", last(t)) / cell(t, "error", 2)) / \
            log(cell(t, "seconds", last(t)) / cell(t, "seconds", 2))
-ok(c) = column("valid") == 1 ? column(c) : 1/0
 
 set multiplot layout 1,2 margins 0.085,0.985,0.165,0.80 spacing 0.11,0
 set key above left vertical maxrows 5 reverse Left samplen 2 font ",12"
@@ -37,7 +34,7 @@ set xrange [3e-7:0.3]
 set yrange [1e-14:1e-3]
 set xlabel "time of the whole solve (s)"
 set ylabel "relative error of u(1)"
-plot for [s = 1:4] data index Table[s] using (ok("seconds")):"error" \
+plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s] \
          title sprintf("%s, slope %.2f", Name[s], slope(Table[s])), \
      4e-17 * x**-2 with lines ls 8 title "slope -2 expected"
@@ -48,11 +45,11 @@ set ytics (2, 5, 10, 20, 50, 100, 200)
 set xrange [8:3e6]
 set yrange [3:200]
 set xlabel "elements n"
-set ylabel "time an unknown and step (ns)"
-plot for [s = 1:4] data index Table[s] using "n":(ok("ns_an_unknown")) \
+set ylabel "time per unknown and step (ns)"
+plot for [s = 1:4] data index Table[s] using "n":"ns_per_unknown" \
          with linespoints ls Style[s] \
          title sprintf("%s, %.1f ns at n = 10^6", Name[s], \
-                       cell("large", "ns_an_unknown", s - 1)), \
+                       cell("large", "ns_per_unknown", s - 1)), \
      for [s = 1:4] data index "large" every ::s-1::s-1 \
-         using "n":"ns_an_unknown" with points ls Style[s] ps 1.2 notitle
+         using "n":"ns_per_unknown" with points ls Style[s] ps 1.2 notitle
 unset multiplot

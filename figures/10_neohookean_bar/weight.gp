@@ -1,10 +1,8 @@
-# 10_neohookean_bar_weight.gp - bars under their own weight: where the free
+# weight.gp - bars under their own weight: where the free
 # end goes, and the error of linear elements against their length.
 # Expected: slope 2, constants c/24 (1/P'(1) - 1/P'(F_c)).
 # Reads   data  tables weight, weight_curve, order
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/10_neohookean_bar.tsv"
-if (!exists("out"))  out  = "figures/10_neohookean_bar_weight.svg"
 load "figures/style.gp"
 set terminal svg size 860,440
 set output out
@@ -33,8 +31,7 @@ plot data index "weight_curve" using "c":"linear" with lines ls 8 dt 3 \
      "" index "weight_curve" using "c":"log" with lines ls 8 notitle, \
      "" index "weight" using "c":"cubic_u1" with points ls 1 ps 0.8 \
          title "cubic, 16 elements", \
-     "" index "weight" using "c":(column("log_status") == 0 \
-         ? column("log_u1") : 1/0) with points ls 2 ps 0.7 \
+     "" index "weight" using "c":"log_u1" with points ls 2 ps 0.7 \
          title "log, 16 elements (c = -4000: inverted)"
 unset label
 

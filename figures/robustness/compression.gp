@@ -27,7 +27,7 @@ set logscale y
 set yrange [2:2000]
 set format x ""
 set label 1 "failed" at 0.03, 1300 textcolor rgb "#555555"
-set ylabel "linear systems a step"
+set ylabel "linear systems per step"
 plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
          with linespoints ls Style[k] title Title[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(1300)) \

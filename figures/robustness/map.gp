@@ -39,7 +39,7 @@ set multiplot layout 2,2 margins 0.075,0.98,0.09,0.90 spacing 0.07,0.14
 do for [k = 1:4] {
     name = word("map_notes map_notes_log map_demand map_lift_log", k)
     set xlabel (k > 2 ? "Δt (s)" : "")
-    set ylabel (k % 2 ? "squares a side n" : "")
+    set ylabel (k % 2 ? "squares per side n" : "")
     set label 1 (k == 1 ? "notes' Newton, cubic law" : k == 2 ? \
         "notes' Newton, log law" : k == 3 ? \
         "cubic law, projected on demand, line search" : \

@@ -23,7 +23,7 @@ set xtics (16, 32, 64, 128)
 set xrange [14:150]
 set format y "10^{%T}"
 set yrange [2e-2:5e3]
-set xlabel "squares a side n"
+set xlabel "squares per side n"
 set ylabel "time to factor and solve (ms)"
 plot for [k in there] data index "band" using (of(k)):"milliseconds" \
          with linespoints ls Style[int(k)] title Name[int(k)], \

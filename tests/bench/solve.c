@@ -351,7 +351,7 @@ static void gsl_newton(const struct bar *bar, int iterations, double u[])
 static double iterate(enum line line, const struct bar *bar, int iterations,
                       double u[])
 {
-    const struct newton_control control = {0.0, iterations, 0};
+    const struct newton_control control = {0.0, iterations, 0, 0};
     memset(u, 0, ((size_t)bar->n + 1) * sizeof *u);
     const double start = clock_seconds();
     if (line == GSL_NEWTON)

@@ -3,7 +3,6 @@
 
 #include "output.h"
 
-#include <check.h>
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
@@ -15,28 +14,40 @@
 #include <unistd.h>
 
 enum { WIDTH = 78, MAX_CLAIMS = 24, MAX_RUNS = 16 };
+/* of all checks together, and of the search for a known mistake (CPU) */
+enum { SECONDS_JUDGING = 12 };
 
 static struct {
     const struct lesson *lesson;
     const char *file;          /* what is judged, for the heading */
     const char *reference;     /* program of the reference solution */
     const char *mistakes;      /* folder with the known mistakes' programs */
-    const char *prepare;       /* command that builds them */
+    const char *prepare;       /* command that builds those that the checks
+                                * named behind it catch */
     const char *result;        /* file for "verdict check slot" */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 } judging;
 
 /* ---- inside a check ------------------------------------------------------ */
 
+/* A file in the folder of the judge. */
+static const char *work_file(const char *name, char path[PATH_SIZE])
+{
+    snprintf(path, PATH_SIZE, "%s/%s", judging.work, name);
+    return path;
+}
+
 void wrong(const char *format, ...)
 {
-    char text[1024];
+    char path[PATH_SIZE];
     va_list arguments;
+    FILE *file = fopen(work_file("message", path), "w");
+    if (!file) quit("cannot write %s", path);
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    vfprintf(file, format, arguments);
     va_end(arguments);
-    ck_abort_msg("%s", text);
-    abort(); /* not reached: ck_abort_msg leaves the child */
+    fclose(file);
+    _exit(1);
 }
 
 void expect_close(double got, double want, double tolerance, double scale,
@@ -59,10 +70,14 @@ static void pass_on(const struct output *output)
 {
     if (output->status != 3 && output->status >= 0) return;
     fprintf(stderr, "%s\n", output->stderr_);
-    if (output->status == 3) exit(3);
     fflush(NULL);
-    signal(-output->status, SIG_DFL);
-    raise(-output->status);
+    if (output->status == 3) _exit(3);
+    const int number = output->limit == LIMIT_STOPPED ? SIGSTOP
+                       : output->limit == LIMIT_CPU   ? SIGXCPU
+                                                      : -output->status;
+    if (number != SIGSTOP) signal(number, SIG_DFL);
+    raise(number);
+    pause(); /* by SIGSTOP: until the judge ends it */
 }
 
 static void expect_finite(const struct output *output)
@@ -347,10 +362,11 @@ static void check_same_numbers_as_reference(void)
         char text[900];
         struct output *want =
             output_of(judging.reference, options, judging.work);
-        if (want->status != 0 || *want->error)
+        if ((want->status != 0 && want->status != 1) || *want->error)
             quit("the reference solution fails with '%s': %s%s", options,
                  want->stderr_, want->error);
-        struct output *got = run(options);
+        struct output *got =
+            want->status ? run_unsolved(options, "") : run(options);
         if (tables_differ(got, want, sizeof text, text))
             wrong("%s%s%s%s", *options ? "with " : "", options,
                   *options ? ": " : "", text);
@@ -411,14 +427,20 @@ static void print_explanation(const char *folder, const char *name)
     print_wrapped("    ", text);
 }
 
-/* Say which known mistakes give the numbers of the program under test. */
-static void diagnose(void)
+/* Say which known mistakes give the numbers of the program under test; only
+ * those can be that the failed checks (names between blanks) catch. */
+static void diagnose(const char *failed)
 {
     const int n_run = judging.lesson->n_run;
     struct output *mine[MAX_RUNS], *right[MAX_RUNS];
 
     if (!judging.mistakes) return;
-    if (judging.prepare && system(judging.prepare) != 0) return;
+    if (judging.prepare) {
+        char command[PATH_SIZE];
+        snprintf(command, sizeof command, "%s CAUGHT_BY='%s' >/dev/null",
+                 judging.prepare, failed);
+        if (system(command) != 0) return;
+    }
     for (int r = 0; r < n_run; r++) {
         mine[r] = output_of(NULL, judging.lesson->runs[r], judging.work);
         right[r] =
@@ -465,128 +487,96 @@ struct finding {
     int costly; /* it took all its time or output: do not run the others */
 };
 
-static int check_stopped_with(const char *message, const char *what)
-{
-    return strncmp(message, what, strlen(what)) == 0;
-}
-
-/* Check says "Received signal N (name)". */
-static int killed_by(const char *message, int number)
-{
-    char text[32];
-    snprintf(text, sizeof text, "signal %d ", number);
-    return strstr(message, text) != NULL;
-}
-
-static void enter_check(void)
+/* The check's own message, if it wrote one. */
+static int read_message(size_t size, char text[])
 {
     char path[PATH_SIZE];
-    snprintf(path, sizeof path, "%s/stdout", judging.work);
-    redirect(STDOUT_FILENO, path);
-    snprintf(path, sizeof path, "%s/stderr", judging.work);
-    redirect(STDERR_FILENO, path);
-    set_limits();
+    FILE *file = fopen(work_file("message", path), "r");
+    if (!file) return 0;
+    text[fread(text, 1, size - 1, file)] = '\0';
+    fclose(file);
+    return 1;
 }
 
-/* Check takes exit(0) in a child for a pass; a check that came to its end has
- * left this file behind. */
-static const char *finished_file(char path[PATH_SIZE])
+/* Why a check that wrote no message did not come to its end. */
+static void explain_end(struct ending ending, struct finding *finding)
 {
-    snprintf(path, PATH_SIZE, "%s/finished", judging.work);
-    return path;
-}
+    char path[PATH_SIZE], line[512], slot[16];
+    char *text = finding->text;
+    const size_t size = sizeof finding->text;
 
-static void leave_check(void)
-{
-    char path[PATH_SIZE];
-    redirect(STDOUT_FILENO, finished_file(path));
-}
-
-static void classify(TestResult *result, const struct claim *claim,
-                     struct finding *finding)
-{
-    const char *message = tr_msg(result);
-    char path[PATH_SIZE], line[512], slot[16] = "";
-
-    finding->verdict = WRONG;
-    snprintf(finding->slot, sizeof finding->slot, "%s",
-             claim->slot ? claim->slot : "");
-    snprintf(finding->text, sizeof finding->text, "%s", message);
-    if (tr_rtype(result) == CK_PASS && access(finished_file(path), F_OK) < 0) {
-        finding->verdict = CRASHED;
-        snprintf(finding->text, sizeof finding->text,
-                 "the program left with exit(0) in the middle of its work");
-    } else if (tr_rtype(result) == CK_PASS) {
-        finding->verdict = PASS;
-    } else if (tr_rtype(result) == CK_FAILURE) {
-        if (check_stopped_with(message, "not finite: "))
-            finding->verdict = NONFINITE_;
-    } else if (killed_by(message, SIGXCPU) || killed_by(message, SIGKILL)) {
+    last_line(work_file("stderr", path), sizeof line, line);
+    const char *colon = *line ? ": " : "";
+    finding->verdict = CRASHED;
+    finding->costly = ending.limit != NO_LIMIT;
+    if (ending.limit == LIMIT_CPU || ending.limit == LIMIT_IDLE)
         finding->verdict = TIMEOUT;
-        finding->costly = 1;
-        snprintf(finding->text, sizeof finding->text,
-                 "no end after %d seconds: is there a loop that cannot stop?",
+    if (ending.limit == LIMIT_CPU) {
+        snprintf(text, size,
+                 "no end after %d seconds of computing: is there a loop that "
+                 "cannot stop, or a method that is much too slow?",
                  SECONDS_COMPUTING);
-    } else if (strstr(message, "timeout expired") ||
-               killed_by(message, SIGALRM)) {
-        finding->verdict = TIMEOUT;
-        finding->costly = 1;
-        snprintf(finding->text, sizeof finding->text,
-                 "no end after %d seconds: does the program wait for "
-                 "something?",
-                 SECONDS_WAITING);
-    } else if (check_stopped_with(message, "Early exit")) {
-        snprintf(path, sizeof path, "%s/stderr", judging.work);
-        last_line(path, sizeof line, line);
-        if (sscanf(line, "unfinished: slot %15s", slot) == 1) {
-            finding->verdict = UNFINISHED;
-            snprintf(finding->slot, sizeof finding->slot, "%s", slot);
-            snprintf(finding->text, sizeof finding->text,
-                     "slot %s is not written yet", slot);
-        } else {
-            finding->verdict = CRASHED;
-            snprintf(finding->text, sizeof finding->text,
-                     "the program left in the middle of its work (%s)%s%s",
-                     message, *line ? ": " : "", line);
-        }
+    } else if (ending.limit == LIMIT_IDLE) {
+        snprintf(text, size,
+                 "no end, and nothing computes: does the program wait for "
+                 "something?");
+    } else if (ending.limit == LIMIT_OUTPUT) {
+        snprintf(text, size,
+                 "more than %d MB of output: is there a loop that prints "
+                 "without end?", MEGABYTES_OUTPUT);
+    } else if (ending.limit == LIMIT_STOPPED) {
+        snprintf(text, size, "the program stopped itself by a signal");
+    } else if (ending.status < 0) {
+        snprintf(text, size, "signal %d (%s)%s%s", -ending.status,
+                 strsignal(-ending.status), colon, line);
+    } else if (ending.status == 3 &&
+               sscanf(line, "unfinished: slot %15s", slot) == 1) {
+        finding->verdict = UNFINISHED;
+        snprintf(finding->slot, sizeof finding->slot, "%s", slot);
+        snprintf(text, size, "slot %s is not written yet", slot);
+    } else if (ending.status == 2 && strncmp(line, "judge: ", 7) == 0) {
+        quit("%s", line + 7);
     } else {
-        finding->verdict = CRASHED;
-        if (killed_by(message, SIGXFSZ)) {
-            finding->costly = 1;
-            snprintf(finding->text, sizeof finding->text,
-                     "more than %d MB of output: is there a loop that prints "
-                     "without end?",
-                     MEGABYTES_OUTPUT);
-        } else {
-            snprintf(path, sizeof path, "%s/stderr", judging.work);
-            last_line(path, sizeof line, line);
-            if (*line)
-                snprintf(finding->text, sizeof finding->text, "%s: %s", message,
-                         line);
-        }
+        snprintf(text, size,
+                 "the program left in the middle of its work, with exit(%d)%s%s",
+                 ending.status, colon, line);
     }
+}
+
+/* In the child: the check, and the sign that it came to its end. */
+static void run_claim(void *context)
+{
+    const struct claim *claim = context;
+    char path[PATH_SIZE];
+    claim->check();
+    FILE *file = fopen(work_file("finished", path), "w");
+    if (file) fclose(file);
 }
 
 /* Run one claim in a child of its own. */
 static void examine(const struct claim *claim, struct finding *finding)
 {
-    char path[PATH_SIZE];
-    const TTest test = {claim->name, (TFun)claim->check, __FILE__, __LINE__};
-    Suite *suite = suite_create(judging.lesson->name);
-    TCase *tcase = tcase_create(claim->name);
-    tcase_set_timeout(tcase, SECONDS_WAITING + 0.5);
-    tcase_add_checked_fixture(tcase, enter_check, leave_check);
-    remove(finished_file(path));
-    tcase_add_test(tcase, &test);
-    suite_add_tcase(suite, tcase);
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+    struct claim copy = *claim;
 
-    SRunner *runner = srunner_create(suite);
-    srunner_set_fork_status(runner, CK_FORK);
-    srunner_run_all(runner, CK_SILENT);
-    TestResult **result = srunner_results(runner);
-    classify(result[0], claim, finding);
-    free(result);
-    srunner_free(runner);
+    remove(work_file("message", path));
+    remove(work_file("finished", path));
+    const struct ending ending =
+        child_run(run_claim, &copy, work_file("stdout", out),
+                  work_file("stderr", err));
+    const int finished = access(work_file("finished", path), F_OK) == 0;
+    snprintf(finding->slot, sizeof finding->slot, "%s",
+             claim->slot ? claim->slot : "");
+    finding->verdict = PASS;
+    if (ending.limit == NO_LIMIT && ending.status == 0 && finished) return;
+    finding->verdict = WRONG;
+    if (ending.limit == NO_LIMIT && ending.status == 1 &&
+        read_message(sizeof finding->text, finding->text)) {
+        if (strncmp(finding->text, "not finite: ", 12) == 0)
+            finding->verdict = NONFINITE_;
+    } else {
+        explain_end(ending, finding);
+    }
 }
 
 static void write_result(const struct finding *finding, const char *name)
@@ -617,7 +607,7 @@ static struct claim claim_at(const struct lesson *lesson, int i)
                           check_same_numbers_as_reference, NULL};
 }
 
-/* Remove the folder with captured output; there are no folders in it. */
+/* Remove the folder with captured output. */
 static void remove_work(void)
 {
     char path[PATH_SIZE];
@@ -644,9 +634,10 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
 {
     enum { MAX_LINES = 13 };
     char passed[MAX_CLAIMS * 64] = ""; /* names that share lines, if many */
+    char failed[MAX_CLAIMS * 64] = "";
     struct finding finding[MAX_CLAIMS] = {0};
     const int n = lesson->n_claim + 1;
-    int first = -1;
+    int first = -1, over = 0; /* over: no further check is run */
 
     judging.lesson = lesson;
     judging.file = value_of(argc, argv, "--file");
@@ -666,21 +657,31 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
                  argv[0]) >= (int)sizeof judging.work)
         quit("a path of more than %zu characters", sizeof judging.work);
     if (!mkdtemp(judging.work)) quit("cannot make %s", judging.work);
+    child_on_interrupt(remove_work);
 
     setvbuf(stdout, NULL, _IOLBF, 0);
     printf("%s\n", judging.file);
     for (int i = 0; i < n; i++) {
         const struct claim claim = claim_at(lesson, i);
-        if (first >= 0 && finding[first].costly)
+        if (over && first >= 0) {
             finding[i].verdict = NOT_RUN;
-        else
+        } else if (over) {
+            finding[i].verdict = TIMEOUT;
+            snprintf(finding[i].text, sizeof finding[i].text,
+                     "the checks before it have taken more than %d seconds of "
+                     "computing", SECONDS_JUDGING);
+        } else {
             examine(&claim, &finding[i]);
+            over = finding[i].costly || child_seconds() > SECONDS_JUDGING;
+        }
         if (first < 0 && finding[i].verdict != PASS) first = i;
         if (finding[i].verdict == PASS && n > MAX_LINES) {
             strcat(strcat(passed, " "), claim.name);
             continue;
         }
         print_passed(passed);
+        if (finding[i].verdict != PASS)
+            strcat(strcat(failed, " "), claim.name);
         printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
     }
     print_passed(passed);
@@ -702,7 +703,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         if (*bad->slot) printf(" (slot %s)", bad->slot);
         printf(":\n");
         print_wrapped("    ", bad->text);
-        if (bad->verdict == WRONG || bad->verdict == NONFINITE_) diagnose();
+        if (!over && (bad->verdict == WRONG || bad->verdict == NONFINITE_))
+            diagnose(failed);
         printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
         if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
         if (bad->verdict == CRASHED) printf(" in %s", claim.name);

@@ -4,15 +4,11 @@
 #include "judge.h" /* program_main */
 
 #include <errno.h>
-#include <fcntl.h>
 #include <math.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 void quit(const char *format, ...)
@@ -179,38 +175,6 @@ const char *word_at(const struct named_table *table, int column, int row)
 
 /* ---- running a program -------------------------------------------------- */
 
-/* No more than this; a `hard` limit is for a program that ignores the first.
- * What is limited more strictly already stays so. */
-static void limit(int resource, rlim_t value, rlim_t hard)
-{
-    struct rlimit rule;
-    if (getrlimit(resource, &rule) < 0) return;
-    if (rule.rlim_cur == RLIM_INFINITY || rule.rlim_cur > value)
-        rule.rlim_cur = value;
-    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > hard)
-        rule.rlim_max = hard;
-    setrlimit(resource, &rule);
-}
-
-void set_limits(void)
-{
-    const rlim_t output = (rlim_t)MEGABYTES_OUTPUT << 20;
-    limit(RLIMIT_CORE, 0, 0);
-    limit(RLIMIT_FSIZE, output, output);
-    limit(RLIMIT_CPU, SECONDS_COMPUTING, SECONDS_COMPUTING + 1);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__APPLE__)
-    const rlim_t memory = (rlim_t)GIGABYTES_MEMORY << 30;
-    limit(RLIMIT_AS, memory, memory);
-#endif
-}
-
-void redirect(int fd, const char *path)
-{
-    const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    if (file < 0 || dup2(file, fd) < 0) _exit(2);
-    close(file);
-}
-
 /* The last line of a file that is not empty. */
 void last_line(const char *path, size_t size, char text[])
 {
@@ -222,6 +186,20 @@ void last_line(const char *path, size_t size, char text[])
         if (*line) snprintf(text, size, "%s", line);
     }
     if (file) fclose(file);
+}
+
+struct command {
+    const char *program; /* NULL: program_main() */
+    int argc;
+    char **argv;
+};
+
+static void be_program(void *context)
+{
+    const struct command *command = context;
+    if (!command->program) exit(program_main(command->argc, command->argv));
+    execv(command->program, command->argv);
+    _exit(127);
 }
 
 struct output *output_of(const char *program, const char *options,
@@ -245,24 +223,10 @@ struct output *output_of(const char *program, const char *options,
     }
     argv[argc] = NULL;
 
-    fflush(NULL);
-    const pid_t child = fork();
-    if (child < 0) quit("cannot fork: %s", strerror(errno));
-    if (child == 0) {
-        redirect(STDOUT_FILENO, out);
-        redirect(STDERR_FILENO, err);
-        set_limits();
-        signal(SIGALRM, SIG_DFL); /* not Check's handler */
-        alarm(SECONDS_WAITING);
-        if (!program) exit(program_main(argc, argv));
-        execv(program, argv);
-        _exit(127);
-    }
-    int status;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) quit("cannot wait: %s", strerror(errno));
-    output->status =
-        WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    struct command command = {program, argc, argv};
+    const struct ending ending = child_run(be_program, &command, out, err);
+    output->status = ending.status;
+    output->limit = ending.limit;
     last_line(err, sizeof output->stderr_, output->stderr_);
     if (output->status == 0 || output->status == 1) {
         read_tables(output, out);

@@ -4,13 +4,11 @@
 #ifndef TESTS_CHECKS_OUTPUT_H
 #define TESTS_CHECKS_OUTPUT_H
 
+#include "child.h"
+
 #include <stddef.h>
 
 enum {
-    SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
-    SECONDS_WAITING = 60,  /* wall time, for a program that only waits */
-    MEGABYTES_OUTPUT = 8,
-    GIGABYTES_MEMORY = 4,
     MAX_TABLES = 64,
     MAX_COLUMNS = 32
 };
@@ -38,6 +36,7 @@ struct named_table {
 
 struct output {
     int status;  /* exit status, or -signal */
+    enum limit limit;
     int printed; /* whether there is anything on stdout */
     int n_table; /* tables are read where status is 0 or 1 */
     struct named_table table[MAX_TABLES];
@@ -63,9 +62,7 @@ int find_column(const struct named_table *table, const char *name);
 double number_at(const struct named_table *table, int column, int row);
 const char *word_at(const struct named_table *table, int column, int row);
 
-/* Limits for this process; stdout or stderr into a file; a file's last line. */
-void set_limits(void);
-void redirect(int fd, const char *path);
+/* The last line of a file that is not empty, or "". */
 void last_line(const char *path, size_t size, char text[]);
 
 #endif

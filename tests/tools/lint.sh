@@ -8,13 +8,13 @@ export LC_ALL
 rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
-studies=$(ls figures/*/*.c tests/bench/*.c 2>/dev/null)
+studies=$(ls figures/*/*.c)
 sources=$(ls common/*.[ch] solutions/*.c figures/*/*.c tests/*/*.[ch])
 lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status clock tensor material banded matrix machine poisson bar bar_fast mesh body step readable scene study options table'
+layers='status clock tensor material banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body step readable scene user model integrate study options table'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -29,8 +29,8 @@ rule 'every header of common/ has its layer' "$(for f in common/*.h; do
 done)"
 rule 'common/ knows no lesson' \
     "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*.c common/*.h)"
-rule 'solutions include libc, GSL and common/ only' \
-    "$(grep -nH '^#include "' solutions/*.c | while IFS=: read -r file line text; do
+rule 'solutions and studies include libc, GSL and common/ only' \
+    "$(grep -nH '^#include "' solutions/*.c $studies | while IFS=: read -r file line text; do
         header=$(echo "$text" | sed 's/.*"\(.*\)".*/\1/')
         [ -f "common/$header" ] || echo "$file:$line"
     done)"
@@ -43,11 +43,37 @@ rule 'lines of at most 80 columns' \
     "$(for f in $sources; do awk -v f="$f" 'length > 80 { print f ":" FNR }' "$f"; done)"
 rule 'no // comments' "$(grep -nE '(^|[^:"])//' $sources)"
 rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile)"
+sh tests/tools/sizes.sh lint
+rule 'a header of at most 25 lines tells what a program is for' \
+    "$(for f in solutions/*.c $studies; do
+        awk -v f="$f" 'NR == 1 && !/^\/\*/ { print f ": none" }
+            /\*\// { if (NR > 25) print f ": " NR; exit }' "$f"; done)"
+# longest FILES ALLOWED PATTERN: functions that begin with PATTERN and are longer
+longest() {
+    for f in $1; do
+        awk -v f="$f" -v most="$2" -v pattern="$3" '
+            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0; body = 0 }
+            /^\{/ || / = \{$/ { body = 1 }
+            start && !body && /;$/ { start = 0 } # a declaration
+            /^}/ { if (start && NR - start + 1 > most)
+                       print f ": " NR - start + 1 ": " name; start = 0 }' "$f"
+    done
+}
+rule 'main() has at most 50 lines' \
+    "$(longest "$(ls solutions/*.c)" 50 '^int main\(')"
+rule 'a function has at most 60 lines' \
+    "$(longest "$sources" 60 '^[a-z_].*\(')"
+rule 'a lesson has at most 8 options' \
+    "$(for f in solutions/*.c; do
+        n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
+        [ "$n" -le 8 ] || echo "$f: $n"; done)"
+rule 'a study ends in its claim, and takes no options' \
+    "$(for f in $studies; do
+        case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
+        grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
 # ---- the book -----------------------------------------------------------------
 book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
-rule 'workbook.md has at most 500 lines' \
-    "$(awk 'END { if (NR > 500) print NR }' workbook.md)"
 rule 'every chapter is in the contents' \
     "$(for f in $book; do case $f in
         workbook.md | solutions/*) ;;

@@ -45,14 +45,10 @@ judge() {
         verdict "UNFINISHED (empty file)" "UNFINISHED - -" "make reset-$nn"
         return 1
     fi
-    if ! command -v pkg-config >/dev/null || ! pkg-config --exists check; then
-        echo "Judging needs Check (libcheck), which is missing." >&2
-        echo "Run: make deps" >&2
-        return 2
-    fi
     log=$BUILD/mine/$slug.log
     if ! "$MAKE" "$BUILD/solutions/$slug" \
-        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" >"$log" 2>&1; then
+        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" \
+        "$BUILD/tests/child.o" >"$log" 2>&1; then
         cat "$log" >&2
         return 2
     fi
@@ -71,7 +67,7 @@ judge() {
     "./$BUILD/mine/$slug.judge" --file "$mine" \
         --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" \
-        --prepare "'$MAKE' mistakes-$nn >/dev/null" \
+        --prepare "'$MAKE' mistakes-$nn" \
         --result "$state.result"
     status=$?
     if [ $status = 0 ]; then sum "$mine" >"$state.pass"; fi
@@ -105,6 +101,13 @@ run_mine() { # with limits, so that an endless loop or endless output ends
     (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
 }
 
+draw() { # in the C locale gnuplot has no degree sign of its own, and says so
+    said=$(gnuplot -e "$1" figures/overlay.gp 2>&1 1>&3)
+    drawn=$?
+    echo "$said" | grep -v -e '^$' -e 'iconv failed to convert degree sign' >&2
+    return $drawn
+} 3>&1
+
 hint() {
     last_result
     # the level starts again when the file or what is wrong with it changes
@@ -132,7 +135,7 @@ hint() {
     [ -n "$text" ] || text=$(hints "$level" "slot $at")
     [ -n "$text" ] || text=$(hints "$level" "")
     # not echo, which in dash turns \t into a tab; $ is for the typeset book
-    printf '%s\n' "$text" | tr -d '$'
+    printf '%s\n' "$text" | tr -d '$' | sed 's/\\cdot */ /g'
     if [ "$level" -lt 3 ]; then
         echo "(hint $level of 3; make hint-$nn again for the next)"
     else
@@ -194,8 +197,7 @@ plot)
     given="$given; name='$1'; x='$2'; y='$3'"
     picture=$BUILD/mine/$slug.svg
     rm -f "$picture"
-    gnuplot -e "$given; out=''" figures/overlay.gp &&
-        gnuplot -e "$given; out='$picture.part'" figures/overlay.gp &&
+    draw "$given; out=''" && draw "$given; out='$picture.part'" &&
         mv "$picture.part" "$picture" &&
         echo "Table \`$1\`, $3 against $2; the picture is $picture" ;;
 hint)

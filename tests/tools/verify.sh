@@ -27,7 +27,11 @@ solution)
     echo "$said" | grep -q "^VERDICT $nn: OK"
     result $? "$nn: solution is judged OK" "$said"
     [ "$(echo "$said" | wc -l)" -le 24 ]
-    result $? "$nn: the verdict fits on one screen" "$(echo "$said" | wc -l) lines" ;;
+    result $? "$nn: the verdict fits on one screen" "$(echo "$said" | wc -l) lines"
+    tables=$("$BUILD/solutions/$slug" | awk 'NF == 0 { inside = 0; next }
+        !inside { inside = 1; print $2 }')
+    [ "$(echo "$tables" | wc -l)" -le 6 ]
+    result $? "$nn: the default run prints at most 6 tables" "$tables" ;;
 starter)
     said=$(judge_one "$BUILD/starters/$slug.judge")
     first=$(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c" | head -n 1)

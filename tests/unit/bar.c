@@ -109,7 +109,7 @@ static void oracle_values(void)
 
 enum { n = 16 };
 
-/* A bar fixed on the left under its own weight c. */
+/* A bar held on the left under its own weight c. */
 static void weight(double c, double b[n + 1])
 {
     for (int i = 0; i <= n; i++) b[i] = c / n * (i == 0 || i == n ? 0.5 : 1.0);
@@ -165,7 +165,7 @@ static void bar_under_its_weight_equals_the_oracle(void)
             weight(oracle[k].c, b);
             const struct bar bar = {n, 1.0 / n, {1, 0}, b,
                                     material_make(oracle[k].law, 1000.0, 0.3)};
-            const struct newton_control control = {1e-12, 60, search};
+            const struct newton_control control = {1e-12, 60, search, 0};
             const struct newton_report report =
                 bar_newton(&bar, &control, u, NULL);
             ck_assert_msg(report.status == OK, "%s",
@@ -183,7 +183,7 @@ static void failure_has_a_reason(void)
         b[n] = k == 0 ? -1346.0 : -1347.0;
         const struct bar bar = {n, 1.0 / n, {1, 0}, b,
                                 material_make(LOG, 1000.0, 0.3)};
-        struct newton_control control = {1e-10, 60, 0};
+        struct newton_control control = {1e-10, 60, 0, 0};
         const struct newton_report report = bar_newton(&bar, &control, u, NULL);
         ck_assert_int_eq(report.status, k == 0 ? OK : INVERTED);
         if (k == 0) ck_assert_int_le(abs(report.iterations - 21), 2);
@@ -210,7 +210,7 @@ static void fused_sweep_is_newton(void)
                                         b, material_make(CUBIC, 1000.0,
                                                          k ? 0.02 : 0.3)};
                 for (int steps = 1; steps <= 60; steps *= 60) {
-                    const struct newton_control control = {1e-11, steps, 0};
+                    const struct newton_control control = {1e-11, steps, 0, 0};
                     struct newton_report want;
                     for (int i = 0; i <= n_; i++) u[i] = 0.3 * sin(3.714 * i);
                     want = bar_newton(&bar, &control, u, NULL);
@@ -238,14 +238,14 @@ static void fused_sweep_fails_with_a_reason(void)
 {
     double b[n + 1] = {0}, u[n + 1] = {0};
     struct bar bar = {n, 1.0 / n, {0, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
-    const struct newton_control control = {1e-11, 3, 0};
+    const struct newton_control control = {1e-11, 3, 0, 0};
     for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
         const enum sweep sweep = (enum sweep)s;
         b[n] = 1.0; /* nothing is held */
-        bar.fixed[0] = 0;
+        bar.held[0] = 0;
         ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
                          NOT_SPD);
-        bar.fixed[0] = 1;
+        bar.held[0] = 1;
         b[n] = -1e5;
         ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,
                          MAX_ITERATIONS);

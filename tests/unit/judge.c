@@ -2,11 +2,16 @@
  * judge.c - laws of tests/checks/judge.h and output.h: what the judge reads
  * from a program's output, and what it takes for a difference.
  */
+#include "../checks/child.c"
+
 #include "../checks/output.c"
 
 #include "../checks/judge.c"
 
+#include "status.h"
 #include "unit.h"
+
+#include <fcntl.h>
 
 /* The program that is judged here: it prints this and ends so. */
 static struct {
@@ -173,26 +178,22 @@ static void known_mistakes_tell_by_words_and_histories(void)
     remove_work();
 }
 
-/* ---- as a check sees it: wrong() leaves with its message ----------------- */
+/* ---- as the student sees it: what a claim in its child comes to ----------- */
+
+static void expect_finding(void (*check)(void), enum verdict verdict,
+                           const char *message)
+{
+    const struct claim claim = {"check", check, "0a"};
+    struct finding finding = {0};
+    examine(&claim, &finding);
+    ck_assert_msg(finding.verdict == verdict, "%s: %s",
+                  verdict_name[finding.verdict], finding.text);
+    ck_assert_msg(strstr(finding.text, message), "it says: %s", finding.text);
+}
 
 static void expect_wrong(void (*check)(void), const char *message)
 {
-    const TTest test = {"check", (TFun)check, __FILE__, __LINE__};
-    Suite *suite = suite_create("judge");
-    TCase *tcase = tcase_create("check");
-    tcase_add_test(tcase, &test);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_SILENT);
-    TestResult **result = srunner_results(runner);
-    if (message)
-        ck_assert_msg(strstr(tr_msg(result[0]), message), "it says: %s",
-                      tr_msg(result[0]));
-    else
-        ck_assert_msg(tr_rtype(result[0]) == CK_PASS, "it says: %s",
-                      tr_msg(result[0]));
-    free(result);
-    srunner_free(runner);
+    expect_finding(check, message ? WRONG : PASS, message ? message : "");
 }
 
 static void ask_refusal(void)
@@ -265,7 +266,48 @@ static void a_word_is_no_number(void)
     expect_wrong(ask_numbers, "`law`: the word log stands where a number");
     expect_wrong(ask_word, "column `x`: the number 1 stands where a word");
     output_free(printed("# t\nlaw\tx\nlog\tnan\n", 0));
-    expect_wrong(ask_solved, "not finite: table `t`, row 1, column `x` is nan");
+    expect_finding(ask_solved, NONFINITE_,
+                   "not finite: table `t`, row 1, column `x` is nan");
+    remove_work();
+}
+
+static void leave(void) { exit(0); }
+static void leave_at_once(void) { _exit(0); }
+static void leave_like_wrong(void) { _exit(1); }
+static void trap(void) { raise(SIGSEGV); }
+static void stop(void) { raise(SIGSTOP); }
+static void not_written(void) { todo("0b"); }
+static void daemonise(void)
+{
+    if (fork() == 0) {
+        setsid();
+        if (fork() == 0)
+            for (;;) pause();
+        _exit(0);
+    }
+}
+static void look_at_descriptors(void)
+{
+    char c;
+    expect(read(STDIN_FILENO, &c, 1) == 0, "stdin is not empty");
+    for (int fd = 3; fd < 64; fd++)
+        expect(fcntl(fd, F_GETFD) < 0, "descriptor %d is open", fd);
+}
+
+static void every_end_has_its_verdict(void)
+{
+    begin();
+    const int open_one = dup(STDOUT_FILENO);
+    expect_finding(leave, CRASHED, "with exit(0)");
+    expect_finding(leave_at_once, CRASHED, "with exit(0)");
+    expect_finding(leave_like_wrong, CRASHED, "with exit(1)");
+    expect_finding(trap, CRASHED, "signal 11");
+    expect_finding(stop, CRASHED, "stopped itself");
+    expect_finding(not_written, UNFINISHED, "slot 0b is not written yet");
+    expect_finding(look_at_descriptors, PASS, "");
+    expect_finding(daemonise, PASS, "");
+    ck_assert_int_eq(waitpid(-1, NULL, WNOHANG), -1); /* no child is left */
+    close(open_one);
     remove_work();
 }
 
@@ -278,5 +320,6 @@ static const struct unit_law laws[] = {
      known_mistakes_tell_by_words_and_histories},
     {"unsolved_runs_keep_their_tables", unsolved_runs_keep_their_tables},
     {"a_word_is_no_number", a_word_is_no_number},
+    {"every_end_has_its_verdict", every_end_has_its_verdict},
 };
 UNIT_MAIN("judge", laws)

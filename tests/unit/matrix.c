@@ -399,6 +399,71 @@ static void a_combination_is_entry_by_entry(void)
     matrix_free(A), matrix_free(B), matrix_free(C);
 }
 
+static void a_block_has_the_entries_of_its_rows(void)
+{
+    for (int s = DENSE; s <= BANDED; s++)
+        for (int n = 1; n <= 6; n++) {
+            struct matrix *A = random_matrix((enum storage)s, 3);
+            struct matrix *B = matrix_block(A, 2, n);
+            ck_assert(B->storage == A->storage && B->n == n);
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < n; j++)
+                    ck_assert(matrix_get(B, i, j) ==
+                              matrix_get(A, i + 2, j + 2));
+            matrix_free(A), matrix_free(B);
+        }
+}
+
+/* Flops of the textbook's loop, step by step. */
+static void costs_are_counted(void)
+{
+    for (int n = 1; n < 30; n++)
+        for (int p = 0; p < n; p++) {
+            struct matrix *A = matrix_alloc(BANDED, n, p < 12 ? p : 12);
+            const struct matrix_cost cost = matrix_cost(BANDED, n, p);
+            const struct matrix_cost dense = matrix_cost(DENSE, n, p);
+            double flops = 0.0, all = 0.0;
+            for (int k = 0; k < n; k++) {
+                const int m = n - 1 - k < p ? n - 1 - k : p;
+                flops += (m + 1) * (m + 1);
+                all += (n - k) * (n - k);
+            }
+            close_to(cost.flops, flops, 1e-9);
+            close_to(dense.flops, all, 1e-9);
+            close_to(dense.numbers, n * n, 1e-9);
+            if (p < 12)
+                close_to(8.0 * cost.numbers, (double)matrix_bytes(A), 1e-9);
+            matrix_free(A);
+        }
+    close_to(matrix_cost(DENSE, 100001, 1).numbers, 10000200001.0, 1e-4);
+}
+
+/* A + e e_0 e_0^T is solved exactly by u: the residual is e |u_0|. */
+static void backward_error_is_that_of_a_nearby_system(void)
+{
+    enum { n = 23 };
+    struct matrix *A = random_band(n, 4), *near = matrix_copy(A);
+    double u[n], b[n], norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
+    const double e = 1e-6 * matrix_get(A, 0, 0);
+    for (int i = 0; i < n; i++) u[i] = sin(2.385 * i + 0.7);
+    matrix_add(near, 0, 0, e);
+    matrix_multiply(near, u, b);
+    for (int i = 0; i < n; i++) {
+        double row = 0.0;
+        for (int j = 0; j < n; j++) row += fabs(matrix_get(A, i, j));
+        norm_A = fmax(norm_A, row);
+        norm_u = fmax(norm_u, fabs(u[i]));
+        norm_b = fmax(norm_b, fabs(b[i]));
+    }
+    const double want =
+        e * fabs(u[0]) / (DBL_EPSILON * (norm_A * norm_u + norm_b));
+    close_to(matrix_backward_error(A, u, b), want, 10.0); /* round-off: eps */
+    ck_assert_double_lt(matrix_backward_error(near, u, b), 10.0);
+    u[3] = NAN;
+    ck_assert(isnan(matrix_backward_error(A, u, b)));
+    matrix_free(A), matrix_free(near);
+}
+
 static const struct unit_law laws[] = {
     {"solve_equals_lu_for_every_storage_and_bandwidth",
      solve_equals_lu_for_every_storage_and_bandwidth},
@@ -419,7 +484,12 @@ static const struct unit_law laws[] = {
      eigenvalues_are_those_in_closed_form},
     {"negative_pivots_count_negative_eigenvalues",
      negative_pivots_count_negative_eigenvalues},
+    {"backward_error_is_that_of_a_nearby_system",
+     backward_error_is_that_of_a_nearby_system},
     {"a_combination_is_entry_by_entry", a_combination_is_entry_by_entry},
+    {"a_block_has_the_entries_of_its_rows",
+     a_block_has_the_entries_of_its_rows},
+    {"costs_are_counted", costs_are_counted},
     {"gsl_band_cholesky_needs_unpadded_rows",
      gsl_band_cholesky_needs_unpadded_rows},
 };

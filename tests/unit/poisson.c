@@ -12,27 +12,10 @@ static double one(double x)
 {
     return x * 0.0 + 1.0;
 }
-static double one_plus_x(double x)
-{
-    return 1.0 + x;
-}
 static double smooth(double x)
 {
     return exp(-2.385 * x) + 0.3;
 }
-static double load(double x)
-{
-    return 1.0 / ((1.0 + x) * (1.0 + x));
-}
-static double exact(double x)
-{
-    return 2.0 - 1.0 / (1.0 + x) - log(1.0 + x);
-}
-static double exact_dx(double x)
-{
-    return (1.0 / (1.0 + x) - 1.0) / (1.0 + x);
-}
-
 /* Exercise (5) with the given grid and rule; u[0..n]. */
 static void solve_exercise(int n, const double x[],
                            const struct quadrature *rule, double u[])
@@ -40,7 +23,7 @@ static void solve_exercise(int n, const double x[],
     const int node[] = {0};
     const double g[] = {1.0};
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    poisson_assemble(n, x, one_plus_x, load, rule, A, u);
+    poisson_assemble(n, x, bvp_beta, bvp_f, rule, A, u);
     u[n] -= 0.5;
     matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
     ck_assert_int_eq(matrix_factor(A), OK);
@@ -84,7 +67,7 @@ static void exercise_5_equals_the_oracle(void)
     double x[5], b[5];
     struct matrix *A = matrix_alloc(DENSE, 5, 1);
     grid_make(0.0, 1.0, 4, 1.0, x);
-    poisson_assemble(4, x, one_plus_x, load, &MIDPOINT, A, b);
+    poisson_assemble(4, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
     b[4] -= 0.5;
     for (int i = 0; i < 5; i++) {
         close_to(b[i], oracle_bvp_b4_midpoint[i], 1e-15);
@@ -105,7 +88,7 @@ static void errors_equal_the_oracles(void)
         grid_make(0.0, 1.0, want->N, 1.0, x);
         solve_exercise(want->N, x, &MIDPOINT, u);
         const struct poisson_error got =
-            poisson_errors(want->N, x, u, one, exact, exact_dx);
+            poisson_errors(want->N, x, u, one, bvp_exact, bvp_exact_dx);
         close_to(got.nodal, want->nodal, 1e-13);     /* of u = 1 */
         close_to(got.L2, want->L2, 1e-7 * want->L2); /* Gauss 5 of u - u_h */
         close_to(got.energy, want->H1, 1e-7 * want->H1);
@@ -120,7 +103,8 @@ static void second_order_in_L2_on_an_unequal_grid(void)
         double x[81], u[81];
         grid_make(0.0, 1.0, n, 2.385, x);
         solve_exercise(n, x, &GAUSS2, u);
-        error[k] = poisson_errors(n, x, u, one_plus_x, exact, exact_dx).L2;
+        error[k] =
+            poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
     }
     close_to(log2(error[0] / error[1]), 2.0, 0.02);
 }
@@ -134,7 +118,7 @@ static void energy_is_weighted_with_beta(void)
 {
     const double x[] = {0.0, 0.4, 1.0}, u[] = {0.0, 0.0, 0.0};
     const struct poisson_error error =
-        poisson_errors(2, x, u, one_plus_x, identity, one);
+        poisson_errors(2, x, u, bvp_beta, identity, one);
     close_to(error.energy, sqrt(1.5), 1e-15);
     close_to(error.L2, sqrt(1.0 / 3.0), 1e-15);
     close_to(error.nodal, 1.0, 1e-15);
@@ -154,7 +138,7 @@ static void element_load_converges_to_gsl(void)
     gsl_integration_qag(&integrand, ends[0], ends[1], 0.0, 1e-12, 100,
                         GSL_INTEG_GAUSS21, work, &want, &error);
     gsl_integration_workspace_free(work);
-    poisson_element(ends[0], ends[1], one_plus_x, smooth, &GAUSS2, K, r);
+    poisson_element(ends[0], ends[1], bvp_beta, smooth, &GAUSS2, K, r);
     close_to(r[1], want, 1e-8); /* h^5 / 4320 (f e_1)'''' is 5e-9 */
     close_to(K[0][0], 1.325 / 0.03, 1e-12);
     ck_assert(K[0][0] == -K[0][1] && K[0][1] == K[1][0]);
@@ -165,7 +149,7 @@ static void rows_sum_to_zero_and_loads_to_the_integral(void)
     double x[8], b[8], sum = 0.0, total = 0.0;
     struct matrix *A = matrix_alloc(BANDED, 8, 1);
     grid_make(0.0, 1.0, 7, 3.714, x);
-    poisson_assemble(7, x, smooth, load, &MIDPOINT, A, b);
+    poisson_assemble(7, x, smooth, bvp_f, &MIDPOINT, A, b);
     for (int i = 0; i < 8; i++) {
         double row = 0.0;
         for (int j = 0; j < 8; j++) row += matrix_get(A, i, j);
@@ -173,17 +157,98 @@ static void rows_sum_to_zero_and_loads_to_the_integral(void)
         sum += b[i];
     }
     for (int j = 0; j < 7; j++)
-        total += (x[j + 1] - x[j]) * load(0.5 * (x[j] + x[j + 1]));
+        total += (x[j + 1] - x[j]) * bvp_f(0.5 * (x[j] + x[j + 1]));
     close_to(sum, total, 1e-15);
     matrix_free(A);
+}
+
+/* u' is the derivative of u and -(beta u')' is f, by central differences. */
+static void given_problems_solve_their_equation(void)
+{
+    static field *const problem[][4] = {
+        {bvp_beta, bvp_f, bvp_exact, bvp_exact_dx},
+        {smooth_beta, smooth_f, smooth_exact, smooth_exact_dx}};
+    const double h = 1e-5;
+    for (int k = 0; k < COUNT(problem); k++) {
+        field *beta = problem[k][0], *f = problem[k][1];
+        field *u = problem[k][2], *dx = problem[k][3];
+        for (double x = 0.0371; x < 1.0; x += 0.2385) {
+            const double l = x - h, r = x + h;
+            close_to((u(r) - u(l)) / (2.0 * h), dx(x), 1e-8);
+            close_to(-(beta(r) * dx(r) - beta(l) * dx(l)) / (2.0 * h), f(x),
+                     1e-7);
+        }
+    }
 }
 
 static void a_nan_is_not_swallowed(void)
 {
     double x[3] = {0.0, 0.5, 1.0}, u[3] = {1.0, NAN, 0.8};
     const struct poisson_error error =
-        poisson_errors(2, x, u, one, exact, exact_dx);
+        poisson_errors(2, x, u, one, bvp_exact, bvp_exact_dx);
     ck_assert(isnan(error.nodal) && isnan(error.L2) && isnan(error.energy));
+}
+
+/* The load against GSL's adaptive quadrature; the fitted test functions are
+ * straight lines in ln(1 + x). */
+struct tested {
+    double x0, x1;
+    int a, fitted;
+};
+
+static double tested_load(double x, void *context)
+{
+    const struct tested *t = context;
+    const double s = t->fitted ? log((1.0 + x) / (1.0 + t->x0)) /
+                                     log((1.0 + t->x1) / (1.0 + t->x0))
+                               : (x - t->x0) / (t->x1 - t->x0);
+    return bvp_f(x) * (t->a ? s : 1.0 - s);
+}
+
+static void loads_in_closed_form_equal_gsl(void)
+{
+    gsl_integration_cquad_workspace *work =
+        gsl_integration_cquad_workspace_alloc(100);
+    struct matrix *A = matrix_alloc(DENSE, 2, 1);
+    for (int fitted = 0; fitted <= 1; fitted++)
+        for (double h = 0.5; h > 1e-3; h *= 0.2385) {
+            const double x[] = {0.3714, 0.3714 + h};
+            double b[2];
+            bvp_exact_load(1, x, b);
+            if (fitted) bvp_fitted_assemble(1, x, A, b);
+            for (int a = 0; a < 2; a++) {
+                struct tested t = {x[0], x[1], a, fitted};
+                gsl_function function = {tested_load, &t};
+                double want, error;
+                size_t calls;
+                gsl_integration_cquad(&function, x[0], x[1], 0.0, 1e-12, work,
+                                      &want, &error, &calls);
+                close_to(b[a], want, 1e-11 * want);
+            }
+            if (!fitted) continue;
+            close_to(matrix_get(A, 0, 0) * log((1.0 + x[1]) / (1.0 + x[0])),
+                     1.0, 1e-12);
+            close_to(matrix_get(A, 0, 0) + matrix_get(A, 0, 1), 0.0, 1e-12);
+        }
+    matrix_free(A);
+    gsl_integration_cquad_workspace_free(work);
+}
+
+static void the_fitted_system_is_exact_at_the_nodes(void)
+{
+    enum { n = 7 };
+    const int node[] = {0};
+    const double g[] = {1.0};
+    double x[n + 1], u[n + 1];
+    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
+    grid_make(0.0, 1.0, n, 2.385, x);
+    bvp_fitted_assemble(n, x, A, u);
+    u[n] -= 0.5;
+    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    ck_assert_int_eq(matrix_factor(A), OK);
+    matrix_solve(A, u);
+    for (int j = 0; j <= n; j++) close_to(u[j], bvp_exact(x[j]), 1e-14);
+    matrix_free(A);
 }
 
 static const struct unit_law laws[] = {
@@ -198,6 +263,11 @@ static const struct unit_law laws[] = {
     {"element_load_converges_to_gsl", element_load_converges_to_gsl},
     {"rows_sum_to_zero_and_loads_to_the_integral",
      rows_sum_to_zero_and_loads_to_the_integral},
+    {"loads_in_closed_form_equal_gsl", loads_in_closed_form_equal_gsl},
+    {"the_fitted_system_is_exact_at_the_nodes",
+     the_fitted_system_is_exact_at_the_nodes},
+    {"given_problems_solve_their_equation",
+     given_problems_solve_their_equation},
     {"a_nan_is_not_swallowed", a_nan_is_not_swallowed},
 };
 UNIT_MAIN("poisson", laws)

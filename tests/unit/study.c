@@ -29,6 +29,7 @@ static void a_root_is_found_to_the_last_digit(void)
 {
     double shift = 2.385;
     close_to(root_of(cubic, &shift, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
+    close_to(root_of(cubic, &shift, 2.0, 0.0), cbrt(2.385), 1e-15 * 2);
     shift = 8.0; /* at an end */
     ck_assert_double_eq(root_of(cubic, &shift, 1.0, 2.0), 2.0);
     ck_assert_double_eq(root_of(cubic, &shift, 2.0, 3.0), 2.0);

@@ -1,0 +1,80 @@
+# meshes.gp - a square pushed inside with its boundary held, before
+# and after, inverted triangles coloured, with the exact curve J = 0; and a
+# strip in a loop: J > 0 everywhere, and a part of it covered twice.
+# Reads   data  tables square, strip (one row per triangle)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 940,400
+set output out
+unset key
+unset grid
+
+# The triangles of a table as closed polygons: `first` is the column of x0,
+# `test` an awk condition on a row; J is $1, the owners $2.
+polygons(table, first, test) = sprintf( \
+    "< awk -F'\t' '$0 == \"# %s\" { on = 1; next } NF == 0 { on = 0 } \
+     on == 1 { on = 2; print \"x\ty\"; next } \
+     on == 2 && (%s) { for (k = 0; k < 4; k++) \
+         print $(%d + 2 * (k %% 3)) \"\t\" $(%d + 1 + 2 * (k %% 3)); \
+         print \"\" }' '%s'", table, test, first, first, data)
+# the push of the scene: how far the centre goes
+s = system("awk -F'\t' '$0 == \"# square\" { on = 1 } NF == 0 { on = 0 } \
+            on { for (k = 3; k <= 7; k += 2) \
+                 if ($(k + 6) == \"0\" && $(k + 7) == \"0\") s = $k } \
+            END { print s }' '".data."'") + 0.0
+
+set style fill solid noborder
+set multiplot
+set tmargin at screen 0.84
+set bmargin at screen 0.13
+set border 15 back ls 9
+set size ratio -1
+set xrange [-1.2:1.2]
+set yrange [-1.2:1.2]
+set xtics 1
+set ytics 1
+
+set lmargin at screen 0.05
+set rmargin at screen 0.345
+set xlabel "X (m)"
+set ylabel "Y (m)" offset 2
+set label 1 "before: where J < 0" at graph 0, graph 1.05
+# J = 0 where (1 - Y^2)^2 = 1 / (4 s X (1 - X^2))
+height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
+edge(X) = X > 0 && X < 1 && height(X) >= 0 ? sqrt(height(X)) : NaN
+set samples 2001
+plot polygons("square", 9, "$1 > 0") using 1:2 with filledcurves closed \
+         fc rgb "#CFE3F0", \
+     polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
+         fc rgb "#D55E00", \
+     polygons("square", 9, "1") using 1:2 with lines lw 0.5 \
+         lc rgb "#0072B2", \
+     edge(x) with lines lw 2 dt 2 lc rgb "black", \
+     -edge(x) with lines lw 2 dt 2 lc rgb "black"
+
+set lmargin at screen 0.38
+set rmargin at screen 0.675
+set xlabel "x (m)"
+set ylabel "y (m)" offset 2
+set label 1 "after: inverted triangles" at graph 0, graph 1.05
+plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
+         fc rgb "#CFE3F0", \
+     polygons("square", 3, "$1 <= 0") using 1:2 with filledcurves closed \
+         fs transparent solid 0.6 fc rgb "#D55E00", \
+     polygons("square", 3, "1") using 1:2 with lines lw 0.5 \
+         lc rgb "#0072B2"
+
+set lmargin at screen 0.70
+set rmargin at screen 0.995
+set xrange [-1.45:1.45]
+set yrange [-0.4:2.5]
+set xlabel "x (m)"
+unset ylabel
+set label 1 "J > 0 everywhere, covered twice" at graph 0, graph 1.05
+plot polygons("strip", 3, "$1 > 0") using 1:2 with filledcurves closed \
+         fc rgb "#CFE3F0", \
+     polygons("strip", 3, "$2 > 1") using 1:2 with filledcurves closed \
+         fc rgb "#CC79A7", \
+     polygons("strip", 3, "1") using 1:2 with lines lw 0.4 \
+         lc rgb "#0072B2"
+unset multiplot

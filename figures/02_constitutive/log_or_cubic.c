@@ -1,0 +1,120 @@
+/*
+ * log_or_cubic.c - what does the cubic r change of the log law, and where?
+ *
+ * Figure 6 of the notes and what it does not show.  Tables: r(J) itself
+ * [eq:r-cubic]; energy, stress and tangent of the three laws in one dimension;
+ * how far the stresses of the cubic and of the linear law are from the log
+ * law's, and at which F they first are so by 1, 5 and 10 per cent.
+ */
+#include "material.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+
+/* The points of all curves: F or J = -1 ... 3. */
+enum { POINTS = 160 };
+static double point(int i)
+{
+    return (4.0 * i - POINTS) / POINTS;
+}
+
+static double r_of(enum law law, double J)
+{
+    const struct material material = material_notes(law);
+    return material_r(&material, J).r;
+}
+
+static void print_r(void)
+{
+    table_begin("r", "J log cubic");
+    for (int i = 0; i <= POINTS; i++) {
+        const double J = point(i);
+        table_row(J, J > 0.0 ? cell_number(r_of(LOG, J)) : cell_word(MISSING),
+                  r_of(CUBIC, J));
+    }
+    table_end();
+}
+
+static void print_curve(enum law law)
+{
+    const struct material m = material_notes(law);
+    static const char *const name[] = {"curve_linear", "curve_log",
+                                       "curve_cubic"};
+    table_begin_note(name[law], "F psi P dP", "where the law is defined");
+    for (int i = 0; i <= POINTS; i++) {
+        const double F = point(i);
+        if (material_defined(&m, F))
+            table_row(F, material1_psi(&m, F), material1_pk1(&m, F),
+                      material1_dpk1(&m, F));
+    }
+    table_end();
+}
+
+/* P / P_log - 1, for F > 0 and not 1. */
+static double difference(enum law law, double F)
+{
+    const struct material m = material_notes(law), log = material_notes(LOG);
+    return material1_pk1(&m, F) / material1_pk1(&log, F) - 1.0;
+}
+
+struct level {
+    enum law law;
+    double percent;
+};
+
+static double excess(double F, void *context)
+{
+    const struct level *level = context;
+    return 100.0 * fabs(difference(level->law, F)) - level->percent;
+}
+
+/* The first F where the difference reaches the level, going out from 1 by
+ * factors of 1.001 or of 1 / 1.001. */
+static double first_passing(struct level level, double factor)
+{
+    double F = factor;
+    while (excess(F * factor, &level) < 0.0) F *= factor;
+    return root_of(excess, &level, F, F * factor);
+}
+
+int main(void)
+{
+    const struct material cubic = material_notes(CUBIC);
+    const double percent[] = {1.0, 5.0, 10.0};
+    double F[4], least = INFINITY;
+
+    print_r();
+    for (int law = LINEAR; law <= CUBIC; law++) print_curve((enum law)law);
+    table_begin_note("difference", "F cubic linear", "100 (P / P_log - 1)");
+    for (int i = 0; i <= POINTS; i++)
+        if (point(i) > 0.0 && point(i) != 1.0)
+            table_row(point(i), 100.0 * difference(CUBIC, point(i)),
+                      100.0 * difference(LINEAR, point(i)));
+    table_end();
+    table_begin("passes", "percent cubic_tension cubic_compression "
+                          "linear_tension linear_compression");
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 4; k++)
+            F[k] = first_passing(
+                (struct level){k < 2 ? CUBIC : LINEAR, percent[i]},
+                k % 2 ? 1.0 / 1.001 : 1.001);
+        for (int k = 0; k < 2; k++)
+            least = fmin(least, fabs((F[k] - 1.0) / (F[k + 2] - 1.0)));
+        table_row(percent[i], F[0], F[1], F[2], F[3]);
+    }
+    table_end();
+
+    const double order = order_of(fabs(r_of(CUBIC, 0.98) - r_of(LOG, 0.98)),
+                                  fabs(r_of(CUBIC, 0.99) - r_of(LOG, 0.99)), 2);
+    claim(fabs(order - 4.0) < 0.05, "both r are equal up to the third "
+          "derivative: their difference is of order 4 in J - 1 (%g)", order);
+    claim(fabs(material1_pk1(&cubic, 0.0) /
+               -(5.5 * cubic.lambda + 3.0 * cubic.mu) - 1.0) < 1e-12,
+          "at collapse the cubic law has P = -(11/2 lambda + 3 mu)");
+    claim(least > 3.0, "the linear law passes each level at least 3 times "
+          "closer to rest than the cubic law (%g times)", least);
+    claim(difference(CUBIC, 3.0) > difference(LINEAR, 3.0),
+          "at F = 3 the cubic law is further off than the linear one");
+    return table_finish();
+}

@@ -1,0 +1,118 @@
+/*
+ * chart.c - what does an accuracy cost?
+ *
+ * The exercise on n equal elements, factor + solve, with dense and with banded
+ * storage: L2 error [eq:norm-L2] against seconds and against flops
+ * [eq:cholesky-flops].  The rules of a chart: a run that is not valid has no
+ * time; one problem and one knob (n) per curve; work is counted beside the
+ * seconds; machine and flags are named; the best of several repeats counts.
+ */
+#include "clock.h"
+#include "poisson.h"
+#include "study.h"
+#include "table.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REPEATS = 5 };
+static const double BUDGET = 0.3; /* s, of a curve */
+
+/* A and b of n equal elements, u(0) = 1 and the flux -1/2 at x = 1. */
+static struct matrix *system_of(enum storage storage, int n, double x[],
+                                double b[])
+{
+    const int left[] = {0};
+    const double one[] = {1.0};
+    struct matrix *A = matrix_alloc(storage, n + 1, 1);
+    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
+    b[n] -= 0.5;
+    matrix_dirichlet(A, b, 1, left, one, KEEP_DIAGONAL);
+    return A;
+}
+
+/* Flops of the two triangular solves: 2 (2 m + 1) for a column of L with m
+ * entries below the diagonal, p N - p (p + 1) / 2 of them in all. */
+static double solve_flops(double N, double p)
+{
+    return 4.0 * (N * p - p * (p + 1.0) / 2.0) + 2.0 * N;
+}
+
+struct point {
+    double seconds, backward, L2; /* NAN where there is none */
+    int valid;
+};
+
+/* Valid: factored, backward error at most 20 eps, and L2 at most 0.1 / n^2 (the
+ * midpoint rule has 0.032) plus round-off N^2 eps. */
+static struct point measured(enum storage storage, int n)
+{
+    double *x = allocate(3 * ((size_t)n + 1), sizeof *x), *b = x + n + 1;
+    double *u = b + n + 1, N = n + 1.0;
+    struct matrix *A = system_of(storage, n, x, b);
+    struct point point = {(double)NAN, (double)NAN, (double)NAN, 1};
+    static struct times t;
+
+    t.runs = 0;
+    for (int k = 0; k < REPEATS && point.valid; k++) {
+        struct matrix *L = matrix_copy(A);
+        memcpy(u, b, (size_t)A->n * sizeof *u);
+        const double start = clock_seconds();
+        point.valid = matrix_factor(L) == OK;
+        if (point.valid) matrix_solve(L, u);
+        times_record(&t, clock_seconds() - start, point.valid);
+        matrix_free(L);
+    }
+    if (point.valid) {
+        point.backward = matrix_backward_error(A, u, b);
+        point.L2 =
+            poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
+        point.valid = point.backward <= 20.0 &&
+                      point.L2 <= 0.1 / n / n + N * N * DBL_EPSILON;
+    }
+    if (point.valid) point.seconds = times_best(&t);
+    matrix_free(A);
+    free(x);
+    return point;
+}
+
+/* n doubles until the next point would take longer than what is left of the
+ * budget.  roundoff: a doubling of n no longer halves the error. */
+static void print_curve(enum storage storage)
+{
+    const double growth = storage == DENSE ? 8.0 : 2.0; /* n^3 and n, n -> 2n */
+    const double start = clock_seconds();
+    double took = 0.0, before = INFINITY;
+    int roundoff = 0;
+    table_begin(storage == DENSE ? "chart_dense" : "chart_banded",
+                "n flops seconds L2 backward_eps valid roundoff");
+    for (int n = 8; n <= (storage == DENSE ? 1 << 12 : 1 << 20); n *= 2) {
+        const double now = clock_seconds(), p = storage == DENSE ? n : 1.0;
+        if (n > 32 && now - start + growth * took > BUDGET) break;
+        const struct point point = measured(storage, n);
+        took = clock_seconds() - now;
+        if (point.valid && point.L2 > 0.5 * before) roundoff = 1;
+        if (point.valid) before = point.L2;
+        table_row(n, matrix_cost(storage, n + 1, (int)p).flops +
+                         solve_flops(n + 1, p),
+                  cell_if(point.valid, point.seconds),
+                  cell_if(point.valid, point.L2),
+                  cell_if(point.valid, point.backward),
+                  point.valid ? "yes" : "no", roundoff ? "yes" : "no");
+        /* free of round-off on any machine */
+        claim(n > 1024 || fabs(point.L2 * n * n / 0.0318 - 1.0) < 0.02,
+              "n = %d: L2 is 0.0318 / n^2 to 2 %%", n);
+    }
+    table_end();
+}
+
+int main(void)
+{
+    study_machine();
+    print_curve(DENSE);
+    print_curve(BANDED);
+    return table_finish();
+}

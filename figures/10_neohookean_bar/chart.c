@@ -1,0 +1,120 @@
+/*
+ * chart.c - speed against accuracy: what does an error of the bar cost?
+ *
+ * The hanging bar, cubic law, c = 500: relative error of u(1) against the
+ * seconds of the whole solve, as many n as time allows; and one Newton step on
+ * a million elements, with the distance of the first increment from that of the
+ * sweep from both ends.  Four programs: bar_newton(); bar_gsl.h; the sweeps of
+ * bar_fast.h, from the left and from both ends [alg:fused-sweep].
+ */
+#include "bar_fast.h"
+#include "bar_gsl.h"
+#include "bar_scene.h"
+#include "clock.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum solver { READABLE, GSL, FUSED, FUSED_BOTH, SOLVERS };
+static const char *const name[] = {"readable", "gsl", "fused", "both"};
+
+/* At most `steps` steps from rest; the seconds of the best of the repeats. */
+static double timed(struct bar_state *s, enum solver solver, int steps,
+                    double tolerance, int repeats)
+{
+    const struct newton_control control = {tolerance, steps, 0, 0};
+    struct times t = {.runs = 0};
+    for (int k = 0; k < repeats; k++) {
+        memset(s->u, 0, ((size_t)s->bar.n + 1) * sizeof *s->u);
+        const double start = clock_seconds();
+        s->report =
+            solver == READABLE ? bar_newton(&s->bar, &control, s->u, NULL)
+            : solver == GSL ? bar_gsl_newton(&s->bar, &control, s->u)
+            : bar_fast_newton(&s->bar, &control,
+                              solver == FUSED ? FROM_LEFT : FROM_BOTH_ENDS,
+                              s->u);
+        times_record(&t, clock_seconds() - start, 1);
+    }
+    return times_best(&t);
+}
+
+static struct bar_state *hanging(int n, double *tolerance)
+{
+    struct bar_scene scene = bar_scene_notes(CUBIC, n);
+    scene.c = 500.0;
+    *tolerance = bar_scene_control(&scene).tolerance;
+    return bar_state_alloc(&scene);
+}
+
+/* The seconds of a step are those of m steps less those of 1, over m - 1:
+ * allocation and the last residual drop out. */
+static void print_large(int n)
+{
+    double tolerance, difference[SOLVERS];
+    struct bar_state *s = hanging(n, &tolerance);
+    struct bar_state *first = hanging(n, &tolerance);
+
+    timed(first, FUSED_BOTH, 1, 0.0, 1);
+    table_begin("large", "solver n ns_per_unknown difference");
+    for (int k = 0; k < SOLVERS; k++) {
+        const int m = k < FUSED ? 2 : 5, repeats = k < FUSED ? 1 : 3;
+        const double one = timed(s, (enum solver)k, 1, 0.0, repeats);
+        difference[k] = 0.0;
+        for (int i = 0; i <= n; i++)
+            difference[k] = fmax(difference[k], fabs(s->u[i] - first->u[i]));
+        difference[k] /= bar_max_free(&first->bar, first->u);
+        const double many = timed(s, (enum solver)k, m, 0.0, repeats);
+        const double step = many > one ? (many - one) / (m - 1) : many / m;
+        table_row(name[k], n, 1e9 * step / n, difference[k]);
+    }
+    table_end();
+    bar_state_free(s);
+    bar_state_free(first);
+    claim(fmin(difference[READABLE], difference[GSL]) > 100 * difference[FUSED],
+          "textbook pivots lose two digits more than sums of compliances");
+}
+
+static double excess(double F, void *material)
+{
+    return material1_pk1(material, F) - 500.0;
+}
+
+/* At least five points; then as many as fit into `budget` seconds. */
+static void print_chart(enum solver solver, double budget)
+{
+    struct material m = material_notes(CUBIC);
+    const double F = root_of(excess, &m, 0.0, 6.0); /* [eq:bar-weight] */
+    const double exact = F - material1_psi(&m, F) / 500.0 - 1.0;
+    double before = 0.0, took = 0.0, tolerance;
+    char title[20];
+
+    snprintf(title, sizeof title, "chart_%s", name[solver]);
+    table_begin(title, "n iterations error seconds ns_per_unknown");
+    for (int n = 16; n <= 4096 || (n <= 1 << 20 && took < budget); n *= 4) {
+        const double start = clock_seconds();
+        struct bar_state *s = hanging(n, &tolerance);
+        const double seconds = timed(s, solver, 100, tolerance, 3);
+        const double error = fabs(s->u[n] - exact) / exact;
+        table_row(n, s->report.iterations, error, seconds,
+                  1e9 * seconds / n / s->report.iterations);
+        const double order = order_of(before, error, 4.0);
+        claim(n == 16 || n > 4096 || fabs(order - 2.0) < 0.01,
+              "%s: the error falls with n^-2 (order %g at n = %d)", title,
+              order, n);
+        before = error;
+        bar_state_free(s);
+        took += 4.0 * (clock_seconds() - start); /* and the next one */
+    }
+    table_end();
+}
+
+int main(void)
+{
+    study_machine();
+    print_large(1000000);
+    for (int k = 0; k < SOLVERS; k++) print_chart((enum solver)k, 0.15);
+    return table_finish();
+}
