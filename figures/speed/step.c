@@ -9,8 +9,8 @@
  *     blocked   the same with common/banded.c
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
  *
- * They take turns; one that was twice too slow for 30 pictures per second
- * takes a few steps only.  A run off the path of `best` ends the study.
+ * They take turns; one that was twice too slow for 30 pictures per second does
+ * a few steps.  A run off the path of `best` ends the study.
  */
 #include "machine.h"
 #include "readable.h"
@@ -27,7 +27,7 @@ enum { FRAMES = 90, SECOND = 30, SIZES = 16 }; /* n = 8, 16, 24, ..., 128 */
 struct measured {
     struct times t[METHODS];
     int n, steps[METHODS], systems[METHODS], factorisations[METHODS];
-    double read;             /* ms to read the factors in a step of best */
+    double read;             /* ms of a step of best, L read [eq:roofline] */
     double u[2 * 129 * 129]; /* of best at t = 1 */
 };
 
@@ -138,13 +138,13 @@ int main(void)
     table_begin_note("roofline", "n factor_ms read_ms assembly_ms predicted_ms",
                      "%g flops per second; 250 for an element", 1e9 * peak);
     for (int i = 0; i < SIZES; i++) {
-        const double n2 = m[i].n * m[i].n, read = m[i].read;
-        const double factor = 8e-6 * (n2 - 1) * n2 / peak, f = 5e-4 * n2 / peak;
-        table_row(m[i].n, factor, read, f, factor + read + f);
+        const double n2 = m[i].n * m[i].n, assembly = 5e-4 * n2 / peak;
+        const double factor = 8e-6 * (n2 - 1) * n2 / peak, read = m[i].read;
+        table_row(m[i].n, factor, read, assembly, factor + read + assembly);
     }
     table_end();
-    table_begin_note("accuracy", "n rms order max max_order readable_ms "
-                     "lapack_ms blocked_ms best_ms", "|u_n - u_2n|, t = 1");
+    table_begin("accuracy", "n rms order max max_order readable_ms lapack_ms "
+                "blocked_ms best_ms"); /* |u_n - u_2n| at t = 1 */
     for (int i = 0; 2 * i + 1 < SIZES; i = 2 * i + 1) {
         const int row = m[i].n + 1, fine = 2 * m[i].n + 1;
         const double *u = m[i].u, *v = m[2 * i + 1].u;

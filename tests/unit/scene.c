@@ -1,4 +1,5 @@
 /* scene.c - laws of common/scene.h and of the doors of body.h. */
+#include "readable.h"
 #include "scene.h"
 
 #include "unit.h"
@@ -337,6 +338,45 @@ static void doors_report_states_outside(void)
     scene_free(scene);
 }
 
+/* ---- the readable program ------------------------------------------------ */
+
+static void the_readable_step_finds_the_same_u(void)
+{
+    const struct step_control notes = step_method("notes");
+    struct scene *s = scene_of(STRETCH, CUBIC, 5);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.0), *v = vector(s, 0.0);
+    for (int step = 1; step <= 3; step++) {
+        const struct step_report fast = scene_step(s, &notes);
+        const struct step_report slow =
+            readable_step(r, readable_gsl, s->g, u, v);
+        ck_assert(fast.status == OK && slow.status == OK);
+        ck_assert_int_eq(slow.iterations, fast.iterations);
+        for (int i = 0; i < s->n_dof; i++) {
+            close_to(u[i], s->u[i], 1e-12);
+            close_to(v[i], s->v[i], 1e-10);
+        }
+    }
+    readable_free(r);
+    free(u), free(v);
+    scene_free(s);
+}
+
+/* It stops where K is not positive definite, and leaves the state alone. */
+static void the_readable_step_stops_at_an_indefinite_K(void)
+{
+    struct scene *s = scene_of(COMPRESS, CUBIC, 4);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.0), *v = vector(s, 0.0);
+    scene_hold(s, 1.2); /* all of it in one step */
+    ck_assert_int_eq(readable_step(r, readable_gsl, s->g, u, v).status,
+                     NOT_SPD);
+    for (int i = 0; i < s->n_dof; i++) ck_assert(u[i] == 0.0 && v[i] == 0.0);
+    readable_free(r);
+    free(u), free(v);
+    scene_free(s);
+}
+
 static const struct unit_law laws[] = {
     {"ends_move_as_the_words_say", ends_move_as_the_words_say},
     {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
@@ -358,6 +398,9 @@ static const struct unit_law laws[] = {
     {"the_largest_free_component_is_found",
      the_largest_free_component_is_found},
     {"doors_report_states_outside", doors_report_states_outside},
+    {"the_readable_step_finds_the_same_u", the_readable_step_finds_the_same_u},
+    {"the_readable_step_stops_at_an_indefinite_K",
+     the_readable_step_stops_at_an_indefinite_K},
 };
 
 UNIT_MAIN("scene", laws)
