@@ -71,8 +71,9 @@ static int prescribe(int fix, int node[3], double g[3])
  * First half of the correction: bring the known part of every equation to the
  * right-hand side, b_i -= sum_k A_ik g_k [eq:dirichlet-correction].
  *
- * A        in  not corrected yet
- * node, g  in  the n_fixed prescribed nodes k, in any order, and their values
+ * A        in      N x N, not corrected yet
+ * b        in/out  N
+ * node, g  in      the n_fixed prescribed nodes, in any order; their values
  */
 static void move_known_values(int N, const double A[], double b[], int n_fixed,
                               const int node[], const double g[])
