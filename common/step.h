@@ -61,9 +61,9 @@ struct step_report {
 };
 
 /*
- * How a step ended, as a word: status_name(), or "fails" where round-off decides
- * between NOT_SPD, NONFINITE, STALLED and MAX_ITERATIONS: without a line
- * search, when the iterates blow up.
+ * How a step ended, as a word: status_name(), or "fails" where round-off
+ * decides between NOT_SPD, NONFINITE, STALLED and MAX_ITERATIONS: without a
+ * line search, when the iterates blow up.
  */
 const char *step_reason(const struct step_control *control,
                         enum status status);
