@@ -15,8 +15,8 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
-	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -Werror -fsyntax-only $<
-	$(Q)$(call build_judge,$<,$*) -Werror
+	$(Q)$(PLAIN) -Werror -fsyntax-only $<
+	$(Q)$(call build_judge,$<,$*,-Werror)
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
 # the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
@@ -36,10 +36,10 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
 	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)$$(COMPILE) -w $$< -o $$@ $$(LINK)
+	$(Q)$$(COMPILE) -w $$< $$(PLACED)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c
-	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
+	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1)),-w)
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
