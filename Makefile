@@ -36,9 +36,10 @@ NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
              echo $$flag; done))$(NATIVE)
 endif
 PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
-COMPILE = $(PLAIN) -MMD -MP -MF $@.d -MT $@
 # What is made is moved to its place when it is whole: another make may be
-# reading or running the old one.
+# reading or running the old one.  A signal leaves no half of it.
+COMPILE = trap 'rm -f $@.$$$$' 0; trap 'exit 130' 1 2 15; \
+          $(PLAIN) -MMD -MP -MF $@.d -MT $@
 OBJECT  = -c -o $@.$$$$ && mv -f $@.$$$$ $@
 PLACED  = -o $@.$$$$ $(LINK) && mv -f $@.$$$$ $@
 LINK    = $(LIB) $(LDFLAGS) $(GSL_LIBS)
@@ -222,7 +223,8 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 
 # ---- the student's commands -------------------------------------------------
 
-STUDENT = BUILD='$(BUILD)' FORCE='$(FORCE)' TABLE='$(TABLE)' \
+# exec: a signal to make's child is one to the script
+STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' TABLE='$(TABLE)' \
           sh tests/tools/student.sh
 status: ; @$(STUDENT) status
 

@@ -176,6 +176,13 @@ $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+HOSTILE := 03_dirichlet_correction
+$(T)/hostile.result: tests/cli/hostile.sh tests/tools/student.sh $(JUDGE) \
+        Makefile tests/tests.mk tests/checks/$(HOSTILE).c \
+        $(HOSTILE:%=$(BUILD)/solutions/%) \
+        $(HOSTILE:%=$(BUILD)/solutions/%.judge) $(call mistakes_of,$(HOSTILE))
+	$(call say,test,hostile programs)
+	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/hostile.sh > $@
 $(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
 	$(call say,test,$* build)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
@@ -185,6 +192,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(T)/hostile.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

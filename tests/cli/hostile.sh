@@ -141,7 +141,6 @@ judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
     result $? "$2 leaves nothing" "$left"
 }
 
-# Two copies at work at the same time, each with every second program.
 prepare() { # prepare COPY
     rm -rf "$1" && mkdir -p "$1/build/mistakes" || exit 1
     cp -Rp Makefile common lessons solutions tests figures workbook.md "$1"
@@ -154,6 +153,7 @@ prepare() { # prepare COPY
     "$MAKE" status BUILD=build >/dev/null
     state >../state."$(basename "$1")"
 }
+# Every second program; the two halves are judged at the same time.
 table() { # table COPY REMAINDER
     prepare "$1"
     number=0
@@ -168,11 +168,120 @@ table() { # table COPY REMAINDER
     done
 }
 
+
+# ---- the same without Landlock, as on other systems ---------------------------
+# exit status 2, nothing that counts as a verdict, and TEXT says why
+none() { # none NUMBER WHAT TEXT
+    said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
+        CFLAGS=-O0 2>&1 </dev/null)
+    status=$?
+    [ $status = 2 ] && [ ! -f build/progress/$nn.result ] &&
+        [ ! -f build/progress/$nn.pass ] && echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
+    result $? "$2 gives no verdict, and says $3" "status $status: $said"
+}
+unguarded() {
+    prepare "$1"
+    rm build/tests/child.o
+    "$MAKE" build/tests/child.o "build/solutions/$slug.judge" BUILD=build \
+        CFLAGS='-O0 -DWITHOUT_LANDLOCK' >/dev/null 2>&1
+    state >../state."$(basename "$1")"
+    number=100
+    programs | grep -e '^kills its parent' -e '^stops its parent' \
+        -e '^links ' -e '^a pipe ' -e 'daemon that' | while IFS= read -r entry; do
+        number=$((number + 1))
+        name=${entry%% | *} rest=${entry#* | }
+        line=${rest#* | }
+        hostile "${rest%% | *}" "$(echo "${line% | *}" | sed "s|ROOT|$PWD|g")" \
+            >"lessons/$slug.c"
+        case $name in k* | s*) word=CRASHED ;; *) word=OK ;; esac
+        judged $number "unguarded: $name" "$word"
+    done
+    hostile slot "fclose(fopen(\"$PWD/tests/checks/$slug.c\", \"a+\"));
+        FILE *f = fopen(\"$PWD/tests/checks/$slug.c\", \"a\");
+        fputs(\" \", f); fclose(f);" >"lessons/$slug.c"
+    none 110 'unguarded: a program that writes into a check' "tests/checks/$slug.c"
+    hostile slot "system(\"rm -rf $PWD/build\");" >"lessons/$slug.c"
+    none 111 'unguarded: a program that removes build' "build/solutions/$slug"
+}
+
+# ---- what is not the student's fault, and what is -----------------------------
+tools() {
+    prepare "$1"
+    cp "solutions/$slug.c" "lessons/$slug.c"
+    sed 's/^int main(int argc, char \*argv\[\])/int main(void)/
+         s/argc,$/0,/; s/^ *argv);/NULL);/' "solutions/$slug.c" >"lessons/$slug.c"
+    judged 120 'main(void)' 'WRONG (does not compile)' \
+        'int main(int argc, char *argv[])'
+    sed '/^int main(/,$d' "solutions/$slug.c" >"lessons/$slug.c"
+    judged 121 'no main()' 'WRONG (does not compile)' \
+        'int main(int argc, char *argv[])'
+    sed 's/reactions(int N/react(int N/; s/    reactions(/    react(/' \
+        "solutions/$slug.c" >"lessons/$slug.c"
+    judged 122 'another function' 'WRONG (does not compile)' 'more, or has with other parameters: reactions.'
+    rm "lessons/$slug.c"
+    judged 123 'no file' 'UNFINISHED (no file)'
+    echo '  ' >"lessons/$slug.c"
+    judged 124 'nothing but blanks' 'UNFINISHED (empty file)'
+    hostile slot 'puts("here 3");' >"lessons/$slug.c"
+    judged 125 'a debugging line' WRONG \
+        '`here 3`. stdout is for tables, so print anything else to stderr'
+
+    cp "solutions/$slug.c" "lessons/$slug.c"
+    CC=no-such-compiler none 126 'a missing compiler' 'make deps'
+    mv common/matrix.h common/moved.h
+    none 127 'a missing header' 'make deps'
+    mv common/moved.h common/matrix.h
+    echo 'this is not C' >>"tests/checks/$slug.c"
+    none 128 'an error in a check' 'your file is not the reason'
+    sed '$d' "tests/checks/$slug.c" >whole && mv whole "tests/checks/$slug.c"
+    LDFLAGS=-lno-such-library none 129 'a missing library' 'make deps'
+    said=$("$MAKE" "check-$nn" BUILD=build CFLAGS='-O3 -ffast-math' 2>&1)
+    [ $? = 2 ] && [ "$(echo "$said" | wc -l)" = 1 ]
+    result $? 'make refuses -ffast-math in one line' "$said"
+
+    # two at once, and one that is stopped
+    for k in 1 2 3; do
+        "$MAKE" "check-$nn" BUILD=build >first 2>&1 &
+        "$MAKE" "check-$nn" BUILD=build >second 2>&1
+        wait
+        tail -qn 1 first second >last
+        [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ] || break
+    done
+    [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ]
+    result $? 'two checks at once are both judged' "$(cat first second)"
+    rm -f first second last
+    said=$("$MAKE" status BUILD=build)
+    echo "$said" | grep -q "^  $slug  *passed"
+    result $? 'two checks at once leave a pass' ''
+    state >../state."$(basename "$1")"
+    hostile slot 'if (fork() == 0) setsid(); for (;;) sleep(1000);' \
+        >"lessons/$slug.c"
+    for wait in 0.2 0.6 1 2; do
+        HOSTILE="$PWD:130:" "$MAKE" "check-$nn" BUILD=build >/dev/null 2>&1 &
+        check=$!
+        sleep $wait
+        kill $check
+        wait $check 2>/dev/null
+        left=$(nothing_left 130)
+        result $? "a check that is stopped after $wait s leaves nothing" "$left"
+    done
+}
+
 here=$PWD
 mkdir -p "$BUILD/test"
-(table "$here/$BUILD/test/copy.hostile.1" 1) >"$BUILD/test/hostile.1" &
-(table "$here/$BUILD/test/copy.hostile.0" 0) >"$BUILD/test/hostile.0"
+part() { # part NAME COMMAND...: in a copy of its own
+    part=$1
+    shift
+    ("$1" "$here/$BUILD/test/copy.hostile.$part" "${2:-}") \
+        >"$BUILD/test/hostile.$part" 2>&1
+    cat "$BUILD/test/hostile.$part"
+    chmod -R u+rwx "$BUILD/test/copy.hostile.$part"
+    rm -rf "$BUILD/test/copy.hostile.$part" "$BUILD/test/hostile.$part" \
+        "$BUILD/test/state.copy.hostile.$part"
+}
+{ part odd table 1; part unguarded unguarded; } >"$BUILD/test/hostile.lines" &
+part even table 0
+part tools tools
 wait
-cat "$BUILD/test/hostile.1" "$BUILD/test/hostile.0"
-rm -rf "$BUILD"/test/copy.hostile.* "$BUILD"/test/state.copy.hostile.* \
-    "$BUILD"/test/hostile.[01]
+cat "$BUILD/test/hostile.lines"
+rm -f "$BUILD/test/hostile.lines"

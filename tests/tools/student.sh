@@ -184,7 +184,7 @@ check() {
 }
 folder=
 trap '[ -z "$folder" ] || clean_up' EXIT
-trap 'exit 130' INT TERM HUP
+trap 'exit 130' INT TERM HUP QUIT
 
 # Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>
 hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
