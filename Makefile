@@ -103,6 +103,7 @@ help:
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
+	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 
 deps:
 	@sh tests/tools/deps.sh

@@ -62,6 +62,12 @@ mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
 
+# A class at once: DIR holds one folder per student.
+GRADE = exec env BUILD='$(BUILD)' LESSONS='$(LESSONS)' sh tests/tools/grade.sh
+.PHONY: grade
+grade: ; @+$(GRADE) class
+$(BUILD)/grade/%/judged: ; @+$(GRADE) one $(@D)
+
 # The book is filled from the tables of the solutions and of the studies.
 BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
 DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED))
@@ -82,7 +88,8 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
 # every program that a judge compares with, before any judge of the lesson runs
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
-$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(JUDGE) $(call mistakes_of,$1) \
+$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
+        $(JUDGE) $(call mistakes_of,$1) \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
 	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
@@ -176,13 +183,14 @@ $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
-HOSTILE := 03_dirichlet_correction
-$(T)/hostile.result: tests/cli/hostile.sh tests/tools/student.sh $(JUDGE) \
-        Makefile tests/tests.mk tests/checks/$(HOSTILE).c \
-        $(HOSTILE:%=$(BUILD)/solutions/%) \
-        $(HOSTILE:%=$(BUILD)/solutions/%.judge) $(call mistakes_of,$(HOSTILE))
-	$(call say,test,hostile programs)
-	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/hostile.sh > $@
+# both on one lesson, the cheapest to judge
+TRIED := 03_dirichlet_correction
+$(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
+        $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
+        $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
+        $(call mistakes_of,$(TRIED))
+	$(call say,test,$*)
+	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
 $(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
 	$(call say,test,$* build)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
@@ -192,7 +200,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
-           $(T)/hostile.result \
+           $(T)/hostile.result $(T)/grade.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

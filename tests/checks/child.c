@@ -241,7 +241,7 @@ static int look_around(pid_t child, int signal, struct sight *sight)
                    &session, &t[0], &t[1], &t[2], &t[3]) != 8 ||
             (session != child && parent != (int)getpid()))
             continue;
-        if (state == 'Z' && parent == (int)getpid()) continue; /* to be reaped */
+        if (state == 'Z' && parent == (int)getpid()) continue; /* ended */
         sight->processes++;
         sight->computing += state == 'R' || state == 'D';
         ticks += t[0] + t[1] + t[2] + t[3];

@@ -1,5 +1,6 @@
 #!/bin/sh
-# student.sh COMMAND [NN_slug] - what the student's make targets do.
+# student.sh COMMAND [NN_slug] - what the student's make targets do; grade.sh has
+# it judge other files.
 #
 # Called by the Makefile, from the top of the workbook, with BUILD and MAKE set.
 # Progress is kept in $BUILD/progress, replaced files in $BUILD/saved; neither
@@ -133,7 +134,7 @@ judge() {
             { not_your_fault; return 2; }
         mv "$folder/log.first" "$folder/log"
         explain_compile "$1" "$2"
-        echo "  the whole message: $log"
+        [ -z "$log" ] || echo "  the whole message: $log"
         verdict "WRONG (does not compile)" "WRONG compile - -" "make check-$nn"
         return 1
     fi
@@ -181,6 +182,14 @@ check() {
     fi
     clean_up
     return $status
+}
+# The same for any file: what is said, and the result, go to the folder INTO.
+grade() { # grade FILE NAME INTO
+    log=
+    folder=$3/judging
+    mkdir "$folder" || return 2
+    judge "$1" "$2" >"$3/said" 2>&1
+    [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }
 folder=
 trap '[ -z "$folder" ] || clean_up' EXIT
@@ -290,6 +299,8 @@ run)
     exit $status ;;
 check)
     check ;;
+grade)
+    grade "$3" "$4" "$5" ;;
 watch)
     echo "Checking $mine at each save; Ctrl-C ends."
     last=
