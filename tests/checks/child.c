@@ -1,6 +1,6 @@
 /* child.c - see child.h. */
 #if defined(__linux__)
-#define _GNU_SOURCE /* prctl, syscall */
+#define _DEFAULT_SOURCE /* syscall */
 #endif
 #include "child.h"
 
@@ -84,7 +84,7 @@ static void allow(int rules, const char *path, uint64_t access)
     struct {
         uint64_t access;
         int32_t file;
-    } __attribute__((packed)) beneath = {access, open(path, O_PATH)};
+    } __attribute__((packed)) beneath = {access, open(path, O_RDONLY)};
     enum { PATH_BENEATH = 1 };
     if (beneath.file < 0) return;
     syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &beneath, 0);
