@@ -18,6 +18,13 @@ GSL_LIBS     = $(or $(shell gsl-config --libs 2>/dev/null), \
                     -lgsl -lgslcblas -lm)
 CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
+# A solver that may not see a NaN is told so in one line.
+ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
+      $(CFLAGS) $(LDFLAGS) $(if $(filter file undefined,$(origin NATIVE)),, \
+      $(NATIVE))),)
+$(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
+        comparing)
+endif
 # Flags for common/banded.c, readable.c and body.c, where they count: those of
 # the list that the compiler takes; body.c goes without the last, so that its
 # digits are the same everywhere.  They make the build one for this machine; `make
@@ -28,7 +35,13 @@ NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
              $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null 2>/dev/null && \
              echo $$flag; done))$(NATIVE)
 endif
-COMPILE = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS) -MMD -MP
+PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
+# What is made is moved to its place when it is whole: another make may be
+# reading or running the old one.  A signal leaves no half of it.
+COMPILE = trap 'rm -f $@.$$$$' 0; trap 'exit 130' 1 2 15; \
+          $(PLAIN) -MMD -MP -MF $@.d -MT $@
+OBJECT  = -c -o $@.$$$$ && mv -f $@.$$$$ $@
+PLACED  = -o $@.$$$$ $(LINK) && mv -f $@.$$$$ $@
 LINK    = $(LIB) $(LDFLAGS) $(GSL_LIBS)
 BUILD   ?= build
 Q       := $(if $(V),,@)
@@ -90,6 +103,7 @@ help:
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
+	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 
 deps:
 	@sh tests/tools/deps.sh
@@ -99,45 +113,50 @@ deps:
 OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(wildcard common/*.c))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
-	$(Q)rm -f $@ && ar rcs $@ $^
+	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
 
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(if $(filter banded readable,$*),$(NATIVE)) \
 	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
-	    -c $< -o $@
+	    $< $(OBJECT)
 
 $(BUILD)/solutions/%: solutions/%.c $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LINK)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 $(BUILD)/mine/%: lessons/%.c $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LINK)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 $(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< -o $@ $(LINK)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
 JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge output child)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
-# $(call build_judge,program to judge,NN_slug)
-build_judge = $(COMPILE) -I. -Itests/checks \
-              -DPROGRAM='"$1"' tests/checks/$2.c -o $@ $(JUDGE) \
-              $(LINK)
+# $(call build_judge,program to judge,NN_slug,more flags)
+build_judge = $(COMPILE) $3 -I. -Itests/checks \
+              -DPROGRAM='"$1"' tests/checks/$2.c $(JUDGE) $(PLACED)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB)
 	$(call say,judge,$<)
 	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
 
-$(BUILD)/mine/%.judge: lessons/%.c tests/checks/%.c $(JUDGE) $(LIB)
-	$(call say,judge,$<)
-	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
+# For student.sh: a judge INTO of any FILE of lesson SLUG, and whether FILE
+# compiles by itself.
+.PHONY: alone
+alone:
+	$(Q)$(PLAIN) -fsyntax-only $(FILE)
+ifneq ($(INTO),)
+$(INTO): $(JUDGE) $(LIB)
+	$(Q)$(call build_judge,$(FILE),$(SLUG))
+endif
 
 # ---- data, figures, course --------------------------------------------------
 
@@ -201,7 +220,8 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 
 # ---- the student's commands -------------------------------------------------
 
-STUDENT = BUILD='$(BUILD)' FORCE='$(FORCE)' TABLE='$(TABLE)' \
+# exec: a signal to make's child is one to the script
+STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' TABLE='$(TABLE)' \
           sh tests/tools/student.sh
 status: ; @$(STUDENT) status
 

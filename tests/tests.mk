@@ -15,8 +15,8 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
-	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -Werror -fsyntax-only $<
-	$(Q)$(call build_judge,$<,$*) -Werror
+	$(Q)$(PLAIN) -Werror -fsyntax-only $<
+	$(Q)$(call build_judge,$<,$*,-Werror)
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
 # the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
@@ -30,7 +30,7 @@ MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
 # There are many of them, and they are run once: what counts is how soon.
-QUICK = $(filter-out -O2 -g,$(COMPILE)) -O1 -w
+QUICK = $(COMPILE) -O1 -g0 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
@@ -38,11 +38,10 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
 	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)$$(QUICK) $$< -o $$@ $$(LINK)
+	$(Q)$$(QUICK) $$< $$(PLACED)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c
-	$(Q)$$(subst $$(COMPILE),$$(QUICK),$$(call \
-	    build_judge,$$<,$(patsubst %/,%,$(dir $1))))
+	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1)),-O1 -g0 -w)
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
@@ -65,6 +64,12 @@ mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
 
+# A class at once: DIR holds one folder per student.
+GRADE = exec env BUILD='$(BUILD)' LESSONS='$(LESSONS)' sh tests/tools/grade.sh
+.PHONY: grade
+grade: ; @+$(GRADE) class
+$(BUILD)/grade/%/judged: ; @+$(GRADE) one $(@D)
+
 # The book is filled from the tables of the solutions and of the studies.
 BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
 DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED))
@@ -85,7 +90,8 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
 # every program that a judge compares with, before any judge of the lesson runs
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
-$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(JUDGE) $(call mistakes_of,$1) \
+$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
+        $(JUDGE) $(call mistakes_of,$1) \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
 	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
@@ -179,6 +185,14 @@ $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+# both on one lesson, the cheapest to judge
+TRIED := 03_dirichlet_correction
+$(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
+        $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
+        $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
+        $(call mistakes_of,$(TRIED))
+	$(call say,test,$*)
+	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
 $(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
 	$(call say,test,$* build)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
@@ -188,6 +202,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(T)/hostile.result $(T)/grade.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

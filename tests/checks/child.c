@@ -1,4 +1,7 @@
 /* child.c - see child.h. */
+#if defined(__linux__)
+#define _DEFAULT_SOURCE /* syscall */
+#endif
 #include "child.h"
 
 #include "output.h" /* quit */
@@ -7,6 +10,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,13 +21,20 @@
 #include <unistd.h>
 #if defined(__linux__)
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
 static struct {
-    int inside;                   /* this process is a child already */
+    int inside;         /* this process is a child already */
+    const char *folder; /* where children work, or NULL */
+    double spent;       /* CPU seconds before the clock was restarted */
+    double idle;        /* wall seconds since then in which none computed */
     volatile sig_atomic_t signal; /* the judge was told to end */
     void (*interrupted)(void);
 } running;
+
+void child_work_in(const char *folder) { running.folder = folder; }
+void child_am_inside(void) { running.inside = 1; }
 
 /* ---- in the child -------------------------------------------------------- */
 
@@ -50,32 +61,102 @@ static void set_limits(void)
     const rlim_t memory = (rlim_t)MEGABYTES_MEMORY << 20;
     limit(RLIMIT_AS, memory, memory);
 #endif
+#if defined(__linux__)
+    /* some more than all that there are: a user's, and root has no limit */
+    unsigned long all = 0;
+    FILE *file = fopen("/proc/loadavg", "r");
+    if (file && fscanf(file, "%*f %*f %*f %*u/%lu", &all) == 1)
+        limit(RLIMIT_NPROC, all + 4 * MOST_PROCESSES,
+              all + 4 * MOST_PROCESSES);
+    if (file) fclose(file);
+#endif
 }
 
+/*
+ * Change files below `folder` only, and send signals to processes below this
+ * one only.  Landlock does that from Linux 5.13 on, signals from 6.12 on; a
+ * system without it refuses the first call, and all is as before.  The C
+ * library has no names for this yet: linux/landlock.h.
+ */
+#if defined(SYS_landlock_create_ruleset) && !defined(WITHOUT_LANDLOCK)
+static void allow(int rules, const char *path, uint64_t access)
+{
+    struct {
+        uint64_t access;
+        int32_t file;
+    } __attribute__((packed)) beneath = {access, open(path, O_RDONLY)};
+    enum { PATH_BENEATH = 1 };
+    if (beneath.file < 0) return;
+    syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &beneath, 0);
+    close(beneath.file);
+}
+
+static void confine(const char *folder)
+{
+    const uint64_t write_file = 1 << 1, remove_dir = 1 << 4,
+                   remove_file = 1 << 5, make_reg = 1 << 8,
+                   make_others = 0x1ec0, truncate = 1 << 14;
+    struct {
+        uint64_t files, network, scopes;
+    } handled = {write_file | remove_dir | remove_file | make_reg | make_others,
+                 0, 0};
+    const long version =
+        syscall(SYS_landlock_create_ruleset, NULL, 0, 1 /* its version */);
+    if (version < 1) return;
+    if (version >= 3) handled.files |= truncate;
+    if (version >= 6) handled.scopes = 1 << 1; /* signals */
+    const int rules = (int)syscall(SYS_landlock_create_ruleset, &handled,
+                                   sizeof handled, 0);
+    if (rules < 0) return;
+    allow(rules, folder,
+          handled.files & (write_file | remove_file | make_reg | truncate));
+    allow(rules, "/dev/null", handled.files & (write_file | truncate));
+    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    syscall(SYS_landlock_restrict_self, rules, 0);
+    close(rules);
+}
+#else
+static void confine(const char *folder) { (void)folder; }
+#endif
+
+/* A new file, whatever an earlier child left under that name. */
 static void attach(int fd, const char *path, int flags)
 {
+    if (flags & O_CREAT) unlink(path);
     const int file = open(path, flags, 0666);
     if (file < 0 || dup2(file, fd) < 0) _exit(2);
     if (file != fd) close(file);
 }
 
+static void die_with_parent(void)
+{
+#if defined(__linux__)
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+}
+
 _Noreturn static void be_the_child(void (*body)(void *), void *context,
                                    const char *out, const char *err)
 {
-    static const int reset[] = {SIGINT, SIGTERM, SIGHUP, SIGALRM, SIGPIPE,
-                                SIGCHLD};
+    static const int reset[] = {SIGINT,  SIGTERM, SIGHUP, SIGQUIT,
+                                SIGALRM, SIGPIPE, SIGCHLD};
+    const int new_file = O_WRONLY | O_CREAT | O_EXCL;
     sigset_t none;
-    if (!running.inside) setpgid(0, 0);
-    running.inside = 1;
+    die_with_parent();
     for (size_t s = 0; s < sizeof reset / sizeof *reset; s++)
         signal(reset[s], SIG_DFL);
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, NULL);
     attach(STDIN_FILENO, "/dev/null", O_RDONLY);
-    attach(STDOUT_FILENO, out, O_WRONLY | O_CREAT | O_TRUNC);
-    attach(STDERR_FILENO, err, O_WRONLY | O_CREAT | O_TRUNC);
+    attach(STDOUT_FILENO, out, new_file);
+    attach(STDERR_FILENO, err, new_file);
     for (int fd = 3; fd < 256; fd++) close(fd);
     set_limits();
+    if (!running.inside && running.folder) {
+        if (chdir(running.folder) < 0) _exit(2);
+        confine(running.folder);
+    }
+    running.inside = 1;
     body(context);
     fflush(NULL);
     _exit(0);
@@ -87,7 +168,7 @@ static void note_signal(int number) { running.signal = number; }
 
 void child_on_interrupt(void (*interrupted)(void))
 {
-    static const int wanted[] = {SIGINT, SIGTERM, SIGHUP};
+    static const int wanted[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
     running.interrupted = interrupted;
     for (size_t s = 0; s < sizeof wanted / sizeof *wanted; s++) {
         struct sigaction old;
@@ -98,13 +179,21 @@ void child_on_interrupt(void (*interrupted)(void))
     }
 }
 
-double child_seconds(void)
+static double all_seconds(void)
 {
     struct rusage usage;
     getrusage(RUSAGE_CHILDREN, &usage);
     return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
            1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
+
+void child_restart_clock(void)
+{
+    running.spent = all_seconds();
+    running.idle = 0.0;
+}
+
+double child_seconds(void) { return all_seconds() - running.spent; }
 
 static void doze(long microseconds)
 {
@@ -119,92 +208,143 @@ static double wall(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-#if defined(__linux__)
-/* State, parent and group of a process of /proc; 0 when it is gone. */
-static int look_at(const char *pid, char *state, int *parent, int *group)
-{
-    char path[300], line[512];
-    snprintf(path, sizeof path, "/proc/%s/stat", pid);
-    FILE *file = fopen(path, "r");
-    if (!file) return 0;
-    const char *read = fgets(line, sizeof line, file);
-    fclose(file);
-    const char *name_end = read ? strrchr(line, ')') : NULL;
-    return name_end &&
-           sscanf(name_end + 1, " %c %d %d", state, parent, group) == 3;
-}
-#endif
+/* What can be seen of the processes of a child. */
+struct sight {
+    int processes, computing; /* or could compute if the machine were free */
+    double seconds;           /* CPU time, that of their ended children too */
+};
 
-/* Whether some process of the child's group computes, or could if the machine
- * were free; 1 where that cannot be seen. */
-static int busy(pid_t child)
+/* Look at the processes of the child's session, and at those that left it and
+ * were handed to us (a daemon is, on Linux); send them a signal, if any. */
+static int look_around(pid_t child, int signal, struct sight *sight)
 {
-    int found = 0;
+    const struct sight nothing = {0, 0, 0.0};
+    *sight = nothing;
 #if defined(__linux__)
+    unsigned long ticks = 0;
     DIR *all = opendir("/proc");
-    for (const struct dirent *d; all && !found && (d = readdir(all));) {
-        char state;
-        int parent, group;
-        if (d->d_name[0] < '0' || d->d_name[0] > '9' ||
-            !look_at(d->d_name, &state, &parent, &group))
+    if (!all) return 0;
+    for (const struct dirent *d; (d = readdir(all));) {
+        char path[300], line[512], state;
+        int parent, group, session;
+        unsigned long t[4];
+        if (d->d_name[0] < '0' || d->d_name[0] > '9') continue;
+        snprintf(path, sizeof path, "/proc/%s/stat", d->d_name);
+        FILE *file = fopen(path, "r");
+        if (!file) continue;
+        const char *read = fgets(line, sizeof line, file);
+        fclose(file);
+        const char *name_end = read ? strrchr(line, ')') : NULL;
+        if (!name_end ||
+            sscanf(name_end + 1, " %c %d %d %d %*d %*d %*u %*u %*u %*u %*u "
+                                 "%lu %lu %lu %lu", &state, &parent, &group,
+                   &session, &t[0], &t[1], &t[2], &t[3]) != 8 ||
+            (session != child && parent != (int)getpid()))
             continue;
-        found = group == child && strchr("RD", state);
+        if (state == 'Z' && parent == (int)getpid()) continue; /* ended */
+        sight->processes++;
+        sight->computing += state == 'R' || state == 'D';
+        ticks += t[0] + t[1] + t[2] + t[3];
+        if (signal) kill((pid_t)atoi(d->d_name), signal);
     }
-    if (all) closedir(all);
-    if (!all) found = 1;
+    closedir(all);
+    sight->seconds = (double)ticks / (double)sysconf(_SC_CLK_TCK);
+    return 1;
 #else
     (void)child;
-    found = 1;
+    (void)signal;
+    return 0;
 #endif
-    return found;
 }
 
-/* Kill the child's group, and what left that group as far as the system hands
- * it back to us (a daemon does, on Linux). */
+/* Kill the child's group, and all else of it that the system shows us.  What a
+ * child within a child leaves is handed to the outer one, on Linux. */
 static void kill_all(pid_t child)
 {
-    kill(-child, SIGKILL);
-#if defined(__linux__)
-    for (int round = 0; round < 50; round++) {
-        int left = 0;
-        DIR *all = opendir("/proc");
-        for (const struct dirent *d; all && (d = readdir(all));) {
-            char state;
-            int parent, group;
-            if (d->d_name[0] < '0' || d->d_name[0] > '9' ||
-                !look_at(d->d_name, &state, &parent, &group) ||
-                parent != (int)getpid())
-                continue;
-            left = 1;
-            kill((pid_t)atoi(d->d_name), SIGKILL);
-        }
-        if (all) closedir(all);
-        while (waitpid(-1, NULL, WNOHANG) > 0) continue;
-        if (!left) break;
+    struct sight sight;
+    if (!running.inside) kill(-child, SIGKILL);
+    for (int round = 0; round < 200; round++) {
+        pid_t ended;
+        while ((ended = waitpid(-1, NULL, WNOHANG)) > 0) continue;
+        if (ended < 0) break; /* there is none */
+        if (!look_around(running.inside ? -1 : child, SIGKILL, &sight)) break;
         doze(1000);
     }
-#endif
 }
 
-/* The judge is to end: the children first. */
+/* The judge is to end: the children first, in good order if they can. */
 static void stop_if_told(pid_t child)
 {
+    struct sight sight;
     if (!running.signal || running.inside) return;
+    kill(-child, SIGTERM);
+    for (int round = 0; round < 100; round++) {
+        if (!look_around(child, 0, &sight) || sight.processes == 0) break;
+        doze(10000);
+    }
     kill_all(child);
     if (running.interrupted) running.interrupted();
     signal(running.signal, SIG_DFL);
     raise(running.signal);
 }
 
-static struct ending ending_of(int status, enum limit limit)
+static int count_files(const char *folder)
+{
+    int n = 0;
+    DIR *files = folder ? opendir(folder) : NULL;
+    while (files && readdir(files)) n++;
+    if (files) closedir(files);
+    return n;
+}
+
+/* What the child's processes ran into in the `interval` since the last look,
+ * where the system lets us see them. */
+static enum limit limit_seen(pid_t child, double interval, double *seconds)
+{
+    struct sight sight;
+    if (!look_around(child, 0, &sight)) return NO_LIMIT;
+    /* a thread may compute while its process is said to sleep */
+    if (sight.computing == 0 && sight.seconds == *seconds)
+        running.idle += interval;
+    *seconds = sight.seconds;
+    if (sight.processes > MOST_PROCESSES) return LIMIT_PROCESSES;
+    if (count_files(running.folder) > MOST_FILES) return LIMIT_FILES;
+    if (sight.seconds + child_seconds() > SECONDS_JUDGING) return LIMIT_CPU;
+    if (running.idle > SECONDS_IDLE) return LIMIT_IDLE;
+    return NO_LIMIT;
+}
+
+/* `seconds`: CPU time of the child and of those that it waited for. */
+static struct ending ending_of(int status, double seconds, enum limit limit)
 {
     struct ending ending = {0, limit};
     ending.status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
     if (limit != NO_LIMIT || !WIFSIGNALED(status)) return ending;
-    if (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
-        ending.limit = LIMIT_CPU; /* SIGKILL: at the hard limit */
+    if (WTERMSIG(status) == SIGXCPU) ending.limit = LIMIT_CPU;
+    if (WTERMSIG(status) == SIGKILL && seconds >= SECONDS_COMPUTING)
+        ending.limit = LIMIT_CPU; /* at the hard limit */
     if (WTERMSIG(status) == SIGXFSZ) ending.limit = LIMIT_OUTPUT;
     return ending;
+}
+
+/* Between the judge and a child: a program that kills or stops its parent does
+ * so to this process, and the judge sees it.  It reports how the child ends. */
+_Noreturn static void be_the_parent(void (*body)(void *), void *context,
+                                    const char *out, const char *err,
+                                    int report)
+{
+    int status = 0;
+    setsid();
+    die_with_parent();
+    const pid_t child = fork();
+    if (child == 0) be_the_child(body, context, out, err);
+    while (child > 0 && waitpid(child, &status, WUNTRACED) < 0)
+        if (errno != EINTR) _exit(1);
+    const struct ending ending =
+        ending_of(status, all_seconds(),
+                  child > 0 && WIFSTOPPED(status) ? LIMIT_STOPPED : NO_LIMIT);
+    if (child > 0 && write(report, &ending, sizeof ending) > 0) _exit(0);
+    _exit(1);
 }
 
 struct ending child_run(void (*body)(void *), void *context, const char *out,
@@ -215,15 +355,19 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
 
     fflush(NULL);
 #if defined(__linux__)
-    if (!running.inside) prctl(PR_SET_CHILD_SUBREAPER, 1);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
 #endif
+    const double before = all_seconds();
+    int report[2];
+    if (pipe(report) < 0) quit("cannot make a pipe: %s", strerror(errno));
     const pid_t child = fork();
     if (child < 0) quit("cannot fork: %s", strerror(errno));
-    if (child == 0) be_the_child(body, context, out, err);
-    if (!running.inside) setpgid(child, child); /* who comes first */
+    if (child == 0 && running.inside) be_the_child(body, context, out, err);
+    if (child == 0) be_the_parent(body, context, out, err, report[1]);
+    close(report[1]);
 
     const double start = wall();
-    double active = start;
+    double looked = start, seconds = 0.0;
     for (long pause = 200;; pause = pause < 20000 ? 2 * pause : pause) {
         const pid_t ended = waitpid(child, &status, WNOHANG | WUNTRACED);
         if (ended < 0 && errno != EINTR)
@@ -232,12 +376,40 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
         stop_if_told(child);
         const double now = wall();
         if (ended == child) limit = LIMIT_STOPPED;
-        if (!running.inside && now - start > 1.0 && busy(child)) active = now;
-        if (!running.inside && now - active > SECONDS_IDLE) limit = LIMIT_IDLE;
-        if (now - start > SECONDS_WAITING) limit = LIMIT_IDLE;
+        if (!running.inside && limit == NO_LIMIT && now - looked > 0.1) {
+            limit = limit_seen(child, now - looked, &seconds);
+            looked = now;
+        }
+        if (limit == NO_LIMIT && now - start > SECONDS_WAITING)
+            limit = LIMIT_IDLE;
         if (limit != NO_LIMIT) kill(child, SIGKILL);
         if (limit == NO_LIMIT) doze(pause);
     }
-    if (!running.inside) kill_all(child);
-    return ending_of(status, limit);
+    struct ending ending = ending_of(status, all_seconds() - before, limit);
+    struct ending reported;
+    kill_all(child);
+    if (read(report[0], &reported, sizeof reported) == sizeof reported &&
+        limit == NO_LIMIT)
+        ending = reported;
+    close(report[0]);
+    return ending;
+}
+
+int child_command(const char *command)
+{
+    int status = 0;
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child < 0) quit("cannot fork: %s", strerror(errno));
+    if (child == 0) {
+        setsid();
+        signal(SIGINT, SIG_DFL);
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+        _exit(127);
+    }
+    while (waitpid(child, &status, WNOHANG) != child) {
+        stop_if_told(child);
+        doze(5000);
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 127;
 }

@@ -6,14 +6,25 @@
 
 enum {
     SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
-    SECONDS_IDLE = 5,      /* wall time in which nothing computes */
+    SECONDS_JUDGING = 12,  /* the same, of all children together */
+    SECONDS_IDLE = 5,      /* wall time in which none of them computes */
     SECONDS_WAITING = 60,  /* wall time, where idleness cannot be seen */
-    MEGABYTES_OUTPUT = 8,
+    MEGABYTES_OUTPUT = 8,  /* in one file */
+    MOST_FILES = 64,
+    MOST_PROCESSES = 128,
     MEGABYTES_MEMORY = 1024
 };
 
 /* What a child ran into, if anything. */
-enum limit { NO_LIMIT, LIMIT_CPU, LIMIT_IDLE, LIMIT_OUTPUT, LIMIT_STOPPED };
+enum limit {
+    NO_LIMIT,
+    LIMIT_CPU,
+    LIMIT_IDLE,
+    LIMIT_OUTPUT,
+    LIMIT_FILES,
+    LIMIT_PROCESSES,
+    LIMIT_STOPPED
+};
 
 struct ending {
     int status; /* exit status, or -signal */
@@ -22,10 +33,10 @@ struct ending {
 
 /*
  * Run body(context) in a child; its exit status is 0 when the body returns.
- * The child's stdin is empty, its stdout and stderr go to the files out and
- * err, it holds no other descriptor, and its time, memory, and output are
- * limited.  When it has ended, all that it left behind is killed.  A child
- * within a child is killed with the outer one.
+ * The child's stdin is empty, its stdout and stderr go to the new files out
+ * and err, it holds no other descriptor, has no terminal, and its time,
+ * memory, and output are limited.  When it has ended, all that it left behind
+ * is killed.  A child within a child is killed with the outer one.
  *
  * Ctrl-C and its like end the children first, then call `interrupted`, which
  * may be NULL, then the judge.
@@ -34,7 +45,22 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
                         const char *err);
 void child_on_interrupt(void (*interrupted)(void));
 
-/* CPU seconds that all ended children have taken. */
+/*
+ * From now on children work in this folder (an absolute path).  Where the
+ * system has the means (Linux with Landlock) they can change files nowhere
+ * else, and send signals to each other only.
+ */
+void child_work_in(const char *folder);
+
+/* This process is such a child, after exec: its own children are within it. */
+void child_am_inside(void);
+
+/* Run a command of the shell, which is trusted and has no limits; its exit
+ * status.  Ctrl-C and its like end it. */
+int child_command(const char *command);
+
+/* Begin to count seconds anew; the CPU seconds of all children since then. */
+void child_restart_clock(void);
 double child_seconds(void);
 
 #endif

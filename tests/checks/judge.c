@@ -11,22 +11,28 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 enum { WIDTH = 78, MAX_CLAIMS = 24, MAX_RUNS = 16 };
-/* of all checks together, and of the search for a known mistake (CPU) */
-enum { SECONDS_JUDGING = 12 };
 
+/* Paths are absolute: a child works in the folder `work`. */
 static struct {
     const struct lesson *lesson;
-    const char *file;          /* what is judged, for the heading */
-    const char *reference;     /* program of the reference solution */
-    const char *mistakes;      /* folder with the known mistakes' programs */
-    const char *prepare;       /* command that builds those that the checks
-                                * named behind it catch */
-    const char *result;        /* file for "verdict check slot" */
+    const char *file;      /* what is judged, for the heading */
+    const char *subject;   /* the judge with that program compiled in; NULL:
+                            * this one */
+    const char *reference; /* program of the reference solution */
+    const char *mistakes;  /* folder with the known mistakes' programs */
+    const char *prepare;   /* command that builds those that the checks named
+                            * behind it catch */
+    const char *result;    /* file for "verdict check slot mistakes" */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 } judging;
+
+/* How the messages begin that are no slot's, or a verdict of their own. */
+#define UNREADABLE "the output cannot be read: "
+#define NOT_FINITE "not finite: "
 
 /* ---- inside a check ------------------------------------------------------ */
 
@@ -41,7 +47,7 @@ void wrong(const char *format, ...)
 {
     char path[PATH_SIZE];
     va_list arguments;
-    FILE *file = fopen(work_file("message", path), "w");
+    FILE *file = fopen(work_file("judge.message", path), "w");
     if (!file) quit("cannot write %s", path);
     va_start(arguments, format);
     vfprintf(file, format, arguments);
@@ -58,7 +64,7 @@ void expect_close(double got, double want, double tolerance, double scale,
     va_start(arguments, what);
     vsnprintf(text, sizeof text, what, arguments);
     va_end(arguments);
-    if (!isfinite(got)) wrong("not finite: %s is %g", text, got);
+    if (!isfinite(got)) wrong(NOT_FINITE "%s is %g", text, got);
     if (!(fabs(got - want) <= tolerance * scale))
         wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text,
               got, want, fabs(got - want), tolerance * scale);
@@ -88,7 +94,7 @@ static void expect_finite(const struct output *output)
             for (int c = 0; c < table->n_column; c++) {
                 const double value = number_at(table, c, r);
                 if (!word_at(table, c, r) && !isfinite(value))
-                    wrong("not finite: table `%s`, row %d, column `%s` is %g",
+                    wrong(NOT_FINITE "table `%s`, row %d, column `%s` is %g",
                           table->name, r + 1, table->column[c], value);
             }
     }
@@ -103,7 +109,7 @@ struct output *run(const char *options)
         wrong("the program%s%s stopped with exit status %d: %s", space, options,
               output->status,
               *output->stderr_ ? output->stderr_ : "(no message)");
-    if (*output->error) wrong("the output cannot be read: %s", output->error);
+    if (*output->error) wrong(UNREADABLE "%s", output->error);
     if (output->n_table == 0)
         wrong("the program%s%s ended with exit status 0 and printed no table",
               space, options);
@@ -412,10 +418,10 @@ static int coincide(const struct output *mine, const struct output *other)
            !tables_differ(mine, other, sizeof text, text);
 }
 
-static void print_explanation(const char *folder, const char *name)
+static void print_explanation(const char *name)
 {
     char path[PATH_SIZE], text[2048];
-    snprintf(path, sizeof path, "%s/%s.why", folder, name);
+    snprintf(path, sizeof path, "%s/%s.why", judging.mistakes, name);
     FILE *file = fopen(path, "r");
     if (!file) quit("cannot read %s", path);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';
@@ -427,9 +433,38 @@ static void print_explanation(const char *folder, const char *name)
     print_wrapped("    ", text);
 }
 
+/* The output of the program under test. */
+static struct output *output_of_subject(const char *options)
+{
+    char with_mode[1024];
+    if (!judging.subject) return output_of(NULL, options, judging.work);
+    snprintf(with_mode, sizeof with_mode, "--run %s", options);
+    return output_of(judging.subject, with_mode, judging.work);
+}
+
+/* Whether a known mistake's program gives the outputs of the program under
+ * test, and others than the right program at all. */
+static int explains(const char *name, struct output *const mine[],
+                    struct output *const right[])
+{
+    char program[PATH_SIZE];
+    snprintf(program, sizeof program, "%s/%s", judging.mistakes, name);
+    int same = !strchr(name, '.') && access(program, X_OK) == 0;
+    int tells = 0;
+    for (int r = 0; r < judging.lesson->n_run && same; r++) {
+        struct output *other =
+            output_of(program, judging.lesson->runs[r], judging.work);
+        same = coincide(mine[r], other);
+        tells |= !coincide(right[r], other);
+        output_free(other);
+    }
+    return same && tells;
+}
+
 /* Say which known mistakes give the numbers of the program under test; only
- * those can be that the failed checks (names between blanks) catch. */
-static void diagnose(const char *failed)
+ * those can be that the failed checks (names between blanks) catch.  Their
+ * names, with commas between, go to `found`. */
+static void diagnose(const char *failed, size_t size, char found[])
 {
     const int n_run = judging.lesson->n_run;
     struct output *mine[MAX_RUNS], *right[MAX_RUNS];
@@ -439,31 +474,23 @@ static void diagnose(const char *failed)
         char command[PATH_SIZE];
         snprintf(command, sizeof command, "%s CAUGHT_BY='%s' >/dev/null",
                  judging.prepare, failed);
-        if (system(command) != 0) return;
+        if (child_command(command) != 0) return;
     }
+    child_restart_clock();
     for (int r = 0; r < n_run; r++) {
-        mine[r] = output_of(NULL, judging.lesson->runs[r], judging.work);
+        mine[r] = output_of_subject(judging.lesson->runs[r]);
         right[r] =
             output_of(judging.reference, judging.lesson->runs[r], judging.work);
     }
     struct dirent **entry;
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
     for (int i = 0; i < n_entry; i++) {
-        char program[PATH_SIZE];
-        snprintf(program, sizeof program, "%s/%s", judging.mistakes,
-                 entry[i]->d_name);
-        int same = entry[i]->d_name[0] != '.' &&
-                   !strchr(entry[i]->d_name, '.') && access(program, X_OK) == 0;
-        int tells = 0; /* the mistake shows in the numbers at all */
-        for (int r = 0; r < n_run && same; r++) {
-            struct output *other =
-                output_of(program, judging.lesson->runs[r], judging.work);
-            same = coincide(mine[r], other);
-            tells |= !coincide(right[r], other);
-            output_free(other);
+        const char *name = entry[i]->d_name;
+        if (child_seconds() < SECONDS_JUDGING && explains(name, mine, right)) {
+            print_explanation(name);
+            const size_t end = strlen(found);
+            snprintf(found + end, size - end, "%s%s", end ? "," : "", name);
         }
-        if (same && tells)
-            print_explanation(judging.mistakes, entry[i]->d_name);
         free(entry[i]);
     }
     if (n_entry >= 0) free(entry);
@@ -491,11 +518,16 @@ struct finding {
 static int read_message(size_t size, char text[])
 {
     char path[PATH_SIZE];
-    FILE *file = fopen(work_file("message", path), "r");
+    FILE *file = open_regular(work_file("judge.message", path));
     if (!file) return 0;
     text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);
     return 1;
+}
+
+static int starts(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
 }
 
 /* Why a check that wrote no message did not come to its end. */
@@ -505,7 +537,7 @@ static void explain_end(struct ending ending, struct finding *finding)
     char *text = finding->text;
     const size_t size = sizeof finding->text;
 
-    last_line(work_file("stderr", path), sizeof line, line);
+    last_line(work_file("judge.stderr", path), sizeof line, line);
     const char *colon = *line ? ": " : "";
     finding->verdict = CRASHED;
     finding->costly = ending.limit != NO_LIMIT;
@@ -524,6 +556,12 @@ static void explain_end(struct ending ending, struct finding *finding)
         snprintf(text, size,
                  "more than %d MB of output: is there a loop that prints "
                  "without end?", MEGABYTES_OUTPUT);
+    } else if (ending.limit == LIMIT_FILES) {
+        snprintf(text, size, "the program has written more than %d files",
+                 MOST_FILES);
+    } else if (ending.limit == LIMIT_PROCESSES) {
+        snprintf(text, size, "the program has started more than %d processes",
+                 MOST_PROCESSES);
     } else if (ending.limit == LIMIT_STOPPED) {
         snprintf(text, size, "the program stopped itself by a signal");
     } else if (ending.status < 0) {
@@ -534,60 +572,87 @@ static void explain_end(struct ending ending, struct finding *finding)
         finding->verdict = UNFINISHED;
         snprintf(finding->slot, sizeof finding->slot, "%s", slot);
         snprintf(text, size, "slot %s is not written yet", slot);
-    } else if (ending.status == 2 && strncmp(line, "judge: ", 7) == 0) {
+    } else if (ending.status == 2 && starts(line, "judge: ")) {
         quit("%s", line + 7);
     } else {
         snprintf(text, size,
-                 "the program left in the middle of its work, with exit(%d)"
-                 "%s%s", ending.status, colon, line);
+                 "the program left in the middle of its work, with "
+                 "exit(%d)%s%s", ending.status, colon, line);
     }
 }
 
 /* In the child: the check, and the sign that it came to its end. */
-static void run_claim(void *context)
+static void run_claim(const struct claim *claim)
 {
-    const struct claim *claim = context;
     char path[PATH_SIZE];
     claim->check();
-    FILE *file = fopen(work_file("finished", path), "w");
+    FILE *file = fopen(work_file("judge.finished", path), "w");
     if (file) fclose(file);
 }
 
-/* Run one claim in a child of its own. */
-static void examine(const struct claim *claim, struct finding *finding)
+/* The claim that every lesson ends with. */
+static struct claim claim_at(const struct lesson *lesson, int i)
 {
-    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
-    struct claim copy = *claim;
+    if (i < lesson->n_claim) return lesson->claims[i];
+    return (struct claim){"same_numbers_as_reference",
+                          check_same_numbers_as_reference, NULL};
+}
 
-    remove(work_file("message", path));
-    remove(work_file("finished", path));
+/* In the child: run the claim of this index, in the subject if there is one. */
+static void begin_claim(void *context)
+{
+    const int *index = context;
+    const struct claim claim = claim_at(judging.lesson, *index);
+    char number[16];
+    snprintf(number, sizeof number, "%d", *index);
+    if (!judging.subject) {
+        run_claim(&claim);
+    } else {
+        execl(judging.subject, judging.subject, "--claim", number, "--work",
+              judging.work, "--reference", judging.reference, (char *)NULL);
+        fprintf(stderr, "judge: cannot run %s\n", judging.subject);
+        _exit(2);
+    }
+}
+
+/* Run one claim in a child of its own. */
+static void examine(int index, struct finding *finding)
+{
+    const struct claim claim = claim_at(judging.lesson, index);
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+
+    chmod(judging.work, 0700);
+    remove(work_file("judge.message", path));
+    remove(work_file("judge.finished", path));
     const struct ending ending =
-        child_run(run_claim, &copy, work_file("stdout", out),
-                  work_file("stderr", err));
-    const int finished = access(work_file("finished", path), F_OK) == 0;
+        child_run(begin_claim, &index, work_file("judge.stdout", out),
+                  work_file("judge.stderr", err));
+    const int finished = access(work_file("judge.finished", path), F_OK) == 0;
     snprintf(finding->slot, sizeof finding->slot, "%s",
-             claim->slot ? claim->slot : "");
+             claim.slot ? claim.slot : "");
     finding->verdict = PASS;
     if (ending.limit == NO_LIMIT && ending.status == 0 && finished) return;
     finding->verdict = WRONG;
     if (ending.limit == NO_LIMIT && ending.status == 1 &&
         read_message(sizeof finding->text, finding->text)) {
-        if (strncmp(finding->text, "not finite: ", 12) == 0)
-            finding->verdict = NONFINITE_;
+        if (starts(finding->text, NOT_FINITE)) finding->verdict = NONFINITE_;
+        if (starts(finding->text, UNREADABLE)) *finding->slot = '\0';
     } else {
         explain_end(ending, finding);
     }
 }
 
-static void write_result(const struct finding *finding, const char *name)
+static void write_result(const struct finding *finding, const char *check,
+                         const char *mistakes)
 {
     if (!judging.result) return;
+    const char *verdict =
+        finding->verdict == PASS ? "OK" : verdict_name[finding->verdict];
     FILE *file = fopen(judging.result, "w");
     if (!file ||
-        fprintf(file, "%s %s %s\n",
-                finding->verdict == PASS ? "OK"
-                                         : verdict_name[finding->verdict],
-                name, *finding->slot ? finding->slot : "-") < 0 ||
+        fprintf(file, "%s %s %s %s\n", verdict, check,
+                *finding->slot ? finding->slot : "-",
+                *mistakes ? mistakes : "-") < 0 ||
         fclose(file) != 0)
         quit("cannot write %s", judging.result);
 }
@@ -599,15 +664,22 @@ static const char *value_of(int argc, char *argv[], const char *name)
     return NULL;
 }
 
-/* The claim that every lesson ends with. */
-static struct claim claim_at(const struct lesson *lesson, int i)
+/* A path that holds whatever the current folder is; NULL stays NULL. */
+static const char *absolute(const char *path)
 {
-    if (i < lesson->n_claim) return lesson->claims[i];
-    return (struct claim){"same_numbers_as_reference",
-                          check_same_numbers_as_reference, NULL};
+    char here[PATH_SIZE];
+    if (!path || *path == '/') return path;
+    if (!getcwd(here, sizeof here))
+        quit("cannot name the current folder: %s", strerror(errno));
+    const size_t size = strlen(here) + strlen(path) + 2;
+    char *whole = malloc(size);
+    if (!whole) quit("out of memory");
+    snprintf(whole, size, "%s/%s", here, path);
+    return whole;
 }
 
-/* Remove the folder with captured output. */
+/* Remove the folder with captured output; a folder that the program has made
+ * in it is left. */
 static void remove_work(void)
 {
     char path[PATH_SIZE];
@@ -619,8 +691,20 @@ static void remove_work(void)
         free(entry[i]);
     }
     if (n_entry >= 0) free(entry);
-    if (rmdir(judging.work) < 0)
-        quit("cannot remove %s: %s", judging.work, strerror(errno));
+    rmdir(judging.work);
+}
+
+/* A folder FOLDER.XXXXXX with an absolute path. */
+static void make_work(const char *folder)
+{
+    char name[PATH_SIZE - 300];
+    if (snprintf(name, sizeof name, "%s.XXXXXX", folder) >= (int)sizeof name)
+        quit("a path of more than %zu characters", sizeof name);
+    if (!mkdtemp(name)) quit("cannot make %s: %s", name, strerror(errno));
+    const char *whole = absolute(name);
+    if (strlen(whole) >= sizeof judging.work)
+        quit("a path of more than %zu characters", sizeof judging.work);
+    strcpy(judging.work, whole);
 }
 
 /* The names collected so far, several to a line, and begin again. */
@@ -630,40 +714,18 @@ static void print_passed(char names[])
     *names = '\0';
 }
 
-int judge(const struct lesson *lesson, int argc, char *argv[])
+/* Run the claims, one after another, and print a line for each, or, where they
+ * are many, for those that fail.  The names of these go to `failed`.  After one
+ * that took all its time, or when time is up, the others are not run. */
+static int examine_all(int n, struct finding finding[], char failed[])
 {
     enum { MAX_LINES = 13 };
-    char passed[MAX_CLAIMS * 64] = ""; /* names that share lines, if many */
-    char failed[MAX_CLAIMS * 64] = "";
-    struct finding finding[MAX_CLAIMS] = {0};
-    const int n = lesson->n_claim + 1;
-    int first = -1, over = 0; /* over: no further check is run */
+    char passed[MAX_CLAIMS * 64] = "";
+    int bad = 0, over = 0;
 
-    judging.lesson = lesson;
-    judging.file = value_of(argc, argv, "--file");
-    judging.reference = value_of(argc, argv, "--reference");
-    judging.mistakes = value_of(argc, argv, "--mistakes");
-    judging.prepare = value_of(argc, argv, "--prepare");
-    judging.result = value_of(argc, argv, "--result");
-    if (n > MAX_CLAIMS)
-        quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
-    if (lesson->n_run > MAX_RUNS)
-        quit("%s has more than %d runs", lesson->name, MAX_RUNS);
-    if (!judging.file || !judging.reference)
-        quit("usage: %s --file FILE --reference PROGRAM [--mistakes FOLDER] "
-             "[--prepare COMMAND] [--result FILE]",
-             argv[0]);
-    if (snprintf(judging.work, sizeof judging.work, "%s.work.XXXXXX",
-                 argv[0]) >= (int)sizeof judging.work)
-        quit("a path of more than %zu characters", sizeof judging.work);
-    if (!mkdtemp(judging.work)) quit("cannot make %s", judging.work);
-    child_on_interrupt(remove_work);
-
-    setvbuf(stdout, NULL, _IOLBF, 0);
-    printf("%s\n", judging.file);
     for (int i = 0; i < n; i++) {
-        const struct claim claim = claim_at(lesson, i);
-        if (over && first >= 0) {
+        const struct claim claim = claim_at(judging.lesson, i);
+        if (over && bad) {
             finding[i].verdict = NOT_RUN;
         } else if (over) {
             finding[i].verdict = TIMEOUT;
@@ -671,10 +733,10 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
                      "the checks before it have taken more than %d seconds of "
                      "computing", SECONDS_JUDGING);
         } else {
-            examine(&claim, &finding[i]);
+            examine(i, &finding[i]);
             over = finding[i].costly || child_seconds() > SECONDS_JUDGING;
         }
-        if (first < 0 && finding[i].verdict != PASS) first = i;
+        bad |= finding[i].verdict != PASS;
         if (finding[i].verdict == PASS && n > MAX_LINES) {
             strcat(strcat(passed, " "), claim.name);
             continue;
@@ -685,31 +747,99 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
     }
     print_passed(passed);
+    return over;
+}
 
-    char number[3] = {lesson->name[0], lesson->name[1], '\0'};
-    if (first < 0) {
-        const struct finding none = {.verdict = PASS};
-        write_result(&none, "-");
-        printf("  Notice:\n");
-        print_wrapped("    ", lesson->notice);
-        printf("  Break it:\n");
-        print_wrapped("    ", lesson->break_it);
-        printf("VERDICT %s: OK, all %d checks\n", number, n);
-    } else {
-        const struct claim claim = claim_at(lesson, first);
-        const struct finding *bad = &finding[first];
-        write_result(bad, claim.name);
-        printf("  In %s", claim.name);
-        if (*bad->slot) printf(" (slot %s)", bad->slot);
-        printf(":\n");
-        print_wrapped("    ", bad->text);
-        if (!over && (bad->verdict == WRONG || bad->verdict == NONFINITE_))
-            diagnose(failed);
-        printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
-        if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
-        if (bad->verdict == CRASHED) printf(" in %s", claim.name);
-        printf("    next: make hint-%s\n", number);
+/* All checks pass. */
+static void print_ok(const char *number, int n)
+{
+    const struct finding none = {.verdict = PASS};
+    write_result(&none, "-", "");
+    printf("  Notice:\n");
+    print_wrapped("    ", judging.lesson->notice);
+    printf("  Break it:\n");
+    print_wrapped("    ", judging.lesson->break_it);
+    printf("VERDICT %s: OK, all %d checks\n", number, n);
+}
+
+/* The first check that fails, and with `search` the known mistakes; the last
+ * line is the verdict. */
+static void print_failure(const char *number, const char *check,
+                          const struct finding *bad, const char *failed,
+                          int search)
+{
+    char mistakes[1024] = "";
+    write_result(bad, check, "");
+    printf("  In %s", check);
+    if (*bad->slot) printf(" (slot %s)", bad->slot);
+    printf(":\n");
+    print_wrapped("    ", bad->text);
+    if (search && (bad->verdict == WRONG || bad->verdict == NONFINITE_))
+        diagnose(failed, sizeof mistakes, mistakes);
+    if (*mistakes) write_result(bad, check, mistakes);
+    printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
+    if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
+    if (bad->verdict == CRASHED) printf(" in %s", check);
+    printf("    next: make hint-%s\n", number);
+}
+
+/* As the subject of another judge: one claim, or the program itself. */
+static void be_the_subject(const struct lesson *lesson, int argc, char *argv[])
+{
+    const char *claim = value_of(argc, argv, "--claim");
+    const char *work = value_of(argc, argv, "--work");
+    if (argc > 1 && strcmp(argv[1], "--run") == 0) {
+        argv[1] = (char *)"program";
+        exit(program_main(argc - 1, argv + 1));
     }
+    if (!claim || !work) return;
+    child_am_inside();
+    snprintf(judging.work, sizeof judging.work, "%s", work);
+    judging.reference = value_of(argc, argv, "--reference");
+    const struct claim mine = claim_at(lesson, atoi(claim));
+    run_claim(&mine);
+    fflush(NULL);
+    _exit(0);
+}
+
+int judge(const struct lesson *lesson, int argc, char *argv[])
+{
+    struct finding finding[MAX_CLAIMS] = {0};
+    char failed[MAX_CLAIMS * 64] = "";
+    const char number[3] = {lesson->name[0], lesson->name[1], '\0'};
+    const int n = lesson->n_claim + 1;
+
+    judging.lesson = lesson;
+    be_the_subject(lesson, argc, argv);
+    judging.file = value_of(argc, argv, "--file");
+    judging.subject = absolute(value_of(argc, argv, "--subject"));
+    judging.reference = absolute(value_of(argc, argv, "--reference"));
+    judging.mistakes = absolute(value_of(argc, argv, "--mistakes"));
+    judging.prepare = value_of(argc, argv, "--prepare");
+    judging.result = value_of(argc, argv, "--result");
+    const char *work = value_of(argc, argv, "--work");
+    if (n > MAX_CLAIMS)
+        quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
+    if (lesson->n_run > MAX_RUNS)
+        quit("%s has more than %d runs", lesson->name, MAX_RUNS);
+    if (!judging.file || !judging.reference)
+        quit("usage: %s --file FILE [--subject JUDGE] --reference PROGRAM "
+             "[--mistakes FOLDER] [--prepare COMMAND] [--result FILE] "
+             "[--work FOLDER]", argv[0]);
+    make_work(work ? work : argv[0]);
+    child_on_interrupt(remove_work);
+    child_work_in(judging.work);
+
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    printf("%s\n", judging.file);
+    const int over = examine_all(n, finding, failed);
+    int first = 0;
+    while (first < n && finding[first].verdict == PASS) first++;
+    if (first == n)
+        print_ok(number, n);
+    else
+        print_failure(number, claim_at(lesson, first).name, &finding[first],
+                      failed, !over);
     remove_work();
-    return first < 0 ? 0 : 1;
+    return first == n ? 0 : 1;
 }

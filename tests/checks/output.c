@@ -3,12 +3,13 @@
 
 #include "judge.h" /* program_main */
 
-#include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 void quit(const char *format, ...)
@@ -21,6 +22,21 @@ void quit(const char *format, ...)
     va_end(arguments);
     exit(2);
 }
+
+FILE *open_regular(const char *path)
+{
+    struct stat about;
+    const int fd = open(path, O_RDONLY | O_NONBLOCK);
+    if (fd < 0) return NULL;
+    FILE *file = NULL;
+    if (fstat(fd, &about) == 0 && S_ISREG(about.st_mode))
+        file = fdopen(fd, "r");
+    if (!file) close(fd);
+    return file;
+}
+
+#define STDOUT_IS_FOR_TABLES \
+    ". stdout is for tables, so print anything else to stderr"
 
 /* ---- output tables ------------------------------------------------------ */
 
@@ -66,9 +82,9 @@ static void read_row(struct output *output, struct named_table *table,
     for (const char *c = line; *c; c++) n_cell += *c == '\t';
     if (n_cell != table->n_column) {
         snprintf(output->error, sizeof output->error,
-                 "table `%s`, row %d: %d cells, but %d columns (a tab stands "
-                 "between two of them)",
-                 table->name, table->n_row + 1, n_cell, table->n_column);
+                 "table `%s`, row %d: %d cells, but %d columns, in the line "
+                 "`%.60s`" STDOUT_IS_FOR_TABLES,
+                 table->name, table->n_row + 1, n_cell, table->n_column, line);
         return;
     }
     if (table->n_row == table->capacity) grow(table);
@@ -100,12 +116,15 @@ static void read_header(struct output *output, struct named_table *table,
  * blank lines between tables are free. */
 static void read_tables(struct output *output, const char *path)
 {
-    FILE *file = fopen(path, "r");
+    FILE *file = open_regular(path);
     char *line = NULL;
     size_t size = 0;
     struct named_table *table = NULL;
 
-    if (!file) quit("cannot read %s: %s", path, strerror(errno));
+    if (!file) {
+        snprintf(output->error, sizeof output->error, "there is none");
+        return;
+    }
     while (!*output->error && getline(&line, &size, file) >= 0) {
         output->printed = 1;
         line[strcspn(line, "\r\n")] = '\0';
@@ -123,7 +142,8 @@ static void read_tables(struct output *output, const char *path)
                      line + 1 + strspn(line + 1, " \t"));
         } else if (!table) {
             snprintf(output->error, sizeof output->error,
-                     "a line that belongs to no table: %.60s", line);
+                     "a line that belongs to no table: `%.60s`"
+                     STDOUT_IS_FOR_TABLES, line);
         } else if (table->n_column == 0) {
             read_header(output, table, line);
         } else {
@@ -178,7 +198,7 @@ const char *word_at(const struct named_table *table, int column, int row)
 /* The last line of a file that is not empty. */
 void last_line(const char *path, size_t size, char text[])
 {
-    FILE *file = fopen(path, "r");
+    FILE *file = open_regular(path);
     char line[512];
     text[0] = '\0';
     while (file && fgets(line, sizeof line, file)) {
@@ -231,7 +251,7 @@ struct output *output_of(const char *program, const char *options,
     if (output->status == 0 || output->status == 1) {
         read_tables(output, out);
     } else {
-        FILE *file = fopen(out, "r");
+        FILE *file = open_regular(out);
         if (file && fgetc(file) != EOF) output->printed = 1;
         if (file) fclose(file);
     }

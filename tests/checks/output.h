@@ -6,7 +6,7 @@
 
 #include "child.h"
 
-#include <stddef.h>
+#include <stdio.h>
 
 enum {
     MAX_TABLES = 64,
@@ -61,6 +61,9 @@ int find_column(const struct named_table *table, const char *name);
 /* One cell: its number, NaN for a word; its word, NULL for a number. */
 double number_at(const struct named_table *table, int column, int row);
 const char *word_at(const struct named_table *table, int column, int row);
+
+/* A file that is no pipe, terminal or the like; NULL if there is none. */
+FILE *open_regular(const char *path);
 
 /* The last line of a file that is not empty, or "". */
 void last_line(const char *path, size_t size, char text[]);

@@ -1,5 +1,6 @@
 #!/bin/sh
-# student.sh COMMAND [NN_slug] - what the student's make targets do.
+# student.sh COMMAND [NN_slug] - what the student's make targets do; grade.sh has
+# it judge other files.
 #
 # Called by the Makefile, from the top of the workbook, with BUILD and MAKE set.
 # Progress is kept in $BUILD/progress, replaced files in $BUILD/saved; neither
@@ -14,6 +15,7 @@ nn=${slug%%_*}
 mine=lessons/$slug.c
 state=$BUILD/progress/$nn
 mkdir -p "$BUILD/progress" "$BUILD/saved" "$BUILD/mine"
+case $BUILD in /*) built=$BUILD ;; *) built=./$BUILD ;; esac
 
 sum() { cksum <"$1" 2>/dev/null; }
 starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
@@ -28,51 +30,170 @@ save_mine() { # keep a copy of the student's file; say where
     cp "$mine" "$copy" && echo "  your file is kept as $copy"
 }
 
+# ---- judging: everything is done in $folder ---------------------------------
+
 verdict() { # the closing line; also remembered for hint and status
-    echo "$2" >"$state.result"
+    echo "$2" >"$folder/result"
     echo "VERDICT $nn: $1    next: $3"
 }
 
+# A command that ends when this script is told to; its stdin is empty.
+running=
+patiently() {
+    "$@" </dev/null &
+    running=$!
+    wait "$running"
+    ended=$?
+    running=
+    return $ended
+}
+clean_up() {
+    [ -z "$running" ] || { kill "$running" && wait "$running"; } 2>/dev/null
+    chmod -R u+rwx "$folder" 2>/dev/null
+    rm -rf "$folder"
+}
+
+# compile TARGET FILE: by make, with limits, for a file may include anything
+bounded=
+if command -v timeout >/dev/null 2>&1; then bounded='timeout 120'; fi
+compile() {
+    patiently sh -c '
+        { ulimit -t 60; ulimit -f 2000000; ulimit -v 4000000; } 2>/dev/null
+        exec "$@"' sh $bounded "$MAKE" "$1" FILE="$2" \
+        INTO="$folder/judge" SLUG="$slug" >"$folder/log" 2>&1
+}
+errors() { grep -E 'error|undefined reference|cannot find|not found' "$1"; }
+
+not_your_fault() {
+    {
+        echo "Lesson $nn cannot be judged; your file is not the reason:"
+        errors "$folder/log" >"$folder/errors" || cp "$folder/log" "$folder/errors"
+        head -n 5 "$folder/errors" | sed 's/^/  /'
+        echo "A tool or a library that is missing comes with: make deps"
+    } >&2
+    return 2
+}
+
+# The names between quotes in the log's lines that match PATTERN.
+names() {
+    grep -E "$1" "$folder/log" | sed -n "s/^[^'\`]*['\`]\([A-Za-z_0-9]*\)'.*/\1/p" |
+        sort -u | head -n 4 | tr '\n' ' ' | sed 's/ $//; s/ /, /g'
+}
+
+# Why FILE, shown as NAME, does not compile with the checks, when the solution
+# does.
+explain_compile() {
+    cp "$folder/log" "$folder/log.judge"
+    if ! compile alone "$1"; then
+        grep -F "$1:" "$folder/log" | grep -E ':[0-9]+: (fatal )?error' \
+            >"$folder/errors" || errors "$folder/log" >"$folder/errors"
+        head -n 5 "$folder/errors" | sed "s|^.*$1|  $2|"
+        return
+    fi
+    mv "$folder/log.judge" "$folder/log"
+    taken=$(names 'conflicting types|redefinition|redeclared|static declaration')
+    needed=$(names 'implicit declaration|undeclared|undefined reference|few arg|many arg|type for arg')
+    if grep -q program_main "$folder/log"; then
+        echo "  main() must be there, and begin: int main(int argc, char *argv[])"
+    elif [ -n "$taken" ]; then
+        echo "  The checks have a name that your file has too: $taken."
+        echo "  Give yours another one."
+    elif [ -n "$needed" ]; then
+        echo "  The checks call what your file has no more, or has with other"
+        echo "  parameters: $needed. The starter's functions must stay."
+    else
+        errors "$folder/log" | head -n 5
+        echo "  Does the program still have all functions of the starter?"
+    fi
+}
+
+# Every file that a judgement rests on, with its sum.
+fingerprint() {
+    cksum Makefile common/* solutions/*.c tests/*/* \
+        "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" 2>&1
+}
+
+# judge FILE NAME [PREPARE]: the verdict on FILE, shown as NAME; 0 when it is OK,
+# 2 when there is none, and the reason is not FILE.
 judge() {
-    rm -f "$state.pass"
-    if [ ! -f "$mine" ]; then
-        echo "$mine is not there."
-        verdict "UNFINISHED (no file)" "UNFINISHED - -" "make reset-$nn"
+    if [ ! -f "$1" ]; then
+        echo "$2 is not there."
+        verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
-    if ! grep -q '[^[:space:]]' "$mine"; then
-        echo "$mine is empty."
-        verdict "UNFINISHED (empty file)" "UNFINISHED - -" "make reset-$nn"
+    if ! grep -q '[^[:space:]]' "$1"; then
+        echo "$2 is empty."
+        verdict "UNFINISHED (empty file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
-    log=$BUILD/mine/$slug.log
-    if ! "$MAKE" "$BUILD/solutions/$slug" \
-        "$BUILD/tests/judge.o" "$BUILD/tests/output.o" \
-        "$BUILD/tests/child.o" >"$log" 2>&1; then
-        cat "$log" >&2
+    patiently "$MAKE" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
+        >"$folder/log" 2>&1 || { not_your_fault; return 2; }
+    if ! compile "$folder/judge" "$1"; then
+        mv "$folder/log" "$folder/log.first"
+        compile "$folder/judge" "solutions/$slug.c" ||
+            { not_your_fault; return 2; }
+        mv "$folder/log.first" "$folder/log"
+        explain_compile "$1" "$2"
+        [ -z "$log" ] || echo "  the whole message: $log"
+        verdict "WRONG (does not compile)" "WRONG compile - -" "make check-$nn"
+        return 1
+    fi
+    sums=$(fingerprint)
+    patiently "$built/solutions/$slug.judge" --file "$2" \
+        --subject "$folder/judge" --work "$folder/work" \
+        --reference "$BUILD/solutions/$slug" \
+        --mistakes "$BUILD/mistakes/$slug" ${3:+--prepare "$3"} \
+        --result "$folder/result"
+    status=$?
+    if [ "$(fingerprint)" != "$sums" ]; then
+        {
+            echo "While $2 was judged, files of the workbook changed:"
+            { echo "$sums"; fingerprint; } | sort | uniq -u | head -n 9 |
+                sed 's/^[0-9]* [0-9]* //; s/^/  /' | sort -u
+            echo "Put them back (git status names them), and judge again."
+        } >&2
+        rm -f "$folder/result"
         return 2
     fi
-    if ! "$MAKE" "$BUILD/mine/$slug.judge" >"$log" 2>&1; then
-        if ! grep -q "$slug.c:.*error" "$log"; then
-            tail -n 15 "$log"
-            echo "  Does the program still have its functions and its main()?"
-        else
-            grep -E "$slug.c:[0-9:]* (fatal )?error" "$log" | head -n 5 |
-                sed "s|^.*/\(lessons/\)|  \1|"
-        fi
-        echo "  the whole message: $log"
-        verdict "WRONG (does not compile)" "WRONG compile -" "make lesson-$nn"
+    if [ $status -gt 1 ] && [ $status -lt 128 ]; then
+        rm -f "$folder/result"
+        return 2 # the judge has said why
+    elif [ $status -gt 1 ] || [ ! -s "$folder/result" ]; then
+        echo "  The judge was killed: does the program send signals?"
+        verdict "CRASHED (it ended its judge)" "CRASHED - - -" "make hint-$nn"
         return 1
     fi
-    "./$BUILD/mine/$slug.judge" --file "$mine" \
-        --reference "$BUILD/solutions/$slug" \
-        --mistakes "$BUILD/mistakes/$slug" \
-        --prepare "'$MAKE' mistakes-$nn" \
-        --result "$state.result"
-    status=$?
-    if [ $status = 0 ]; then sum "$mine" >"$state.pass"; fi
     return $status
 }
+
+# Judge the student's file, and keep what comes of it.  Two of these may run at
+# the same time.
+check() {
+    rm -f "$state.pass" "$state.result"
+    log=$BUILD/mine/$slug.log
+    before=$(sum "$mine")
+    folder=$(mktemp -d "$BUILD/mine/$slug.XXXXXX") || return 2
+    judge "$mine" "$mine" "'$MAKE' mistakes-$nn"
+    status=$?
+    [ ! -f "$folder/log" ] || mv -f "$folder/log" "$log"
+    [ ! -s "$folder/result" ] || mv -f "$folder/result" "$state.result"
+    if [ $status = 0 ] && [ "$before" = "$(sum "$mine")" ]; then
+        echo "$before" >"$state.pass"
+    fi
+    clean_up
+    return $status
+}
+# The same for any file: what is said, and the result, go to the folder INTO.
+grade() { # grade FILE NAME INTO
+    log=
+    folder=$3/judging
+    mkdir "$folder" || return 2
+    judge "$1" "$2" >"$3/said" 2>&1
+    [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
+}
+folder=
+trap '[ -z "$folder" ] || clean_up' EXIT
+trap 'exit 130' INT TERM HUP QUIT
 
 # Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>
 hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
@@ -90,7 +211,7 @@ hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
 
 last_result() { # the last verdict's word, failed check and slot
     word= failed= at=
-    if [ -f "$state.result" ]; then read -r word failed at <"$state.result"; fi
+    [ ! -f "$state.result" ] || read -r word failed at rest <"$state.result"
 }
 
 # The table and the two columns that the solution's header says to plot.
@@ -98,7 +219,7 @@ plot_spec() { sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1; }
 
 out=$BUILD/mine/$slug.tsv
 run_mine() { # with limits, so that an endless loop or endless output ends
-    (ulimit -t 20 -f 65536 2>/dev/null; exec "./$BUILD/mine/$slug" >"$out")
+    (ulimit -t 20 -f 65536 2>/dev/null; exec "$built/mine/$slug" >"$out")
 }
 
 draw() { # in the C locale gnuplot has no degree sign of its own, and says so
@@ -177,7 +298,9 @@ run)
     esac
     exit $status ;;
 check)
-    judge ;;
+    check ;;
+grade)
+    grade "$3" "$4" "$5" ;;
 watch)
     echo "Checking $mine at each save; Ctrl-C ends."
     last=
@@ -186,7 +309,7 @@ watch)
         if [ "$now" != "$last" ]; then
             last=$now
             echo
-            judge || :
+            check || :
         fi
         sleep 1
     done ;;

@@ -95,10 +95,11 @@ static void every_row_keeps_its_cells(void)
 static void unreadable_output_is_named(void)
 {
     static const char *const bad[][2] = {
-        {"# t\na\tb\n1\t2\n3\n", "table `t`, row 2: 1 cells, but 2 columns"},
+        {"# t\na\tb\n1\t2\nhere\n",
+         "table `t`, row 2: 1 cells, but 2 columns, in the line `here`"},
         {"# t\na\n1\t2\n", "table `t`, row 1: 2 cells, but 1 columns"},
-        {"# t\na\n1\n\n5\n", "a line that belongs to no table: 5"},
-        {"hello\n", "a line that belongs to no table: hello"},
+        {"# t\na\n1\n\n5\n", "a line that belongs to no table: `5`"},
+        {"hello\n", "no table: `hello`. stdout is for tables"},
     };
     begin();
     for (int i = 0; i < COUNT(bad); i++) {
@@ -178,14 +179,19 @@ static void known_mistakes_tell_by_words_and_histories(void)
     remove_work();
 }
 
-/* ---- as the student sees it: what a claim in its child comes to ----------- */
+/* ---- as the student sees it: what a claim in its child comes to ---------- */
 
 static void expect_finding(void (*check)(void), enum verdict verdict,
                            const char *message)
 {
     const struct claim claim = {"check", check, "0a"};
+    const struct lesson lesson = {
+        .name = "00_unit", .claims = &claim, .n_claim = 1};
+    const struct lesson *before = judging.lesson;
     struct finding finding = {0};
-    examine(&claim, &finding);
+    judging.lesson = &lesson;
+    examine(0, &finding);
+    judging.lesson = before;
     ck_assert_msg(finding.verdict == verdict, "%s: %s",
                   verdict_name[finding.verdict], finding.text);
     ck_assert_msg(strstr(finding.text, message), "it says: %s", finding.text);

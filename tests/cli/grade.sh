@@ -1,0 +1,103 @@
+#!/bin/sh
+# grade.sh - `make grade` on a small class that has everything in it.  Prints
+# "ok ..." or "FAIL ..." lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${MAKE:=make}"
+slug=03_dirichlet_correction
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
+}
+copy=$BUILD/test/copy.grade
+rm -rf "$copy" && mkdir -p "$copy/build/mistakes" "$copy/build/solutions" || exit 1
+cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
+cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$copy/build"
+cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
+    "$copy/build/solutions"
+cp -Rp "$BUILD/mistakes/$slug" "$copy/build/mistakes"
+cd "$copy" || exit 1
+variant() {
+    awk -f tests/tools/variant.awk -v name="$1" "tests/mistakes/$slug.txt" \
+        "solutions/$slug.c"
+}
+state() {
+    find solutions common tests Makefile build/solutions build/mistakes class \
+        -type f -exec cksum {} + | sort
+}
+
+# ---- the class ----------------------------------------------------------------
+for student in Zo"$(printf '\303\253')" "O'Neill, \"Sean\"" -dash 'two twice' \
+    'Mallory ' nobody; do
+    mkdir -p "class/$student/work"
+done
+variant lift_sign >"class/O'Neill, \"Sean\"/work/$slug.c"
+variant elimination_and_reexpansion >"class/Zo$(printf '\303\253')/$slug.c"
+awk -f tests/tools/starter.awk "solutions/$slug.c" >"class/-dash/$slug.c"
+cp "solutions/$slug.c" "class/two twice/$slug.c"
+cp "solutions/$slug.c" "class/two twice/work/$slug.c"
+echo 'no lesson' >"class/two twice/99_nothing.c"
+ln -s ../../solutions "class/two twice/link"
+# one that means to spoil the others' verdicts, and the workbook
+export hostile='for (int k = 1; k < 9; k++) {
+        char name[99];
+        sprintf(name, "../../../000%d.SLUG/result", k);
+        FILE *f = fopen(name, "w");
+        if (f) fputs("WRONG - - -", f), fclose(f);
+    }
+    system("cd HERE && rm -rf solutions build class 2>&-");
+    kill(getppid(), SIGKILL);
+    kill(0, SIGKILL);'
+{
+    printf '#include <%s.h>\n' signal stdio stdlib unistd
+    awk '{ print }
+        /\/\* SLOT / { comment = !done++ }
+        comment && /\*\// { comment = 0; print ENVIRON["hostile"] }' \
+        "solutions/$slug.c" | sed "s|SLUG/|$slug/|; s|cd HERE|cd $PWD|"
+} >"class/Mallory /$slug.c"
+ln -s "$PWD/solutions" class/everyone
+echo text >class/a.txt
+mkdir "class/$(printf 'a\nb')"
+cp "solutions/$slug.c" "class/$(printf 'a\nb')"
+
+# ---- the table ----------------------------------------------------------------
+cat >wanted <<END
+student,lesson,verdict,check,slot,mistake
+-dash,$slug,UNFINISHED,matrix_stays_symmetric,3a,-
+"Mallory ",$slug,CRASHED,matrix_stays_symmetric,3b,-
+"O'Neill, ""Sean""",$slug,WRONG,same_as_elimination,3a,lift_sign
+Zo$(printf '\303\253'),$slug,OK,-,-,-
+two twice,$slug,two files,-,-,-
+END
+state >before
+said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
+result $? 'grade judges a class' "$said"
+cmp -s wanted build/grade/grades.csv
+result $? 'grade writes the table of a class' "$(diff wanted build/grade/grades.csv)"
+grep -q '</svg>' build/grade/grades.svg && grep -q 'lift sign' build/grade/grades.svg
+result $? 'grade draws the mistakes' "$(ls build/grade)"
+for text in "known mistake (lift_sign)" "== two twice, $slug"; do
+    grep -qF "$text" build/grade/verdicts.txt
+    result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"
+done
+for text in '99_nothing.c: no lesson' 'twice/link: a link' 'everyone: a link' \
+    "a.txt: in no student's folder" 'a?b: a name with control' \
+    'nobody: nothing to judge' 'another file of this lesson' '1  03 lift sign'; do
+    echo "$said" | grep -qF "$text"
+    result $? "grade says: $text" "$said"
+done
+[ "$(ls build/grade | tr '\n' ' ')" = 'grades.csv grades.svg verdicts.txt ' ]
+result $? 'grade leaves its tables and no folder' "$(ls build/grade)"
+left=$(state | diff before -)
+result $? 'a submission changes nothing' "$left"
+"$MAKE" -j1 grade BUILD=build DIR="$PWD/class/" >/dev/null 2>&1
+cmp -s wanted build/grade/grades.csv
+result $? 'judged again, the class has the same table' "$(cat build/grade/grades.csv)"
+mkdir none
+for dir in '' no-such-folder none . ; do
+    said=$("$MAKE" grade BUILD=build DIR="$dir" 2>&1)
+    [ $? = 2 ] && echo "$said" | grep -q '^grade: ' &&
+        cmp -s wanted build/grade/grades.csv
+    result $? "grade refuses the folder '$dir'" "$said"
+done
+cd - >/dev/null && rm -rf "$copy"

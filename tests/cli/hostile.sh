@@ -1,0 +1,287 @@
+#!/bin/sh
+# hostile.sh - what `make check-03` makes of programs that mean no good.
+#
+# Each is the solution with one line more.  It is judged as a student's file is,
+# in a copy of the workbook; it must get its verdict, and after it there must be
+# no process, no file, and no change in the copy.  Prints "ok ..." or "FAIL ...".
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${MAKE:=make}"
+slug=03_dirichlet_correction nn=03
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
+}
+
+# NAME | WHERE | LINE | VERDICT.  WHERE is slot (the first one), main, or file
+# (its head); what stands before ## in LINE goes to the head as well.  ROOT is
+# the folder of the workbook.  A verdict with | depends on the system: Linux with
+# Landlock lets a program signal its own processes only.
+programs() {
+    cat <<'END'
+segmentation fault | slot | int *volatile nowhere = (int *)-4096L; *nowhere = 1; | CRASHED
+abort | slot | abort(); | CRASHED
+freed twice | slot | char *p = malloc(8); char *volatile q = p; free(p); free(q); | CRASHED
+a gigabyte on the stack | slot | volatile char all[1 << 30]; for (long k = 0; k < 1 << 30; k += 4096) all[k] = 1; | CRASHED
+trap | main | raise(SIGFPE); | CRASHED
+handler that ends with 0 | slot | static void leave(int s) { _exit(s - s); } ## signal(SIGSEGV, leave); raise(SIGSEGV); | CRASHED
+endless loop | slot | for (volatile int spin = 0;; spin = 1) {} | TIMEOUT
+endless loop, signals ignored | main | for (int s = 1; s < 32; s++) signal(s, SIG_IGN); for (volatile int spin = 0;; spin = 1) {} | TIMEOUT
+endless sleep | slot | for (;;) sleep(1000); | TIMEOUT
+endless sleep, signals blocked | main | sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, NULL); for (;;) pause(); | TIMEOUT
+stops itself | slot | raise(SIGSTOP); | CRASHED
+stops itself in main | main | raise(SIGSTOP); | CRASHED
+endless stdout | slot | for (;;) puts("and on and on"); | CRASHED
+endless stderr | main | for (;;) fputs("and on and on", stderr); | CRASHED
+endless stdout, SIGXFSZ ignored | main | signal(SIGXFSZ, SIG_IGN); for (;;) puts("and on and on"); | TIMEOUT
+endless files | slot | for (int k = 0;; k++) { char name[20]; sprintf(name, "f%d", k); close(creat(name, 0600)); } | CRASHED
+leak up to the limit | slot | for (;;) { volatile char *p = malloc(1 << 26); for (long k = 0; k < 1 << 26; k += 1 << 16) p[k] = 1; } | CRASHED
+all memory, then on | main | static char *volatile hog; ## while ((hog = malloc(1 << 20))) *hog = 1; | OK|WRONG
+fifty sleepers | slot | static int born; ## if (!born++) for (int k = 0; k < 50; k++) if (fork() == 0) { sleep(1000); _exit(0); } | OK
+three hundred sleepers | slot | for (int k = 0; k < 300; k++) if (fork() == 0) { sleep(1000); _exit(0); } sleep(2); | CRASHED
+sleeping daemon | main | if (fork() == 0) { setsid(); if (fork() == 0) { sleep(1000); } _exit(0); } | OK
+computing daemon | main | if (fork() == 0) { setsid(); if (fork() == 0) for (volatile int spin = 0;; spin = 1) {} _exit(0); } | OK
+daemon that ignores signals | slot | static int born; ## if (!born++ && fork() == 0) { for (int s = 1; s < 32; s++) signal(s, SIG_IGN); setsid(); sleep(1000); _exit(0); } | OK
+daemon with open output | main | if (fork() == 0) { setpgid(0, 0); sleep(1000); _exit(0); } | OK
+reads the keyboard | main | while (getchar() != EOF) {} | OK
+reads the terminal | slot | FILE *tty = fopen("/dev/tty", "r"); if (tty) fgetc(tty); | OK
+removes build | main | static int all; ## if (!all++) system("rm -rf build ../../build ROOT/build 2>/dev/null"); | WRONG
+removes the folder it is in | slot | static int all; ## if (!all++) system("rm -rf ./* ../*.judge"); | WRONG
+writes into solutions | slot | FILE *f = fopen("ROOT/solutions/03_dirichlet_correction.c", "a"); if (f) { fputs("spoiled", f); fclose(f); } | OK
+empties a check | slot | FILE *f = fopen("ROOT/tests/checks/03_dirichlet_correction.c", "w"); if (f) fclose(f); | OK
+empties the reference | slot | unlink("ROOT/build/solutions/03_dirichlet_correction"); | OK
+links the judge's output to a file | slot | symlink("ROOT/solutions/03_dirichlet_correction.c", "judge.stdout"); | OK
+a pipe for the judge's message | slot | mkfifo("judge.message", 0600); | OK
+changes the folder | slot | if (chdir("/")) {} | OK
+changes the folder in main | main | if (chdir("/")) {} | OK
+no permissions | main | umask(0777); chmod(".", 0); | OK
+closes every descriptor | slot | for (int fd = 0; fd < 1024; fd++) close(fd); | OK|WRONG
+closes stdout | main | fclose(stdout); | WRONG
+says VERDICT OK | main | puts("VERDICT 03: OK, all 11 checks"); | WRONG
+says VERDICT OK and leaves | slot | puts("VERDICT 03: OK, all 11 checks"); exit(0); | CRASHED
+constructor with _exit(0) | file | __attribute__((constructor)) static void early(void) { _exit(0); } | CRASHED
+constructor with a loop | file | __attribute__((constructor)) static void early(void) { for (volatile int spin = 0;; spin = 1) {} } | TIMEOUT
+constructor that writes the verdict | file | __attribute__((constructor)) static void early(void) { puts("VERDICT 03: OK, all 11 checks"); fflush(stdout); FILE *f = fopen("ROOT/build/progress/03.result", "w"); if (f) { fputs("OK - - -", f); fclose(f); } _exit(0); } | CRASHED
+exit(0) in a slot | slot | exit(0); | CRASHED
+exit(0) in main | main | exit(0); | WRONG
+exit(1) in a slot | slot | exit(1); | CRASHED
+another program | slot | execl("/bin/true", "true", (char *)NULL); | CRASHED
+loop at exit | main | static void again(void) { for (volatile int spin = 0;; spin = 1) {} } ## atexit(again); | TIMEOUT
+kills its group | slot | kill(0, SIGKILL); | CRASHED
+kills its parent | slot | kill(getppid(), SIGKILL); | OK|CRASHED
+kills its parent in main | main | kill(getppid(), SIGKILL); | CRASHED
+stops its parent | slot | kill(getppid(), SIGSTOP); | OK|CRASHED
+jumps to nowhere | slot | jmp_buf nowhere; memset(nowhere, 0, sizeof nowhere); longjmp(nowhere, 1); | CRASHED
+no output allowed | main | struct rlimit none = {0, 0}; setrlimit(RLIMIT_FSIZE, &none); | CRASHED
+no files allowed | slot | struct rlimit none = {0, 0}; setrlimit(RLIMIT_NOFILE, &none); | CRASHED
+a table with a NUL in it | main | fwrite("# nul\nx\n1\0\n\n\n", 1, 13, stdout); | OK
+NaN | slot | b[0] = 0.0 / (b[0] - b[0]); | NONFINITE
+a line that is no table | slot | puts("here 3"); | WRONG
+no C | slot | this is not C | WRONG (does not compile)
+a header that never ends | file | #include "/dev/zero" | WRONG (does not compile)
+a header that is not there | file | #include "no such file.h" | WRONG (does not compile)
+END
+}
+
+# The solution with a line more.
+hostile() { # hostile WHERE LINE
+    awk -v where="$1" -v all="$2" '
+        BEGIN {
+            n = index(all, " ## ")
+            head = n ? substr(all, 1, n - 1) : ""
+            line = n ? substr(all, n + 4) : all
+            split("fcntl setjmp signal stdio stdlib string sys/resource " \
+                  "sys/stat unistd", header, " ")
+            for (h = 1; h in header; h++) print "#include <" header[h] ".h>"
+        }
+        /^enum \{ LEFT/ { print head; if (where == "file") print line }
+        { print }
+        where == "main" && /options_parse\(/ { ahead = 1 }
+        ahead && /;$/ { print line; ahead = 0 }
+        where == "slot" && /\/\* SLOT / && !inside++ { comment = 1 }
+        comment && /\*\// { print line; comment = 0 }' "solutions/$slug.c"
+}
+
+# What there is, but for the log and the progress of the lesson.
+state() {
+    find . -type f -o -type l -o -type p | grep -v -e '^./build/mine/.*\.log$' \
+        -e '^./build/progress/' -e "^./lessons/$slug.c\$" | sort
+    find solutions common tests Makefile build/solutions build/mistakes \
+        -type f -exec cksum {} + | sort
+}
+# Processes of this copy, by their environment or, without /proc, by their path.
+left_over() {
+    if [ -r /proc/self/environ ]; then
+        grep -l "HOSTILE=$PWD:$1:" /proc/[0-9]*/environ 2>/dev/null |
+            while read -r at; do tr '\0' ' ' <"${at%environ}cmdline"; echo; done
+    else
+        ps -A -o args | grep -F "$PWD" | grep -v grep
+    fi
+}
+nothing_left() { # nothing_left NUMBER: or say what
+    for round in 1 2 3 4; do
+        found=$(left_over "$1")
+        [ -n "$found" ] || break
+        sleep 0.5
+    done
+    [ -z "$found" ] || { echo "left: $found"; return 1; }
+    state | diff ../state."$(basename "$PWD")" -
+}
+judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
+    said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
+        CFLAGS=-O0 2>&1 </dev/null)
+    last=$(echo "$said" | grep -v '^make' | tail -n 1)
+    echo "$last" | grep -Eq "^VERDICT $nn: ($(echo "$3" | sed 's/[()]/\\&/g'))"
+    result $? "$2 is $3" "$said"
+    if [ "${4:-}" ]; then
+        echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$4"
+        result $? "$2: the message says $4" "$said"
+    fi
+    left=$(nothing_left "$1")
+    result $? "$2 leaves nothing" "$left"
+}
+
+prepare() { # prepare COPY
+    rm -rf "$1" && mkdir -p "$1/build/mistakes" || exit 1
+    cp -Rp Makefile common lessons solutions tests figures workbook.md "$1"
+    cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$1/build"
+    mkdir "$1/build/solutions"
+    cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
+        "$1/build/solutions"
+    cp -Rp "$BUILD/mistakes/$slug" "$1/build/mistakes"
+    cd "$1" || exit 1
+    "$MAKE" status BUILD=build >/dev/null
+    state >../state."$(basename "$1")"
+}
+# Every second program; the two halves are judged at the same time.
+table() { # table COPY REMAINDER
+    prepare "$1"
+    number=0
+    programs | while IFS= read -r entry; do
+        number=$((number + 1))
+        [ $((number % 2)) = "$2" ] || continue
+        name=${entry%% | *} rest=${entry#* | }
+        where=${rest%% | *} rest=${rest#* | }
+        hostile "$where" "$(printf '%s\n' "${rest% | *}" | sed "s|ROOT|$PWD|g; s|\\\\|&&|g")" \
+            >"lessons/$slug.c"
+        judged $number "$name" "${rest##* | }"
+    done
+}
+
+
+# ---- the same without Landlock, as on other systems ---------------------------
+# exit status 2, nothing that counts as a verdict, and TEXT says why
+none() { # none NUMBER WHAT TEXT
+    said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
+        CFLAGS=-O0 2>&1 </dev/null)
+    status=$?
+    [ $status = 2 ] && [ ! -f build/progress/$nn.result ] &&
+        [ ! -f build/progress/$nn.pass ] && echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
+    result $? "$2 gives no verdict, and says $3" "status $status: $said"
+}
+unguarded() {
+    prepare "$1"
+    rm build/tests/child.o
+    "$MAKE" build/tests/child.o "build/solutions/$slug.judge" BUILD=build \
+        CFLAGS='-O0 -DWITHOUT_LANDLOCK' >/dev/null 2>&1
+    state >../state."$(basename "$1")"
+    number=100
+    programs | grep -e '^kills its parent' -e '^stops its parent' \
+        -e '^links ' -e '^a pipe ' -e 'daemon that' | while IFS= read -r entry; do
+        number=$((number + 1))
+        name=${entry%% | *} rest=${entry#* | }
+        line=${rest#* | }
+        hostile "${rest%% | *}" "$(echo "${line% | *}" | sed "s|ROOT|$PWD|g")" \
+            >"lessons/$slug.c"
+        case $name in k* | s*) word=CRASHED ;; *) word=OK ;; esac
+        judged $number "unguarded: $name" "$word"
+    done
+    hostile slot "fclose(fopen(\"$PWD/tests/checks/$slug.c\", \"a+\"));
+        FILE *f = fopen(\"$PWD/tests/checks/$slug.c\", \"a\");
+        fputs(\" \", f); fclose(f);" >"lessons/$slug.c"
+    none 110 'unguarded: a program that writes into a check' "tests/checks/$slug.c"
+    hostile slot "system(\"rm -rf $PWD/build\");" >"lessons/$slug.c"
+    none 111 'unguarded: a program that removes build' "build/solutions/$slug"
+}
+
+# ---- what is not the student's fault, and what is -----------------------------
+tools() {
+    prepare "$1"
+    cp "solutions/$slug.c" "lessons/$slug.c"
+    sed 's/^int main(int argc, char \*argv\[\])/int main(void)/
+         s/argc,$/0,/; s/^ *argv);/NULL);/' "solutions/$slug.c" >"lessons/$slug.c"
+    judged 120 'main(void)' 'WRONG (does not compile)' \
+        'int main(int argc, char *argv[])'
+    sed '/^int main(/,$d' "solutions/$slug.c" >"lessons/$slug.c"
+    judged 121 'no main()' 'WRONG (does not compile)' \
+        'int main(int argc, char *argv[])'
+    sed 's/reactions(int N/react(int N/; s/    reactions(/    react(/' \
+        "solutions/$slug.c" >"lessons/$slug.c"
+    judged 122 'another function' 'WRONG (does not compile)' 'more, or has with other parameters: reactions.'
+    rm "lessons/$slug.c"
+    judged 123 'no file' 'UNFINISHED (no file)'
+    echo '  ' >"lessons/$slug.c"
+    judged 124 'nothing but blanks' 'UNFINISHED (empty file)'
+    hostile slot 'puts("here 3");' >"lessons/$slug.c"
+    judged 125 'a debugging line' WRONG \
+        '`here 3`. stdout is for tables, so print anything else to stderr'
+
+    cp "solutions/$slug.c" "lessons/$slug.c"
+    CC=no-such-compiler none 126 'a missing compiler' 'make deps'
+    mv common/matrix.h common/moved.h
+    none 127 'a missing header' 'make deps'
+    mv common/moved.h common/matrix.h
+    echo 'this is not C' >>"tests/checks/$slug.c"
+    none 128 'an error in a check' 'your file is not the reason'
+    sed '$d' "tests/checks/$slug.c" >whole && mv whole "tests/checks/$slug.c"
+    LDFLAGS=-lno-such-library none 129 'a missing library' 'make deps'
+    said=$("$MAKE" "check-$nn" BUILD=build CFLAGS='-O3 -ffast-math' 2>&1)
+    [ $? = 2 ] && [ "$(echo "$said" | wc -l)" = 1 ]
+    result $? 'make refuses -ffast-math in one line' "$said"
+
+    # two at once, and one that is stopped
+    for k in 1 2 3; do
+        "$MAKE" "check-$nn" BUILD=build >first 2>&1 &
+        "$MAKE" "check-$nn" BUILD=build >second 2>&1
+        wait
+        tail -qn 1 first second >last
+        [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ] || break
+    done
+    [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ]
+    result $? 'two checks at once are both judged' "$(cat first second)"
+    rm -f first second last
+    said=$("$MAKE" status BUILD=build)
+    echo "$said" | grep -q "^  $slug  *passed"
+    result $? 'two checks at once leave a pass' ''
+    state >../state."$(basename "$1")"
+    hostile slot 'if (fork() == 0) setsid(); for (;;) sleep(1000);' \
+        >"lessons/$slug.c"
+    for wait in 0.2 0.6 1 2; do
+        HOSTILE="$PWD:130:" "$MAKE" "check-$nn" BUILD=build >/dev/null 2>&1 &
+        check=$!
+        sleep $wait
+        kill $check
+        wait $check 2>/dev/null
+        left=$(nothing_left 130)
+        result $? "a check that is stopped after $wait s leaves nothing" "$left"
+    done
+}
+
+here=$PWD
+mkdir -p "$BUILD/test"
+part() { # part NAME COMMAND...: in a copy of its own
+    part=$1
+    shift
+    ("$1" "$here/$BUILD/test/copy.hostile.$part" "${2:-}") \
+        >"$BUILD/test/hostile.$part" 2>&1
+    cat "$BUILD/test/hostile.$part"
+    chmod -R u+rwx "$BUILD/test/copy.hostile.$part"
+    rm -rf "$BUILD/test/copy.hostile.$part" "$BUILD/test/hostile.$part" \
+        "$BUILD/test/state.copy.hostile.$part"
+}
+{ part odd table 1; part unguarded unguarded; } >"$BUILD/test/hostile.lines" &
+part even table 0
+part tools tools
+wait
+cat "$BUILD/test/hostile.lines"
+rm -f "$BUILD/test/hostile.lines"

@@ -1,0 +1,264 @@
+#!/bin/sh
+# grade.sh class - judge every NN_slug.c in the folders below DIR, one folder
+# per student, and tabulate the verdicts in $BUILD/grade.
+#
+# Called by the Makefile, with BUILD, MAKE, LESSONS and DIR set.  No link is
+# followed.  A submission is copied to a folder of its own and judged there by
+# student.sh; what cannot be judged is said, and the rest is judged.
+# The other commands are for this script itself: take, one.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${MAKE:=make}" "${DIR:=}" "${LESSONS:=}"
+out=$BUILD/grade
+tab=$(printf '\t')
+
+note() { # note NAME WHAT
+    printf '%s: %s' "$1" "$2" | tr '\001-\037\177' '?' >>"$work/notes"
+    echo >>"$work/notes"
+}
+fail() { echo "grade: $*" >&2; exit 2; }
+
+# ---- collecting -------------------------------------------------------------
+
+# take FILES...: copy those that are lessons to folders named ID.NN_slug; `work`,
+# `student` (a folder) and `id` are in the environment.
+take() {
+    for file in "$@"; do
+        shown=${file#"$DIR"/} base=${file##*/}
+        slug=${base%.c}
+        case $shown in
+        *[[:cntrl:]]*) note "$shown" "a name with control characters"; continue ;;
+        esac
+        if [ -h "$file" ]; then
+            note "$shown" "a link, not followed"
+            continue
+        fi
+        case " $LESSONS " in *" $slug "*) ;; *) slug= ;; esac
+        if [ -z "$slug" ] || [ "$base" = "$slug" ]; then
+            note "$shown" "no lesson"
+        elif [ ! -f "$file" ]; then
+            note "$shown" "not a plain file"
+        elif [ ! -r "$file" ]; then
+            note "$shown" "cannot be read"
+        elif [ "$(wc -c <"$file")" -gt 1000000 ]; then
+            note "$shown" "more than a megabyte"
+        elif [ -d "$work/$id.$slug" ]; then
+            note "$shown" "another file of this lesson"
+            : >"$work/$id.$slug/twice"
+        else
+            mkdir "$work/$id.$slug" &&
+                cp "$file" "$work/$id.$slug/$slug.c" &&
+                printf '%s\n' "${student##*/}" >"$work/$id.$slug/student" &&
+                printf '%s\n' "$shown" >"$work/$id.$slug/name" ||
+                note "$shown" "cannot be copied"
+        fi
+    done
+}
+
+collect() {
+    number=0
+    for student in "$DIR"/* "$DIR"/.[!.]*; do
+        name=${student##*/}
+        number=$((number + 1))
+        id=$(printf '%04d' $number)
+        if [ -h "$student" ]; then
+            note "$name" "a link, not followed"
+        elif [ -d "$student" ]; then
+            case $name in
+            *[[:cntrl:]]*) note "$name" "a name with control characters"; continue ;;
+            esac
+            export work student id
+            find "$student" ! -type d -exec sh tests/tools/grade.sh take {} + \
+                2>"$work/errors" || note "$name" "$(cat "$work/errors")"
+            set -- "$work/$id".*
+            [ -d "$1" ] || note "$name" "nothing to judge"
+        elif [ -e "$student" ]; then
+            note "$name" "in no student's folder"
+        fi
+    done
+}
+
+# ---- judging ----------------------------------------------------------------
+
+# one FOLDER: the verdict on the program in it; FOLDER/row is its row.
+one() {
+    slug=${1##*/*.} said=$1/said
+    name=$(cat "$1/name")
+    if [ -f "$1/twice" ]; then
+        echo 'two-files - - -' >"$1/result"
+        echo "More than one file of this lesson: none is judged." >"$said"
+    else
+        sh tests/tools/student.sh grade "$slug" "$1/$slug.c" "$name" "$1"
+        [ -s "$1/result" ] || echo 'not-judged - - -' >"$1/result"
+    fi
+    read -r word check slot mistakes <"$1/result"
+    word=$(echo "$word" | tr '-' ' ')
+    printf '%s\n' "$(cat "$1/student")$tab$slug$tab$word$tab$check$tab$slot$tab$mistakes" \
+        >"$1/row"
+    printf '  %-10s %s\n' "$word" "$name"
+}
+
+running=
+patiently() { # a command that ends when this script is told to
+    "$@" </dev/null &
+    running=$!
+    wait "$running"
+    ended=$?
+    running=
+    return $ended
+}
+clean_up() {
+    [ -z "$running" ] || { kill "$running" && wait "$running"; } 2>/dev/null
+    rm -rf "$work"
+}
+
+judge_all() {
+    set --
+    for slug in $(ls "$work" | sed -n 's/^[0-9]*\.//p' | sort -u); do
+        set -- "$@" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
+            "mistakes-${slug%%_*}"
+    done
+    [ $# -gt 0 ] || { show_notes; fail "no lesson in the folders below $DIR"; }
+    patiently "$MAKE" "$@" >"$work/log" 2>&1 || {
+        tail -n 5 "$work/log" >&2
+        fail 'the solutions cannot be built; if a tool is missing: make deps'
+    }
+    set -- "$work"/[0-9]*/
+    echo "  judging    $# files of $(ls "$work" | sed -n 's/\..*//p' |
+        grep '^[0-9]' | sort -u | wc -l | tr -d ' ') students"
+    for folder in "$@"; do
+        set -- "$@" "${folder}judged"
+        shift
+    done
+    patiently "$MAKE" -k "$@"
+}
+
+# ---- the tables ---------------------------------------------------------------
+
+csv() {
+    awk -F '\t' -v OFS=, '
+        function cell(s) {
+            if (s ~ /[",]/ || s ~ /^ | $/) { gsub(/"/, "\"\"", s); s = "\"" s "\"" }
+            return s
+        }
+        BEGIN { print "student,lesson,verdict,check,slot,mistake" }
+        { gsub(/,/, ";", $6)
+          for (c = 1; c <= 6; c++) $c = cell($c)
+          print }' "$1"
+}
+
+# Per mistake: how many files have it; else per end: label, count, colour.
+mistakes() {
+    awk -F '\t' '
+        $3 == "OK" || $3 ~ / / { next }
+        { nn = substr($2, 1, 2) }
+        $6 != "-" {
+            k = split($6, name, ",")
+            for (i = 1; i <= k; i++) {
+                gsub(/_/, " ", name[i])
+                known[nn " " name[i]]++
+            }
+            next
+        }
+        { slot = $5 == "-" ? "" : " in slot " $5 }
+        $4 == "compile" { what = "does not compile" }
+        $4 != "compile" { what = says[$3] slot }
+        { other[nn " " what]++ }
+        BEGIN {
+            says["WRONG"] = "another mistake"
+            says["UNFINISHED"] = "not written"
+            says["CRASHED"] = "crashes"
+            says["TIMEOUT"] = "does not end"
+            says["NONFINITE"] = "not finite"
+        }
+        END {
+            for (label in known) print label "\t" known[label] "\t" 29362
+            for (label in other) print label "\t" other[label] "\t" 10066329
+        }' "$1" | sort -t "$tab" -k 2,2nr -k 1,1
+}
+
+draw() { # the 40 most frequent, by lesson
+    picture=$out/grades.svg
+    mistakes "$work/rows" | head -n 40 | sort -t "$tab" -k 1.1,1.2 -k 2,2nr -k 1,1 \
+        >"$work/most"
+    if [ ! -s "$work/most" ]; then
+        rm -f "$picture"
+    elif ! command -v gnuplot >/dev/null 2>&1; then
+        echo "  no gnuplot, so no picture: make deps" >&2
+    else
+        { printf '# mistakes\nlabel\tcount\tcolour\n'; cat "$work/most"; } \
+            >"$work/mistakes.tsv"
+        sh tests/tools/figure.sh tests/tools/grade.gp "$work/mistakes.tsv" "$picture"
+    fi
+}
+
+show_notes() {
+    [ ! -s "$work/notes" ] || sed 's/^/  /' "$work/notes" | sort
+}
+
+summary() {
+    printf '  %-26s %5s %5s  others\n' lesson files OK
+    awk -F '\t' '
+        { files[$2]++; count[$2, $3]++; word[$3] }
+        END {
+            for (lesson in files) {
+                line = ""
+                for (w in word)
+                    if (w != "OK" && count[lesson, w])
+                        line = line ", " w " " count[lesson, w]
+                printf "  %-26s %5d %5d  %s\n", lesson, files[lesson],
+                       count[lesson, "OK"], substr(line, 3) | "sort"
+            }
+        }' "$work/rows"
+    mistakes "$work/rows" | awk -F '\t' '$3 == 29362' >"$work/known"
+    [ ! -s "$work/known" ] || {
+        echo "  known mistakes, the most frequent of $(wc -l <"$work/known" |
+            tr -d ' '):"
+        head -n 10 "$work/known" | awk -F '\t' '{ printf "  %5d  %s\n", $2, $1 }'
+    }
+    [ ! -s "$work/notes" ] || echo '  not judged:'
+    show_notes | sed 's/^/  /'
+}
+
+class() {
+    [ -n "$DIR" ] || fail 'say where: make grade DIR=submissions'
+    [ -d "$DIR" ] || fail "there is no folder $DIR"
+    case $DIR in /* | ./* | ../*) ;; *) DIR=./$DIR ;; esac
+    DIR=${DIR%/}
+    export DIR
+    case $(pwd -P)/ in
+    "$(cd "$DIR" && pwd -P)"/*) fail "$DIR holds the workbook itself" ;;
+    esac
+    mkdir -p "$out" || exit 2
+    work=$(mktemp -d "$out/work.XXXXXX") || exit 2
+    trap clean_up EXIT
+    trap 'exit 130' INT TERM HUP QUIT
+    collect
+    judge_all || fail 'some submissions are not judged'
+    cat "$work"/*/row | sort -t "$tab" -k 1,1 -k 2,2 >"$work/rows"
+    csv "$work/rows" >"$work/csv" && mv "$work/csv" "$out/grades.csv" || exit 2
+    for folder in "$work"/[0-9]*/; do
+        sed "s/^/$(basename "$folder")$tab/" "$folder/row" |
+            awk -F '\t' '{ print $2 "\t" $3 "\t" $1 }'
+    done | sort | while IFS=$tab read -r student lesson folder; do
+        printf '== %s, %s\n' "$student" "$lesson"
+        cat "$work/$folder/said"
+        echo
+    done >"$work/verdicts" && mv "$work/verdicts" "$out/verdicts.txt"
+    draw
+    summary
+    echo "  $out/grades.csv is the table, $out/verdicts.txt has what was said,"
+    echo "  $out/grades.svg shows the mistakes"
+    ! grep -q "${tab}not judged$tab" "$work/rows"
+}
+
+case ${1:-} in
+class | take | one)
+    command=$1
+    shift
+    "$command" "$@" ;;
+*)
+    echo 'grade.sh: class, take, or one' >&2
+    exit 2 ;;
+esac
