@@ -25,9 +25,9 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for common/banded.c and body.c alone, where they count: those of the
-# list that the compiler takes; body.c goes without the last, so that its digits
-# are the same everywhere.  They make the build one for this machine; `make
+# Flags for common/banded.c, readable.c and body.c, where they count: those of
+# the list that the compiler takes; body.c goes without the last, so that its
+# digits are the same everywhere.  They make the build one for this machine; `make
 # clean` and NATIVE= give one for any.
 ifeq ($(origin NATIVE),undefined)
 NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
@@ -61,8 +61,8 @@ COUNTED := $(filter-out $(SPEED),$(STUDIES))
 SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
 MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
                /dev/null figures/*/*.gp))
-TIMED   := $(patsubst figures/%.gp,%,$(shell grep -l 'machine.data' /dev/null \
-               figures/*/*.gp))
+TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
+               $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
@@ -118,7 +118,7 @@ $(LIB): $(OBJECTS)
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(if $(filter banded,$*),$(NATIVE)) \
+	    $(if $(filter banded readable,$*),$(NATIVE)) \
 	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
 	    $< $(OBJECT)
 
@@ -167,10 +167,6 @@ $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 $(COUNTED:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%
 	$(call say,study,$*)
 	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
-
-$(BUILD)/data/robustness.tsv: tests/bench/robustness.c $(LIB)
-	$(Q)mkdir -p $(@D) $(BUILD)/bench && $(COMPILE) $< -o \
-	    $(BUILD)/bench/robustness $(LINK) && $(BUILD)/bench/robustness > $@
 
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 DRAW = $(Q)mkdir -p $(@D) && sh tests/tools/figure.sh

@@ -1,6 +1,7 @@
 /* scene.c - see scene.h. */
 #include "scene.h"
 
+#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -114,6 +115,17 @@ struct step_report scene_step(struct scene *scene,
     return report;
 }
 
+void scene_scatter(struct scene *scene, int seed, double reach)
+{
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, (unsigned long)seed);
+    for (int r = 0; r < scene->n_dof; r++)
+        scene->u[r] = scene->held[r / 2]
+                          ? 0.0
+                          : reach * (2.0 * gsl_rng_uniform(rng) - 1.0);
+    gsl_rng_free(rng);
+}
+
 struct scene_measures scene_measure(const struct scene *scene)
 {
     const double *X = scene->mesh->X, *u = scene->u, *v = scene->v;
@@ -131,4 +143,14 @@ struct scene_measures scene_measure(const struct scene *scene)
     }
     free(p);
     return m;
+}
+
+double scene_triangle(const struct scene *scene, int e, double x[6])
+{
+    for (int r = 0; r < 6; r++) {
+        const int k = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
+        x[r] = scene->mesh->X[k] + scene->u[k];
+    }
+    return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
+           (2.0 * scene->body->area[e]);
 }

@@ -71,6 +71,10 @@ void scene_hold(struct scene *scene, double t);
 struct step_report scene_step(struct scene *scene,
                               const struct step_control *control);
 
+/* u := 0 at held vertices; elsewhere both components anywhere within reach of
+ * 0, by GSL's Mersenne twister. */
+void scene_scatter(struct scene *scene, int seed, double reach);
+
 struct scene_measures {
     double kinetic, elastic, external; /* energies (J); external: -f.u */
     double momentum[2], angular;       /* sum M v, sum x cross M v */
@@ -79,5 +83,8 @@ struct scene_measures {
 
 /* Energies and momenta of the state, which the material must allow. */
 struct scene_measures scene_measure(const struct scene *scene);
+
+/* The corners of triangle e in their places, x0 y0 x1 y1 x2 y2 (m); its J. */
+double scene_triangle(const struct scene *scene, int e, double x[6]);
 
 #endif

@@ -6,14 +6,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* max|v| of the free unknowns, v over all vertices */
-static double max_free(const struct body *body, const double v[])
+struct step_control step_method(const char *name)
 {
-    double largest = 0.0;
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        if (body->equation[r] >= 0 && fabs(v[r]) > largest)
-            largest = fabs(v[r]);
-    return largest;
+    static const struct {
+        const char *name;
+        struct step_control control;
+    } method[] = {
+        {"notes", {1e-10, 40, FROM_LAST, 0, 0, 0, NEVER}},
+        {"search", {1e-10, 40, FROM_LAST, 0, 0, 1, NEVER}},
+        {"demand", {1e-10, 100, FROM_LAST, 0, 0, 0, ON_DEMAND}},
+        {"demand+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ON_DEMAND}},
+        {"always+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ALWAYS}},
+        {"lift", {1e-10, 40, EXTRAPOLATED, 1, 0, 0, NEVER}},
+        {"lift+search", {1e-10, 40, EXTRAPOLATED, 1, 0, 1, NEVER}},
+        {"all", {1e-10, 300, EXTRAPOLATED, 1, 0, 1, ON_DEMAND}},
+    };
+    for (size_t k = 0; k < sizeof method / sizeof *method; k++)
+        if (strcmp(name, method[k].name) == 0) return method[k].control;
+    die("there is no method %s", name);
+}
+
+const char *step_reason(const struct step_control *control,
+                        enum status status)
+{
+    const int blown_up = status == NOT_SPD || status == NONFINITE ||
+                         status == STALLED || status == MAX_ITERATIONS;
+    return blown_up && !control->line_search ? "fails" : status_name(status);
 }
 
 static double max_diagonal(const struct matrix *K)
@@ -145,7 +163,7 @@ static struct step_report newton(struct body *body,
                                       with_K ? kind : NO_TANGENT, work.q);
         if (report.status != OK) break;
         if (with_K) scale = max_diagonal(body->K);
-        report.residual = max_free(body, work.q) / scale;
+        report.residual = body_max_free(body, work.q) / scale;
         if (small && report.residual <= control->tolerance) break;
         /* |du| cannot change u any more, and still q is not small */
         report.status = STALLED;
@@ -164,7 +182,7 @@ static struct step_report newton(struct body *body,
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;
-        report.increment = max_free(body, work.du);
+        report.increment = body_max_free(body, work.du);
         if (control->line_search)
             report.status = line_search(body, dt, w, f, work, u, &halved);
         else
