@@ -94,7 +94,7 @@ hostile() { # hostile WHERE LINE
                   "sys/stat unistd", header, " ")
             for (h = 1; h in header; h++) print "#include <" header[h] ".h>"
         }
-        /^enum \{ LEFT/ { print head; if (where == "file") print line }
+        /^static / && !headed++ { print head; if (where == "file") print line }
         { print }
         where == "main" && /options_parse\(/ { ahead = 1 }
         ahead && /;$/ { print line; ahead = 0 }
@@ -142,13 +142,17 @@ judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
 }
 
 prepare() { # prepare COPY
-    rm -rf "$1" && mkdir -p "$1/build/mistakes" || exit 1
+    rm -rf "$1" && mkdir -p "$1/build/mistakes/$slug" || exit 1
     cp -Rp Makefile common lessons solutions tests figures workbook.md "$1"
     cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$1/build"
     mkdir "$1/build/solutions"
     cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
         "$1/build/solutions"
-    cp -Rp "$BUILD/mistakes/$slug" "$1/build/mistakes"
+    for name in $(awk -f tests/tools/variant.awk -v list=mistake \
+        "tests/mistakes/$slug.txt"); do
+        cp -p "$BUILD/mistakes/$slug/$name" "$BUILD/mistakes/$slug/$name.why" \
+            "$BUILD/mistakes/$slug/$name.c" "$1/build/mistakes/$slug"
+    done
     cd "$1" || exit 1
     "$MAKE" status BUILD=build >/dev/null
     state >../state."$(basename "$1")"
