@@ -1,9 +1,7 @@
 /* 01_deformation.c - what F, J and the strain measures satisfy. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/01_deformation.h"
 #include "bar.h"

@@ -1,9 +1,7 @@
 /* 02_constitutive.c - what right energies, stresses and tangents satisfy. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/02_constitutive.h"
 

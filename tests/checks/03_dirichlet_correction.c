@@ -1,9 +1,7 @@
 /* 03_dirichlet_correction.c - what a right correction satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

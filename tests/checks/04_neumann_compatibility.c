@@ -1,10 +1,8 @@
 /* 04_neumann_compatibility.c - what a right treatment of two flux ends
  * satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

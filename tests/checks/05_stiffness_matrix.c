@@ -1,9 +1,7 @@
 /* 05_stiffness_matrix.c - what a right stiffness matrix satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

@@ -1,9 +1,7 @@
 /* 06_quadrature.c - what right quadrature of A and b satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

@@ -1,9 +1,7 @@
 /* 07_poisson_bvp.c - what a right solution and a right error satisfy. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

@@ -1,10 +1,8 @@
 /* 08_element_assembly.c - what a right element assembly and a fair chart
  * satisfy. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/poisson.h"
 

@@ -1,9 +1,7 @@
 /* 09_linear_bar.c - what a right linear bar satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/09_linear_bar.h"
 #include "poisson.h"

@@ -1,9 +1,7 @@
 /* 10_neohookean_bar.c - what a right Newton method for the bar satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/10_neohookean_bar.h"
 

@@ -1,9 +1,7 @@
 /* 11_newton_failure.c - what Newton on one element satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/11_newton_failure.h"
 #include "stretch.h"

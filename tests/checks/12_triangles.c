@@ -1,9 +1,7 @@
 /* 12_triangles.c - what a right static solve in the plane satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/02_constitutive.h"
 #include "../oracle/12_triangles.h"

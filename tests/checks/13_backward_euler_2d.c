@@ -1,9 +1,7 @@
 /* 13_backward_euler_2d.c - what a right time step in the plane satisfies. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/body.h"
 

@@ -1,9 +1,7 @@
 /* 14_time_step.c - what right time steps satisfy. */
-#include "judge.h"
+#include "program.h"
 
-#define main program_main
-#include PROGRAM
-#undef main
+#include "judge.h"
 
 #include "../oracle/time_step.h"
 

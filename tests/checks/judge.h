@@ -3,22 +3,16 @@
  *
  * tests/checks/NN_slug.c includes the program under test, whatever it is (a
  * student's file, the solution, a known mistake), so that checks can call its
- * static functions:
- *
- *     #include "judge.h"
- *     #define main program_main
- *     #include PROGRAM
- *     #undef main
- *
- * lists its checks, the runs and the column rules for the comparison with the
- * reference, and ends with int main() returning judge(&lesson, argc, argv).
- * Every check runs in a child of its own under Check, with limits on time,
- * memory and output; the last check, added here, compares the output tables
- * with those of the reference solution.
+ * static functions: program.h first, then this header.  It lists its checks, the
+ * runs and the column rules for the comparison with the reference, and ends with
+ * int main() returning judge(&lesson, argc, argv).  Every check runs in a child
+ * of its own (child.h), with limits on time, memory and output; the last check,
+ * added here, compares the output tables with those of the reference solution.
  */
 #ifndef TESTS_CHECKS_JUDGE_H
 #define TESTS_CHECKS_JUDGE_H
 
+#include "names.h"
 #include "options.h" /* COUNT */
 
 /* A claim about the program, cheapest and most telling first. */
@@ -59,7 +53,7 @@ struct lesson {
     const char *break_it; /* and one thing to break */
 };
 
-/* The program's main(), renamed. */
+/* The program's main(), renamed: see program.h. */
 int program_main(int argc, char *argv[]);
 
 /* Run the claims, print the verdict block; 0 when the verdict is OK. */

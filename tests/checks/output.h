@@ -5,6 +5,7 @@
 #define TESTS_CHECKS_OUTPUT_H
 
 #include "child.h"
+#include "names.h"
 
 #include <stdio.h>
 

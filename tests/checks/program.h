@@ -1,0 +1,14 @@
+/*
+ * program.h - the program under test, before anything of the judge: it may call
+ * its functions, types and macros as it likes.  The Makefile gives PROGRAM.
+ */
+#ifndef TESTS_CHECKS_PROGRAM_H
+#define TESTS_CHECKS_PROGRAM_H
+
+int program_main(int argc, char *argv[]);
+
+#define main program_main
+#include PROGRAM
+#undef main
+
+#endif
