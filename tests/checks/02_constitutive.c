@@ -51,7 +51,7 @@ static struct response1 one(const struct material *m, double F)
     struct response1 out = {0};
     const enum status status = response1(m, F, &out);
     expect(status == OK, "%s law in one dimension: %s at F = %g",
-           name_of(m->law), status_name(status), F);
+           name_of((int)m->law), status_name(status), F);
     return out;
 }
 
@@ -61,7 +61,7 @@ static struct triple two_P(const struct material *m, mat2 F)
     struct triple out = {0};
     const enum status status = response2(m, F, &out.psi, &out.P);
     expect(status == OK, "%s law in two dimensions: %s at J = %g",
-           name_of(m->law), status_name(status), mat2_det(F));
+           name_of((int)m->law), status_name(status), mat2_det(F));
     return out;
 }
 
@@ -70,7 +70,7 @@ static struct triple two(const struct material *m, mat2 F, mat2 dF)
     struct triple out = two_P(m, F);
     const enum status status = tangent2(m, F, dF, &out.dP);
     expect(status == OK, "tangent of the %s law: %s at J = %g",
-           name_of(m->law), status_name(status), mat2_det(F));
+           name_of((int)m->law), status_name(status), mat2_det(F));
     return out;
 }
 
