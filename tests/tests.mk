@@ -58,7 +58,7 @@ mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
         $(subst $(comma), ,$m))),$(filter $1/%,$(MISTAKES))))
 	@for why in $(BUILD)/mistakes/$1/*.why; do \
 	    [ -f "$$$$why" ] || continue; name=$$$${why%.why}; \
-	    case ' $(patsubst %,$(BUILD)/mistakes/%,$(MISTAKES)) ' in \
+	    case ' $(patsubst %,$(BUILD)/mistakes/%,$(MISTAKES) $(EQUIVALENTS)) ' in \
 	    *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
 	    esac; done
 endef
