@@ -48,8 +48,8 @@ COUNTED := $(filter-out $(SPEED),$(STUDIES))
 SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
 MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
                /dev/null figures/*/*.gp))
-TIMED   := $(patsubst figures/%.gp,%,$(shell grep -l 'machine.data' /dev/null \
-               figures/*/*.gp))
+TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
+               $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv

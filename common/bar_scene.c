@@ -35,6 +35,35 @@ void bar_scene_load(const struct bar_scene *scene, double b[])
     free(f_mid);
 }
 
+/* F1 = int_0^X f, and F2 = int_0^X F1 as the result. */
+static double integrals(const struct bar_scene *scene, double X, double *F1)
+{
+    const double half = sin(0.5 * M_PI_2 * X);
+    *F1 = scene->c * (scene->shape == UNIFORM ? X : sin(M_PI_2 * X) / M_PI_2);
+    return scene->c * (scene->shape == UNIFORM
+                           ? 0.5 * X * X
+                           : 2.0 * half * half / (M_PI_2 * M_PI_2));
+}
+
+/* P = P0 - F1 and u = u0 + (P0 X - F2) / modulus. */
+double bar_scene_exact(const struct bar_scene *scene, double X, double *P)
+{
+    const double modulus = material_modulus(&scene->material);
+    double whole, F1, u0 = 0.0;
+    const double F2_end = integrals(scene, 1.0, &whole);
+    const double F2 = integrals(scene, X, &F1);
+    double P0 = scene->pull[1] + whole;
+
+    if (!scene->held[0]) P0 = -scene->pull[0];
+    if (scene->held[0]) u0 = scene->g[0];
+    if (scene->held[0] && scene->held[1])
+        P0 = modulus * (scene->g[1] - u0) + F2_end;
+    else if (scene->held[1])
+        u0 = scene->g[1] - (P0 - F2_end) / modulus;
+    *P = P0 - F1;
+    return u0 + (P0 * X - F2) / modulus;
+}
+
 struct newton_control bar_scene_control(const struct bar_scene *scene)
 {
     const double load = fabs(scene->c) + fabs(scene->pull[0]) +

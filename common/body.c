@@ -383,3 +383,26 @@ void body_scatter(const struct body *body, const double some[], double all[])
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
         all[r] = body->equation[r] >= 0 ? some[body->equation[r]] : 0.0;
 }
+
+double body_max_free(const struct body *body, const double v[])
+{
+    double largest = 0.0;
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
+        if (body->equation[r] >= 0)
+            largest = isfinite(v[r]) ? fmax(largest, fabs(v[r])) : INFINITY;
+    return largest;
+}
+
+enum status body_increment(const struct body *body, struct matrix *A,
+                           const double q[], double du[])
+{
+    const enum status status = matrix_factor(A);
+    if (status != OK) return status;
+    double *d = allocate((size_t)body->n_equation, sizeof *d);
+    body_gather(body, q, d);
+    matrix_solve(A, d);
+    for (int k = 0; k < body->n_equation; k++) d[k] = -d[k];
+    body_scatter(body, d, du);
+    free(d);
+    return OK;
+}

@@ -89,6 +89,18 @@ void body_mass_matrix(const struct body *body, struct matrix *M);
 void body_gather(const struct body *body, const double all[], double some[]);
 void body_scatter(const struct body *body, const double some[], double all[]);
 
+/* max|v| of the free unknowns, v over all vertices; INFINITY if one of them is
+ * not finite. */
+double body_max_free(const struct body *body, const double v[]);
+
+/*
+ * The increment of Newton's method [eq:newton]: A du = -q for the free
+ * unknowns, du = 0 at the held vertices.  A is of body_matrix() and is factored
+ * in place; q and du are over all vertices.  NOT_SPD: du is not set.
+ */
+enum status body_increment(const struct body *body, struct matrix *A,
+                           const double q[], double du[]);
+
 enum tangent { NO_TANGENT, EXACT, PROJECTED };
 
 /*

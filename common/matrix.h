@@ -38,6 +38,12 @@ struct matrix {
     double *a;     /* entries, see above; owned */
 };
 
+/* What a matrix costs, see matrix_cost(). */
+struct matrix_cost {
+    double numbers; /* kept, without the room behind a wide band's columns */
+    double flops;   /* of the factorisation */
+};
+
 /* A zero matrix; p is ignored when dense.  The caller frees it. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_copy(const struct matrix *A);
@@ -138,10 +144,6 @@ size_t matrix_bytes(const struct matrix *A);
  * Cholesky counts one: (m + 1)^2 for a column with m entries below its pivot.
  * Real numbers, for n^3 exceeds any int.
  */
-struct matrix_cost {
-    double numbers; /* kept, without the room behind a wide band's columns */
-    double flops;   /* of the factorisation */
-};
 struct matrix_cost matrix_cost(enum storage storage, int n, int p);
 
 #endif

@@ -64,8 +64,11 @@ void bvp_exact_load(int n, const double x[], double b[]);
 
 /*
  * The same with test functions phi_i, which have the values of e_i at the nodes
- * and constant flux beta phi_i' on each element: A_ij = int beta e_i' phi_j' dx,
- * b_i = int f phi_i dx.  The nodal values are then exact.
+ * and constant flux beta phi_i' on each element:
+ *
+ *     A_ij = int beta e_i' phi_j' dx,   b_i = int f phi_i dx.
+ *
+ * The nodal values are then exact.
  */
 void bvp_fitted_assemble(int n, const double x[], struct matrix *A, double b[]);
 

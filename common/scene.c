@@ -132,3 +132,13 @@ struct scene_measures scene_measure(const struct scene *scene)
     free(p);
     return m;
 }
+
+double scene_triangle(const struct scene *scene, int e, double x[6])
+{
+    for (int r = 0; r < 6; r++) {
+        const int k = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
+        x[r] = scene->mesh->X[k] + scene->u[k];
+    }
+    return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
+           (2.0 * scene->body->area[e]);
+}

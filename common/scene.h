@@ -80,4 +80,7 @@ struct scene_measures {
 /* Energies and momenta of the state, which the material must allow. */
 struct scene_measures scene_measure(const struct scene *scene);
 
+/* The corners of triangle e in their places, x0 y0 x1 y1 x2 y2 (m); its J. */
+double scene_triangle(const struct scene *scene, int e, double x[6]);
+
 #endif

@@ -6,16 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* max|v| of the free unknowns, v over all vertices */
-static double max_free(const struct body *body, const double v[])
-{
-    double largest = 0.0;
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        if (body->equation[r] >= 0 && fabs(v[r]) > largest)
-            largest = fabs(v[r]);
-    return largest;
-}
-
 static double max_diagonal(const struct matrix *K)
 {
     double largest = 0.0;
@@ -145,7 +135,7 @@ static struct step_report newton(struct body *body,
                                       with_K ? kind : NO_TANGENT, work.q);
         if (report.status != OK) break;
         if (with_K) scale = max_diagonal(body->K);
-        report.residual = max_free(body, work.q) / scale;
+        report.residual = body_max_free(body, work.q) / scale;
         if (small && report.residual <= control->tolerance) break;
         /* |du| cannot change u any more, and still q is not small */
         report.status = STALLED;
@@ -164,7 +154,7 @@ static struct step_report newton(struct body *body,
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;
-        report.increment = max_free(body, work.du);
+        report.increment = body_max_free(body, work.du);
         if (control->line_search)
             report.status = line_search(body, dt, w, f, work, u, &halved);
         else

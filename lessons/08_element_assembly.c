@@ -14,8 +14,8 @@
  *     |  .  K10 K11+.. |   ...           | r1+..  |    each from its element)
  *
  * Run       make lesson-08, or with options: -h lists them
- * Expect    the same A and b in either --order; with --n 256 the same u for 5.82
- *           million flops (dense) or 2563 flops (banded)
+ * Expect    the same A and b in either --order; with --n 256 the same u for
+ *           5.82 million flops (dense) or 2563 flops (banded)
  * Plot: nodes x u
  */
 #include "clock.h"
@@ -105,9 +105,9 @@ static void assemble(int n, const double x[], field *beta, field *f,
                      const struct quadrature *rule, const int order[],
                      struct matrix *A, double b[])
 {
-    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): start from zero; visit
-     * the elements in the given order and add what each contributes to A
-     * (with matrix_add) and to b. */
+    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): start from zero;
+     * visit the elements in the given order and add what each contributes
+     * to A (with matrix_add) and to b. */
     todo("8b", n, x, beta, f, rule, order, A, b, element);
     /* END 8b */
 }
@@ -136,8 +136,8 @@ static struct point measure(const struct matrix *A, const double b[],
     struct point point = {.status = OK};
     /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): factor a copy and
      * solve, `repeats` times, with the clock around these two calls only;
-     * keep the shortest time.  Then judge by matrix_backward_error(): not valid, no time (NaN
-     * included). */
+     * keep the shortest time.  Then judge by matrix_backward_error(): not
+     * valid, no time (NaN included). */
     todo("8d", A, b, repeats, u, &point, BACKWARD_EPS);
     /* END 8d */
     return point;

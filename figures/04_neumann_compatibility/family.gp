@@ -1,7 +1,7 @@
-# 04_neumann_compatibility_family.gp - one system, a whole family of solutions.
+# family.gp - one system, a whole family of solutions.
 #
-# Reads data (table family: x, below, minimum_norm, above, exact), writes out.
-
+# Reads   data  table family (x below minimum_norm above exact)
+# Writes  out   SVG
 load "figures/style.gp"
 set output out
 set key maxrows 5

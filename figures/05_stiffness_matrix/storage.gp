@@ -1,4 +1,7 @@
-# What dense and banded storage cost: bytes and seconds against N.
+# storage.gp - what dense and banded storage cost: bytes and seconds against N.
+#
+# Reads   data  tables costs, times_dense, times_banded, growth_seconds
+# Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 760,450 enhanced font "Helvetica,13" \
     background rgb "white"

@@ -1,10 +1,9 @@
-# 06_quadrature_kink.gp - errors of the solution against element length: a
-# smooth problem, a point load inside an element, a jump of beta inside one.
+# kink.gp - errors of the solution against element length: a smooth problem, a
+# point load inside an element, a jump of beta inside one.
 # Expected slopes: 2, 1.5, 1 in L2; 1, 0.5 in energy.
+#
 # Reads   data  tables solution, point_load, jump (and _orders)
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/06_quadrature.tsv"
-if (!exists("out"))  out  = "figures/06_quadrature_kink.svg"
 load "figures/style.gp"
 set terminal svg size 860,500
 set output out

@@ -1,10 +1,9 @@
-# 06_quadrature_orders.gp - error of the total load against element length,
-# for a load that is smooth, has a kink, jumps.
+# orders.gp - error of the total load against element length, for a load that
+# is smooth, has a kink, jumps.
 # Expected slopes: 2, 2, 4; 2, 2, 2; 1, 1, 1.
+#
 # Reads   data  tables load_smooth, load_kink, load_step (and _orders)
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/06_quadrature.tsv"
-if (!exists("out"))  out  = "figures/06_quadrature_orders.svg"
 load "figures/style.gp"
 set terminal svg size 860,420
 set output out

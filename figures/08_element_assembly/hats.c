@@ -2,7 +2,8 @@
  * hats.c - what does one element add, and where?
  *
  * Five unequal elements on (0, 1): the stiffness and load of each
- * [eq:poisson-local], and the matrix that they add up to [alg:element-assembly].
+ * [eq:poisson-local], and the matrix that they add up to
+ * [alg:element-assembly].
  */
 #include "poisson.h"
 #include "study.h"

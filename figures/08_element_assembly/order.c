@@ -68,7 +68,8 @@ int main(void)
 {
     static const char *const name[] = {"natural", "reversed", "random"};
     const int order[3][n] = {{0, 1, 2, 3, 4}, {4, 3, 2, 1, 0}, {3, 0, 4, 2, 1}};
-    struct matrix *A = matrix_alloc(DENSE, N, 0), *V = matrix_alloc(DENSE, N, 0);
+    struct matrix *A = matrix_alloc(DENSE, N, 0);
+    struct matrix *V = matrix_alloc(DENSE, N, 0);
     double x[N], b[N], v[N], worst = 0.0;
 
     grid_make(0.0, 1.0, n, 3.0, x);

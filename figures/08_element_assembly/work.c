@@ -2,8 +2,8 @@
  * work.c - what does the same answer cost with dense and with banded storage?
  *
  * The exercise on n equal elements, by both: flops of factorisation and solves
- * [eq:cholesky-flops], numbers that are kept, and the L2 error [eq:norm-L2].  No
- * machine changes this part of the chart.
+ * [eq:cholesky-flops], numbers that are kept, and the L2 error [eq:norm-L2].
+ * No machine changes this part of the chart.
  */
 #include "poisson.h"
 #include "study.h"

@@ -1,14 +1,14 @@
-# 09_linear_bar_model_error.gp - how wrong linear elasticity is at a given
-# strain and at a given load; 1, 5, 10 % marked.  Expected slope 1.
-# Reads   data  tables model_error, thresholds
+# model_error.gp - how wrong linear elasticity is at a given strain and at a
+# given load; 1, 5, 10 % marked.  Expected slope 1.
+# Reads   data  tables model_error, thresholds, leading
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/09_linear_bar.tsv"
-if (!exists("out"))  out  = "figures/09_linear_bar_model_error.svg"
 load "figures/style.gp"
 set terminal svg size 900,430 enhanced font "Helvetica,13" \
     background rgb "white"
 set output out
 
+stats data index "leading" using "slope" name "SLOPE" nooutput
+stats data index "leading" using "modulus" name "MODULUS" nooutput
 set multiplot layout 1,2 margins 0.085,0.985,0.135,0.78 spacing 0.105,0
 set logscale xy
 set yrange [5e-4:2]
@@ -39,7 +39,7 @@ plot data index "model_error" using "e":"stress_t" with lines ls 1 \
          (sprintf("%#.3g %% or -%#.3g %%", 100*column("strain_t"), \
           -100*column("strain_c"))) \
          with labels right offset -1,0.4 font ",11" notitle, \
-     0.9285714 * x ls 8 title "0.93 |e|, slope 1"
+     SLOPE_max * x ls 8 title sprintf("%.2f |e|, slope 1", SLOPE_max)
 
 set xrange [1:2000]
 set xtics ("1" 1, "10" 10, "100" 100, "1000" 1000)
@@ -60,6 +60,7 @@ plot data index "model_error" using "load_t":"strain_t" with lines ls 1 \
          using "load_t":(0.01*column("percent")): \
          (sprintf("%.3g or -%.3g", column("load_t"), -column("load_c"))) \
          with labels right offset -1,0.4 font ",11" notitle, \
-     0.9285714 * x / 1346.1538 ls 8 title "0.93 |P| / (2μ+λ), slope 1"
+     SLOPE_max * x / MODULUS_max ls 8 \
+     title sprintf("%.2f |P| / (2μ+λ), slope 1", SLOPE_max)
 unset multiplot
 set output

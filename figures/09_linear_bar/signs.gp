@@ -1,9 +1,7 @@
-# 09_linear_bar_signs.gp - the modulus with the right and with the printed
-# sign, and the displacements of a pulled bar.
+# signs.gp - the modulus with the right and with the printed sign, and the
+# displacements of a pulled bar.
 # Reads   data  tables moduli, end_loads, printed_modulus
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/09_linear_bar.tsv"
-if (!exists("out"))  out  = "figures/09_linear_bar_signs.svg"
 load "figures/style.gp"
 set terminal svg size 900,400 enhanced font "Helvetica,13" \
     background rgb "white"
@@ -44,10 +42,10 @@ set ylabel "u (m) with +100 N/m² at X = 1" offset 0.5
 stats data index "printed_modulus" using "u_printed" every ::0::0 \
     name "SOFT" nooutput
 plot SOFT_max * x with lines ls 2 dt 4 title "printed modulus, ν = 0.3", \
-     data index "end_loads" using (column("end") == 1 ? column("X") : NaN):"u" \
+     data index "end_loads" using (strcol("end") eq "right" ? column("X") : NaN):"u" \
          with linespoints ls 1 title "right", \
      data index "end_loads" \
-         using (column("end") == 1 ? column("X") : NaN):"u_printed" \
+         using (strcol("end") eq "right" ? column("X") : NaN):"u_printed" \
          with linespoints ls 3 title "printed sign of the end load"
 unset multiplot
 set output

@@ -1,9 +1,7 @@
-# 11_newton_failure_cures.gp - iterations of each cure against the load, and
+# cures.gp - iterations of each cure against the load, and
 # against the step of the boundary; crosses on top: the cure failed.
 # Reads   data  tables load_cures, step_cures
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/11_newton_failure.tsv"
-if (!exists("out"))  out  = "figures/11_newton_failure_cures.svg"
 load "figures/style.gp"
 set terminal svg size 900,480
 set output out
@@ -16,9 +14,9 @@ set xrange [0.027:37]
 set yrange [1.5:1500]
 set format x "%g"
 set key above left maxrows 2 samplen 2
-cost(k) = column(Name[k]) == 0 ? column(Name[k]."_iterations") : NaN
+cost(k) = strcol(Name[k]) eq "OK" ? column(Name[k]."_iterations") : NaN
 level(k) = 1100 / 1.28**(k - 1)
-lost(k) = column(Name[k]) != 0 ? level(k) : NaN
+lost(k) = strcol(Name[k]) ne "OK" ? level(k) : NaN
 set multiplot layout 1,2 margins 0.085,0.985,0.12,0.82 spacing 0.075,0
 do for [panel = 1:2] {
     table = word("load_cures step_cures", panel)

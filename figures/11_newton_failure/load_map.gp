@@ -1,13 +1,10 @@
-# 11_newton_failure_load_map.gp - Newton's end over load and start: converged,
+# load_map.gp - Newton's end over load and start: converged,
 # by iterations, or inverted; the predicted boundary p = P(F0) - F0 P'(F0).
 # Reads   data  tables load_map, boundary
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/11_newton_failure.tsv"
-if (!exists("out"))  out  = "figures/11_newton_failure_load_map.svg"
 load "figures/style.gp"
 set terminal svg size 860,460
 set output out
-modulus = 1346.153846153846
 set palette defined (3 "#DCEBF7", 8 "#7FB5DE", 13 "#0072B2", 18 "#003A5C")
 set cbrange [2:18]
 set cblabel "iterations until converged"
@@ -17,9 +14,12 @@ set xlabel "load p / (2μ + λ)"
 unset grid
 set key above left horizontal maxrows 1
 set style fill solid 1 noborder
-w = 0.5 * 5.977 / 59 + 0.003
-h = 0.5 * 5.9431 / 59 + 0.003
-box(ok) = ok == 0 ? column("start") : NaN
+# half a box: half the spacing of the grid, and a little overlap
+stats data index "load_map" using "load":"start" name "GRID" nooutput
+between = sqrt(GRID_records) - 1
+w = 0.5 * (GRID_max_x - GRID_min_x) / between + 0.003
+h = 0.5 * (GRID_max_y - GRID_min_y) / between + 0.003
+box(reason) = reason eq "OK" ? column("start") : NaN
 set multiplot layout 1,2 margins 0.075,0.875,0.13,0.85 spacing 0.05,0
 unset colorbox
 set label 1 "log law" at graph 0.03, graph 1.09 font ",13"
@@ -29,12 +29,12 @@ set label 3 "inverted at the start" at -3.3, -0.5 textcolor rgb "#D55E00" front
 set label 4 "rest" at 0.1, 0.78 front
 set object 1 circle at 0, 1 size 0.06 fc rgb "black" fs solid front
 set key at graph 1, graph 1.09 right top
-plot data index "load_map" using "load":(box(column("reason_log"))):(w):(h):\
+plot data index "load_map" using "load":(box(strcol("reason_log"))):(w):(h):\
          "iterations_log" with boxxy palette notitle, \
      data index "load_map" using "load":\
-         (column("reason_log") != 0 ? column("start") : NaN) \
+         (strcol("reason_log") ne "OK" ? column("start") : NaN) \
          with points pt 2 ps 0.3 lc rgb "#D55E00" notitle, \
-     data index "boundary" using (column("load") / modulus):"start" \
+     data index "boundary" using "relative":"start" \
          with lines lc rgb "black" lw 2 title "predicted", \
      0 with lines lc rgb "black" lw 2 notitle
 set colorbox user origin 0.895,0.13 size 0.02,0.72
@@ -43,6 +43,6 @@ unset ylabel
 set format y ""
 unset label 2
 unset label 3
-plot data index "load_map" using "load":(box(column("reason_cubic"))):(w):(h):\
+plot data index "load_map" using "load":(box(strcol("reason_cubic"))):(w):(h):\
          "iterations_cubic" with boxxy palette notitle
 unset multiplot

@@ -1,15 +1,13 @@
-# 11_newton_failure_step_map.gp - a boundary moved by dg at once, log law: where
+# step_map.gp - a boundary moved by dg at once, log law: where
 # Newton converges, over dg and the number of elements of a bar of length 1.
 # Predicted: dg < 1/n (push), dg < 2.2113/n (pull); with the linear lift n = 1.
-# Reads   data  tables step_map, limits
+# Reads   data  tables step_map, predicted
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/11_newton_failure.tsv"
-if (!exists("out"))  out  = "figures/11_newton_failure_step_map.svg"
 load "figures/style.gp"
 set terminal svg size 860,620
 set output out
-pull = system("awk -F'\t' '$0 == \"# limits\" { on = 1; next } \
-    on && $1 == \"F\" { getline; print -$6; exit }' '".data."'") + 0.0
+stats data index "predicted" using "push" name "PUSH" nooutput
+stats data index "predicted" using "pull" name "PULL" nooutput
 set logscale xy
 set xrange [0.0028:11]
 set yrange [0.85:150]
@@ -18,7 +16,7 @@ set key above left horizontal maxrows 1 samplen 1.5
 set multiplot layout 2,2 margins 0.085,0.98,0.09,0.93 spacing 0.07,0.12
 do for [k = 1:4] {
     name = word("push pull push_lift pull_lift", k)
-    limit = k == 1 || k == 3 ? 1.0 : pull
+    limit = k == 1 || k == 3 ? PUSH_max : PULL_max
     set xlabel (k > 2 ? "step |dg| of the boundary (length of the bar: 1)" : "")
     set ylabel (k % 2 ? "elements n" : "")
     set label 1 word("push pull push pull", k).(k > 2 ? \
@@ -34,10 +32,11 @@ do for [k = 1:4] {
     if (k == 1) {
         set key at graph 0, graph 1.12 left top
     } else { unset key }
-    plot data index "step_map" using "dg":(column(name) == 0 ? column("n") \
+    plot data index "step_map" using "dg":(strcol(name) eq "OK" ? column("n") \
              : NaN) with points pt 7 ps 0.4 lc rgb "#0072B2" \
              title "converged", \
-         data index "step_map" using "dg":(column(name) == 4 ? column("n") \
-             : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" title "inverted"
+         data index "step_map" using "dg":(strcol(name) eq "INVERTED" ? \
+             column("n") : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" \
+             title "inverted"
 }
 unset multiplot

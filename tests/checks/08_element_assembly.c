@@ -420,8 +420,8 @@ static const struct lesson lesson = {
     "work makes the banded answer worse.",
     "Fix the right end by its row only, leave the column, and let measure() "
     "judge by the status alone: the run that is wrong by 0.8 then has a fine "
-    "time (figures/08_element_assembly/validity.c). Which other rule of a chart "
-    "would still stop it?"};
+    "time (figures/08_element_assembly/validity.c). Which other rule of a "
+    "chart would still stop it?"};
 
 int main(int argc, char *argv[])
 {

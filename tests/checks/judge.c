@@ -362,10 +362,11 @@ static void check_same_numbers_as_reference(void)
         char text[900];
         struct output *want =
             output_of(judging.reference, options, judging.work);
-        if (want->status != 0 || *want->error)
+        if ((want->status != 0 && want->status != 1) || *want->error)
             quit("the reference solution fails with '%s': %s%s", options,
                  want->stderr_, want->error);
-        struct output *got = run(options);
+        struct output *got =
+            want->status ? run_unsolved(options, "") : run(options);
         if (tables_differ(got, want, sizeof text, text))
             wrong("%s%s%s%s", *options ? "with " : "", options,
                   *options ? ": " : "", text);

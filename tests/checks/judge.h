@@ -50,7 +50,8 @@ struct lesson {
     const struct claim *claims;
     int n_claim;
     const char *const *runs; /* option strings; "" is the default scene;
-                              * the reference ends with exit status 0 */
+                              * what the reference cannot solve, exit status 1,
+                              * must end so, after the same tables */
     int n_run;
     const struct column_rule *rules;
     int n_rule;

@@ -103,7 +103,8 @@ static void second_order_in_L2_on_an_unequal_grid(void)
         double x[81], u[81];
         grid_make(0.0, 1.0, n, 2.385, x);
         solve_exercise(n, x, &GAUSS2, u);
-        error[k] = poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
+        error[k] =
+            poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
     }
     close_to(log2(error[0] / error[1]), 2.0, 0.02);
 }

@@ -122,6 +122,28 @@ static void a_step_that_fails_is_not_counted(void)
     scene_free(scene);
 }
 
+/* An affine map: the same J everywhere, and corners where the map puts them. */
+static void triangles_are_where_the_map_puts_them(void)
+{
+    struct scene *scene = scene_of(SPIN, CUBIC, 3);
+    const double F[2][2] = {{0.8714, 0.2385}, {-0.1371, 1.1238}};
+    const double *X = scene->mesh->X;
+    for (int r = 0; r < scene->n_dof; r++)
+        scene->u[r] = F[r % 2][0] * X[r / 2 * 2] +
+                      F[r % 2][1] * X[r / 2 * 2 + 1] - X[r] + 0.37 * (r % 2);
+    for (int e = 0; e < scene->mesh->n_triangle; e++) {
+        const int *t = &scene->mesh->triangle[3 * e];
+        double x[6];
+        close_to(scene_triangle(scene, e, x), 0.8714 * 1.1238 + 0.2385 * 0.1371,
+                 1e-14);
+        for (int r = 0; r < 6; r++)
+            close_to(x[r], F[r % 2][0] * X[2 * t[r / 2]] +
+                           F[r % 2][1] * X[2 * t[r / 2] + 1] + 0.37 * (r % 2),
+                     1e-14);
+    }
+    scene_free(scene);
+}
+
 static void every_scene_has_its_word(void)
 {
     char words[128] = "";
@@ -235,6 +257,50 @@ static void gather_and_scatter_are_inverse(void)
     scene_free(scene);
 }
 
+/* A du = -q where the vertices are free, du = 0 where they are held. */
+static void an_increment_solves_the_free_system(void)
+{
+    struct scene *scene = scene_of(TRACTION, CUBIC, 3);
+    const struct body *body = scene->body;
+    double *q = vector(scene, 1.0), *du = vector(scene, 3.0);
+    double *d = allocate(2 * (size_t)body->n_equation, sizeof *d);
+    double *Ad = d + body->n_equation;
+    struct matrix *A = body_matrix(body), *copy;
+
+    ck_assert_int_eq(body_stiffness(body, scene->u, A), OK);
+    copy = matrix_copy(A);
+    ck_assert_int_eq(body_increment(body, copy, q, du), OK);
+    body_gather(body, du, d);
+    matrix_multiply(A, d, Ad);
+    body_gather(body, q, d);
+    for (int k = 0; k < A->n; k++) close_to(Ad[k], -d[k], 1e-12);
+    for (int r = 0; r < scene->n_dof; r++)
+        if (scene->held[r / 2]) ck_assert_double_eq(du[r], 0.0);
+    matrix_combine(A, -2.0, A, A); /* -A */
+    ck_assert_int_eq(body_increment(body, A, q, du), NOT_SPD);
+    matrix_free(A), matrix_free(copy);
+    free(q), free(du), free(d);
+    scene_free(scene);
+}
+
+static void the_largest_free_component_is_found(void)
+{
+    struct scene *scene = scene_of(TRACTION, CUBIC, 3); /* vertex 0 is held */
+    double *v = vector(scene, 0.5);
+    v[0] = 7.0;
+    v[11] = -2.385;
+    ck_assert_double_eq(body_max_free(scene->body, v), 2.385);
+    v[12] = -INFINITY;
+    ck_assert_double_eq(body_max_free(scene->body, v), INFINITY);
+    v[12] = NAN;
+    ck_assert_double_eq(body_max_free(scene->body, v), INFINITY);
+    v[12] = 0.0;
+    v[0] = NAN;
+    ck_assert_double_eq(body_max_free(scene->body, v), 2.385);
+    free(v);
+    scene_free(scene);
+}
+
 static void doors_report_states_outside(void)
 {
     struct scene *scene = scene_of(TRACTION, LOG, 2);
@@ -256,11 +322,17 @@ static const struct unit_law laws[] = {
      a_spin_starts_with_its_energy_and_momenta},
     {"gravity_pulls_downwards", gravity_pulls_downwards},
     {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
+    {"triangles_are_where_the_map_puts_them",
+     triangles_are_where_the_map_puts_them},
     {"every_scene_has_its_word", every_scene_has_its_word},
     {"force_and_stiffness_are_derivatives",
      force_and_stiffness_are_derivatives},
     {"doors_equal_the_assembly", doors_equal_the_assembly},
     {"gather_and_scatter_are_inverse", gather_and_scatter_are_inverse},
+    {"an_increment_solves_the_free_system",
+     an_increment_solves_the_free_system},
+    {"the_largest_free_component_is_found",
+     the_largest_free_component_is_found},
     {"doors_report_states_outside", doors_report_states_outside},
 };
 

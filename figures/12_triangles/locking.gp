@@ -1,0 +1,25 @@
+# locking.gp - linear elasticity on triangles: how much too small the
+# displacement of the free end is, against n, for three Poisson ratios.
+# Reads   data  table locking
+# Writes  out   SVG
+load "figures/style.gp"
+set output out
+# the order that the last three displacements show among themselves
+order(column) = system("awk -F'\t' '$0 == \"# locking\" { on = 1 } \
+    NF == 0 { on = 0 } on { a = b; b = c; c = $".column." } \
+    END { printf \"%.2f\", log((b - a) / (c - b)) / log(2) }' '".data."'")
+set logscale xy
+set xrange [3.5:75]
+set yrange [1e-3:0.6]
+set xtics (4, 8, 16, 32, 64)
+set format y "%g"
+set xlabel "squares a side n"
+set ylabel "missing displacement, 1 - u / reference"
+set key above left horizontal maxrows 2 samplen 2
+plot data index "locking" using "n":"error_0.4999" with linespoints ls 2 \
+         title "ν = 0.4999, no order yet", \
+     data index "locking" using "n":"error_0.49" with linespoints ls 3 \
+         title "ν = 0.49, order ".order(3), \
+     data index "locking" using "n":"error_0.3" with linespoints ls 1 \
+         title "ν = 0.3, order ".order(2), \
+     [8:64] 0.7 / x**1.5 with lines ls 8 title "order 1.5"

@@ -1,0 +1,78 @@
+/*
+ * slips.c - how wrong are the two slips of the notes' listing of dP/dF, and
+ * where would a test of symmetry see them?
+ *
+ * The slips [eq:dP-dF]: cof(:,j) where cof(j,:) is meant; mu added to one
+ * diagonal entry of each block, (i,i), in place of both.  Table: error and
+ * asymmetry of dP/dF as a 4x4 matrix, relative to its norm; cubic law.
+ */
+#include "material.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_math.h>
+#include <math.h>
+
+enum { NONE, COLUMN, HALF, SLIPS = 4 };
+static const char *const name[] = {"none", "column for row", "half of mu",
+                                   "both"};
+
+/* D[2i + k][2j + m] = dP_ik/dF_jm, with slips. */
+static void slopes(mat2 F, int slip, double D[4][4])
+{
+    const struct material law = material_notes(CUBIC);
+    const struct volumetric v = material_r(&law, mat2_det(F));
+    const double stress = law.lambda * v.r - law.mu, c2 = stress * v.dr;
+    const double c1 = law.lambda * v.dr * v.dr + stress * v.ddr;
+    const mat2 cof = mat2_cofactor(F);
+    for (int r = 0; r < 16; r++) {
+        const int i = r / 8, k = r / 4 % 2, j = r / 2 % 2, m = r % 2;
+        double *at = &D[2 * i + k][2 * j + m];
+        *at = c1 * cof.m[i][k] * (slip & COLUMN ? cof.m[m][j] : cof.m[j][m]);
+        if (i == j && k == m && (k == i || !(slip & HALF))) *at += law.mu;
+        if (i != j && k != m) *at += k == i ? c2 : -c2;
+    }
+}
+
+/* Error and asymmetry of dP/dF, relative to its norm. */
+static void slip_error(mat2 F, int slip, double *error, double *asymmetry)
+{
+    double D[4][4], right[4][4], norm = 0.0, off = 0.0, odd = 0.0;
+    slopes(F, NONE, right);
+    slopes(F, slip, D);
+    for (int r = 0; r < 16; r++) {
+        norm += gsl_pow_2(right[r / 4][r % 4]);
+        off += gsl_pow_2(D[r / 4][r % 4] - right[r / 4][r % 4]);
+        odd += gsl_pow_2(D[r / 4][r % 4] - D[r % 4][r / 4]);
+    }
+    *error = sqrt(off / norm);
+    *asymmetry = sqrt(odd / norm);
+}
+
+int main(void)
+{
+    const mat2 states[4] = {mat2_identity(), {{{1.0, 0.5}, {0.0, 1.0}}},
+                            mat2_rotation(M_PI / 6.0),
+                            {{{1.2385, 0.3714}, {-0.2385, 0.8714}}}};
+    double off[SLIPS][4], odd[SLIPS][4], most_odd = 0.0;
+
+    table_begin("slips", "slip rest shear rotated general asym_rest "
+                         "asym_rotated");
+    for (int i = NONE; i < SLIPS; i++) {
+        for (int k = 0; k < 4; k++)
+            slip_error(states[k], i, &off[i][k], &odd[i][k]);
+        table_row(name[i], off[i][0], off[i][1], off[i][2], off[i][3],
+                  odd[i][0], odd[i][2]);
+    }
+    table_end();
+    for (int k = 0; k < 4; k++) most_odd = fmax(most_odd, odd[HALF][k]);
+    claim(off[COLUMN][0] < 1e-15 && odd[COLUMN][0] < 1e-15,
+          "a column for a row is right at rest (wrong by %g)", off[COLUMN][0]);
+    claim(off[COLUMN][2] > 0.8 && odd[COLUMN][2] > 1.0,
+          "turned by 30 degrees it is wrong by more than 0.8 (%g), and not "
+          "symmetric (%g)", off[COLUMN][2], odd[COLUMN][2]);
+    claim(most_odd < 1e-15 && off[HALF][0] > 0.2,
+          "half of mu is symmetric in every state (%g) and wrong by more than "
+          "0.2 at rest (%g)", most_odd, off[HALF][0]);
+    return table_finish();
+}

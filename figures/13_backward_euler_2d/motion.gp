@@ -1,0 +1,36 @@
+# motion.gp - a free square that starts with 6 rad/s and (0.2, 0.1) m/s, each
+# time step of 1/30 s a frame: it ought to spin on.
+# Reads   data  table motion
+# Writes  out   GIF
+load "figures/style.gp"
+set terminal gif animate delay 7 loop 0 size 360,380 medium noenhanced \
+    background rgb "white"
+set output out
+
+frame(t) = sprintf( \
+    "< awk -F'\t' '$0 == \"# motion\" { on = 1; next } NF == 0 { on = 0 } \
+     on && $2 ~ /^[0-9]/ && ($2 - %f)^2 < 1e-6 { for (k = 0; k < 4; k++) \
+         print $(4 + 2 * (k %% 3)) \"\t\" $(5 + 2 * (k %% 3)); \
+         print \"\" }' '%s'", t, data)
+# the path of vertex 0, which starts at (-1, -1), up to the time t
+path(t) = sprintf( \
+    "< awk -F'\t' -v last=-1 '$0 == \"# motion\" { on = 1; next } \
+     NF == 0 { on = 0 } on && $2 <= %f && $2 != last { last = $2; print $4 \"\t\" $5 }' '%s'", \
+    t + 1e-6, data)
+set datafile nocolumnheaders
+unset key
+set size ratio -1
+set border 15 back ls 9
+set xrange [-1.7:2.1]
+set yrange [-1.7:2.1]
+set xtics 1
+set ytics 1
+set xlabel "x1 (m)"
+set ylabel "x2 (m)"
+set style fill solid noborder
+do for [m = 0:45] {
+    set label 1 sprintf("t = %.2f s", m / 30.0) at graph 0.04, graph 0.95
+    plot frame(m / 30.0) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
+         "" using 1:2 with lines lw 1 lc rgb "#0072B2", \
+         path(m / 30.0) using 1:2 with lines lw 2 lc rgb "#D55E00"
+}

@@ -1,0 +1,38 @@
+# amplification.gp - what one step makes of the amplitude of a mode: the
+# spectral radius of the four integrators over omega dt.
+# Expected: 1/sqrt(1 + z^2) (backward Euler), 1 (midpoint), 1 up to z = 2 and
+# z^2/2 - 1 + z sqrt(z^2/4 - 1) beyond (symplectic Euler).
+# Reads   data  tables amplification, bar_modes
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/14_time_step/amplification.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/amplification.svg"
+load "figures/style.gp"
+set output out
+
+array Mode[3]
+do for [k = 1:3] {
+    stats data index "bar_modes" using "omega" every ::k-1::k-1 nooutput
+    Mode[k] = STATS_max / 30.0
+}
+set logscale x
+set xrange [0.01:100]
+set yrange [0:1.6]
+set xlabel "ω dt"
+set ylabel "amplitude after one step over that before"
+set arrow 1 from 2, 0 to 2, 1.6 nohead ls 8
+set label 1 "ω dt = 2" at 1.7, 1.45 right
+set label 2 "bar, modes 1, 3, 5\nat 1/30 s" at 9.5, 0.66 left
+plot data index "amplification" using "w_dt":"symplectic" with lines ls 2 \
+         title "symplectic Euler", \
+     data index "amplification" using "w_dt":"backward" with lines ls 1 \
+         title "backward Euler", \
+     data index "amplification" using "w_dt":"midpoint" with lines ls 3 \
+         title "midpoint", \
+     data index "amplification" using "w_dt":"bdf2" with lines ls 4 \
+         title "BDF2", \
+     1 / sqrt(1 + x**2) with lines ls 8 title "expected", \
+     data index "bar_modes" using (column("omega") / 30):"backward" \
+         with points ls 1 ps 1.1 notitle, \
+     data index "bar_modes" using (column("omega") / 30):"bdf2" \
+         with points ls 4 ps 1.1 notitle
+set output

@@ -1,0 +1,118 @@
+/*
+ * chart.c - what does a method cost for a given error?
+ *
+ * The square, n = 8, both ends held, lumped mass, is let go from a large smooth
+ * swing and followed for three frames, 0.1 s, in 1, 2, 4, ... steps per frame.
+ * The reference is the midpoint rule with 512 and 1024 steps per frame and
+ * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
+ * distance from the extrapolation one level below bounds that error.
+ */
+#include "clock.h"
+#include "integrate.h"
+#include "scene.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { LEVELS = 9, FINEST = 1 << (LEVELS - 1), FRAMES = 3 };
+static const double SWING = 0.3; /* (m) */
+
+struct run {
+    struct step_report total; /* status, and the sums of all steps */
+    int steps;                /* made: fewer than due when not OK */
+    double seconds, energy;   /* energy: over that of the start */
+    struct state end;
+};
+
+/* g: the ends stay where they are. */
+static struct run run_swing(struct model *model, const double g[],
+                            enum method method, int per_frame)
+{
+    const int due = FRAMES * per_frame;
+    struct run run = {.end = state_swing(model->body, SWING)};
+    struct state *s = &run.end;
+    const double E = model_energy(model, s->u, s->v), start = clock_seconds();
+    while (run.steps < due && run.total.status == OK) {
+        const struct step_report report = integrate_step(
+            model, method, 1.0 / 30.0 / per_frame, g, s);
+        run.total.status = report.status;
+        run.total.iterations += report.iterations;
+        run.total.factorisations += report.factorisations;
+        run.steps += report.status == OK;
+        /* explicit: what has gained this much energy has no end */
+        if (method == SYMPLECTIC_EULER && report.status == OK &&
+            (run.steps % 8 == 0 || run.steps == due) &&
+            !(model_energy(model, s->u, s->v) < 1e2 * E))
+            run.total.status = NONFINITE;
+    }
+    run.seconds = clock_seconds() - start;
+    run.energy = model_energy(model, s->u, s->v) / E;
+    return run;
+}
+
+/* (u - w).M(u - w) to the 1/2, over the same of the start; u is overwritten. */
+static double distance(const struct model *model, double u[], const double w[])
+{
+    struct state start = state_swing(model->body, SWING);
+    const double scale = model_norm(model, start.u);
+    for (int i = 0; i < start.n; i++) u[i] -= w[i];
+    state_free(&start);
+    return model_norm(model, u) / scale;
+}
+
+int main(void)
+{
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
+    set.mass = LUMPED;
+    struct scene *scene = scene_alloc(&set);
+    struct model *model = model_body(scene->body);
+    double *u[3], *reference = scene->u, error[LEVELS], ratio = 0.0;
+    struct run run;
+    int arrived = 0;
+
+    for (int k = 0; k < 3; k++)
+        u[k] = run_swing(model, scene->g, IMPLICIT_MIDPOINT, FINEST << k).end.u;
+    for (int i = 0; i < model->n_dof; i++) {
+        reference[i] = (4.0 * u[2][i] - u[1][i]) / 3.0;
+        u[1][i] = (4.0 * u[1][i] - u[0][i]) / 3.0;
+    }
+    const double bound = distance(model, u[1], reference);
+    study_machine();
+    table_begin("reference", "levels error critical");
+    table_row(LEVELS, bound, 2.0 / model_frequency(model));
+    table_end();
+    table_begin("chart", "method per_frame dt status steps error energy "
+                         "iterations factorisations seconds");
+    for (int m = 0; m < N_METHOD; m++)
+        for (int k = 0; k < LEVELS; k++) {
+            struct times times = {0};
+            for (int j = 0; j < 4 && !(times_best(&times) >= 3e-2); j++) {
+                if (j > 0) state_free(&run.end);
+                run = run_swing(model, scene->g, (enum method)m, 1 << k);
+                times_record(&times, run.seconds, 1);
+            }
+            const int ok = run.total.status == OK;
+            error[k] = distance(model, run.end.u, reference);
+            table_row(method_name((enum method)m), 1 << k, set.dt / (1 << k),
+                      status_name(run.total.status), run.steps,
+                      cell_if(ok, error[k]), cell_if(ok, run.energy),
+                      run.total.iterations / 3.0,
+                      run.total.factorisations / 3.0, times_best(&times) / 3.0);
+            arrived += k == 0 && ok;
+            if (m == IMPLICIT_MIDPOINT) ratio = error[k ? k - 1 : 0] / error[k];
+            state_free(&run.end);
+        }
+    table_end();
+    for (int k = 0; k < 3; k++) free(u[k]);
+    model_free(model);
+    scene_free(scene);
+
+    claim(fabs(ratio - 4.0) < 0.05 && bound < 1e-3 * error[LEVELS - 1],
+          "half a step of the midpoint rule is a quarter of its error, and the "
+          "reference is good enough to see it (%g, %g)", ratio, bound);
+    claim(arrived == 1, "with one step per frame only one method arrives (%d)",
+          arrived);
+    return table_finish();
+}

@@ -1,0 +1,49 @@
+# frames.gp - the loop: what every frame of the script took, by the attempt that
+# solved it, with the budget of 1/30 s.
+# Reads   data  tables frames (t attempts substeps status seconds), script,
+#               machine
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/14_time_step/frames.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/frames.svg"
+load "figures/style.gp"
+set terminal svg size 860,470
+set output out
+array Word[8] = ["grab", "pull", "hold", "shake", "slam", "push", "hold", \
+                 "let go"]
+array Until[8]
+do for [m = 1:8] {
+    stats data index "script" using "until" every ::m-1::m-1 nooutput
+    Until[m] = STATS_max
+    set arrow m from Until[m], graph 0 to Until[m], graph 1 nohead ls 9 lw 1
+    set label m Word[m] rotate by (m == 5 ? 90 : 0) at (m == 1 ? 0.5 * Until[m] \
+        : 0.5 * (Until[m] + Until[m - 1])), graph (m == 5 ? 0.93 : 0.955) \
+        center font ",12"
+}
+stats data index "loop" using "p50" nooutput
+p50 = STATS_max * 1e3
+stats data index "loop" using "p99" nooutput
+p99 = STATS_max * 1e3
+stats data index "loop" using "n" nooutput
+n = STATS_max
+by(a, b) = column("attempts") >= a && column("attempts") <= b \
+           && stringcolumn("status") eq "OK" ? column("seconds") * 1e3 : 1/0
+lost(x) = stringcolumn("status") ne "OK" ? column("seconds") * 1e3 : 1/0
+set label 20 machine(data) at screen 0.99,0.025 right font ",10" \
+    textcolor rgb "#555555"
+set bmargin 5
+set logscale y
+set xrange [0:3.4]
+set yrange [0.4:1000]
+set xlabel "time in the script (s)"
+set ylabel "time for the frame (ms)"
+plot 1000.0 / 30 with lines ls 8 lw 1.5 title "1/30 s", \
+     data index "frames" using "t":(by(1, 1)) with points ls 1 \
+         title sprintf("FAST; n = %d: median %.1f ms, p99 %.0f ms", n, p50, \
+                       p99), \
+     data index "frames" using "t":(by(2, 2)) with points ls 2 \
+         title "ROBUST", \
+     data index "frames" using "t":(by(3, 9)) with points ls 3 ps 0.9 \
+         title "in sub-steps", \
+     data index "frames" using "t":(lost(0)) with points ls 4 pt 2 ps 0.9 \
+         title "lost"
+set output

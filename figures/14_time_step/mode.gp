@@ -1,0 +1,52 @@
+# mode.gp - one mode: its path in the plane of u and v / omega, and the error
+# after omega T = 2.385 against omega dt.
+# Expected: slopes 1, 1, 2, 2 with the constants of [eq:mode-constants].
+# Reads   data  tables mode, orders
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/14_time_step/mode.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/mode.svg"
+load "figures/style.gp"
+set terminal svg size 900,470
+set output out
+array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
+array Column[4] = ["symplectic", "backward", "midpoint", "bdf2"]
+array Style[4] = [2, 1, 3, 4]
+array Due[4] = [1, 1, 2, 2]
+array Constant[4]
+array Slope[4]
+do for [m = 1:4] {
+    stats data index "orders" using "predicted" every ::9*m-9::9*m-9 nooutput
+    Constant[m] = STATS_max
+    stats data index "orders" using "order" every ::9*m-2::9*m-1 nooutput
+    Slope[m] = STATS_mean
+}
+set multiplot layout 1,2 margins 0.075,0.985,0.14,0.76 spacing 0.11,0
+set key at screen 0.06, screen 0.99 left top vertical maxrows 3 reverse Left \
+    samplen 2
+set size ratio -1
+set xrange [-1.3:1.3]
+set yrange [-1.3:1.3]
+set xlabel "u"
+set ylabel "v / ω"
+set parametric
+set trange [0:2*pi]
+plot cos(t), sin(t) with lines ls 8 title "exact", \
+     for [m = 1:4] data index "mode" using Column[m]."_u":Column[m]."_v" \
+         every ::0::24 with linespoints ls Style[m] lw 1 ps 0.5 title Name[m]
+unset parametric
+set key at screen 0.50, screen 0.99 left top vertical maxrows 3 reverse Left \
+    samplen 2 width -2
+set size noratio
+set logscale xy
+set format xy "10^{%T}"
+set xrange [2e-3:1]
+set yrange [1e-7:2]
+set xlabel "ω dt"
+set ylabel "error of (u, v / ω) at ω T = 2.385"
+plot for [m = 1:4] data index "orders" using "w_dt":"error" \
+         every ::9*m-9::9*m-1 with points ls Style[m] \
+         title sprintf("%s: order %.2f", Name[m], Slope[m]), \
+     for [m = 1:4] Constant[m] * x**Due[m] with lines ls 8 \
+         title (m == 1 ? "predicted" : "")
+unset multiplot
+set output

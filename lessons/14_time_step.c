@@ -1,0 +1,230 @@
+/*
+ * 14_time_step.c - time: four integrators, what each loses, and the loop that
+ * has a thirtieth of a second for a frame.
+ *
+ * Notes: Lecture 1, "Time stepping"; Lecture 2, introduction of section 3.
+ *
+ * Problem.  M u'' = f - dPsi/du, with u given at some vertices at every time.
+ * Three systems, one code (model.h): a single mode u'' = -w^2 u, a linear bar
+ * fixed at one end, and the nonlinear square.
+ *
+ *     frame     0         1         2         3       all implicit methods are
+ *     time      |----+----|----+----|----+----|--     one: backward Euler from
+ *               u0  u_m   u+                          some state (a, b), by
+ *               BDF2: from (4 u0 - u_1) / 3, by 2/3   some step [eq:one-solve]
+ *
+ * Run       make lesson-14, or with options: -h lists them
+ * Expect    a mode with w dt = 0.5 is left with a hundredth of its amplitude by
+ *           40 steps of backward Euler; of 102 frames none is lost
+ * Plot: mode k backward_u
+ */
+#include "integrate.h"
+#include "options.h"
+#include "table.h"
+#include "user.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * The residual of a step of backward Euler [eq:time-residual]:
+ *
+ *     q = M (u - u0 - dt v0) + dt^2 (dPsi/du(u) - f)
+ *
+ * for the state (u0, v0) at the beginning and a candidate u for the end of the
+ * step; q = 0 for the right one.  f is model->f.  Status of model_force().
+ */
+static enum status residual(const struct model *model, double dt,
+                            const double u0[], const double v0[],
+                            const double u[], double q[])
+{
+    const int n = model->n_dof;
+    double *move = allocate(2 * (size_t)n, sizeof *move), *force = move + n;
+    enum status status = OK;
+    /* SLOT 14a(model, dt, u0, v0, u, q, n, move, force, &status): q[0..n-1],
+     * by model_mass() and model_force() [eq:time-residual]. */
+    todo("14a", model, dt, u0, v0, u, q, n, move, force, &status);
+    /* END 14a */
+    free(move);
+    return status;
+}
+
+/*
+ * Symplectic Euler, nothing to be solved [eq:symplectic-euler]:
+ *
+ *     v+ = v + dt M^-1 (f - dPsi/du(u)),   u+ = u + dt v+
+ *
+ * u, v  in/out  state, of no use unless the status, model_force()'s, is OK
+ */
+static enum status symplectic_euler(const struct model *model, double dt,
+                                    double u[], double v[])
+{
+    const int n = model->n_dof;
+    double *a = allocate((size_t)n, sizeof *a);
+    enum status status = OK;
+    /* SLOT 14b(model, dt, u, v, n, a, &status): a[0..n-1] is for the
+     * acceleration; model_force(), model_accelerate() [eq:symplectic-euler]. */
+    todo("14b", model, dt, u, v, n, a, &status);
+    /* END 14b */
+    free(a);
+    return status;
+}
+
+/* A square of 2 x 2, loaded, in a state that hides nothing: q, and the velocity
+ * after a step of symplectic Euler. */
+static void print_stages(void)
+{
+    const struct scene_setting set = scene_notes(STRETCH, CUBIC, 2);
+    struct scene *scene = scene_alloc(&set);
+    struct model *model = model_body(scene->body);
+    double *u = scene->u, *v = scene->v, *u0 = scene->g, *q = scene->f;
+    for (int i = 0; i < scene->n_dof; i++) {
+        u[i] = 0.1 * sin(2.385 * i);
+        u0[i] = 0.1 * sin(3.714 * i + 1.0);
+        v[i] = cos(1.247 * i);
+        model->f[i] = 10.0 * sin(0.613 * i);
+    }
+    if (residual(model, set.dt, u0, v, u, q) != OK) die("no residual");
+    table_vector("residual", scene->n_dof, q);
+    if (symplectic_euler(model, set.dt, u, v) != OK) die("no acceleration");
+    table_vector("velocity", scene->n_dof, v);
+    model_free(model);
+    scene_free(scene);
+}
+
+/*
+ * The three implicit methods as one solve [eq:one-solve]: u* is the end of a
+ * step d of backward Euler from a state (a, b), and v* = (u* - a) / d.
+ *
+ *     BACKWARD_EULER     a = u0, b = v0, d = dt;  u+ = u*, v+ = v*
+ *     IMPLICIT_MIDPOINT  a = u0, b = v0, d = dt/2, boundary values half-way;
+ *                        u+ = 2 u* - u0, v+ = 2 v* - v0
+ *     BDF2               a = (4 u0 - u_before) / 3, b = (4 v0 - v_before) / 3,
+ *                        d = 2 dt / 3;  u+ = u*, v+ = v*; its first step, when
+ *                        s->steps is 0, is one of IMPLICIT_MIDPOINT
+ *
+ * s     in   state at the beginning
+ * g     in   boundary values at the end of the step (NULL: linear model)
+ * u, v  out  state at the end, if the status of the report is OK
+ */
+static struct step_report implicit_step(
+    struct model *model, enum method method, double dt, const double g[],
+    const struct state *s, double u[], double v[])
+{
+    const int n = s->n;
+    double *a = allocate(3 * (size_t)n, sizeof *a), *b = a + n, *g_mid = b + n;
+    struct step_report report = {.status = OK};
+    /* SLOT 14c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report):
+     * a, b, d of the method; integrate_solve() with your residual(); u, v from
+     * u*, v* [eq:one-solve]. */
+    todo("14c", model, method, dt, g, s, u, v, n, a, b, g_mid, &report);
+    /* END 14c */
+    free(a);
+    return report;
+}
+
+/* One step of any method; the state stays as it was when it is not OK. */
+static struct step_report advance(struct model *model, enum method method,
+                                  double dt, const double g[],
+                                  struct state *s)
+{
+    double *u = allocate(2 * (size_t)s->n, sizeof *u), *v = u + s->n;
+    struct step_report report = {.status = OK};
+    memcpy(u, s->u, (size_t)s->n * sizeof *u);
+    memcpy(v, s->v, (size_t)s->n * sizeof *v);
+    if (method == SYMPLECTIC_EULER)
+        report.status = symplectic_euler(model, dt, u, v);
+    else
+        report = implicit_step(model, method, dt, g, s, u, v);
+    if (report.status == OK) report.status = state_accept(s, u, v);
+    free(u);
+    return report;
+}
+
+/* A mode, step by step, from u = 1, v = 0; velocities in units of w. */
+static void print_mode(double w_dt)
+{
+    struct model *model = model_mode(1.0);
+    struct state s[N_METHOD];
+    for (int m = 0; m < N_METHOD; m++) {
+        s[m] = state_make(1);
+        s[m].u[0] = 1.0;
+    }
+    table_begin("mode", "k exact symplectic_u symplectic_v backward_u "
+                        "backward_v midpoint_u midpoint_v bdf2_u bdf2_v");
+    for (int k = 0; k <= 40; k++) {
+        table_row(k, cos(k * w_dt), s[0].u[0], s[0].v[0], s[1].u[0], s[1].v[0],
+                  s[2].u[0], s[2].v[0], s[3].u[0], s[3].v[0]);
+        for (int m = 0; m < N_METHOD; m++)
+            advance(model, (enum method)m, w_dt, NULL, &s[m]);
+    }
+    table_end();
+    for (int m = 0; m < N_METHOD; m++) state_free(&s[m]);
+    model_free(model);
+}
+
+/*
+ * One frame: u and v advance by dt to the boundary values g [alg:frame].
+ * Backward Euler of step.h, tried with FAST, then with ROBUST, then ROBUST in
+ * 2, 4, ... MOST_SUBSTEPS sub-steps, the prescribed values going in a straight
+ * line to g; FAST, ROBUST and struct frame are in integrate.h.
+ *
+ * now  in/out  u, v and v_before; exactly as it was when the frame is lost
+ */
+static struct frame frame_step(struct body *body, double dt, const double g[],
+                               const double f[], struct state *now)
+{
+    struct state start = state_make(now->n);
+    double *g_part = allocate((size_t)now->n, sizeof *g_part);
+    struct frame frame = {.status = MAX_ITERATIONS};
+    /* SLOT 14d(body, dt, g, f, now, &start, g_part, &frame): attempts, one
+     * after the other, until one is OK; count in frame what each has cost. */
+    todo("14d", body, dt, g, f, now, &start, g_part, &frame);
+    /* END 14d */
+    state_free(&start);
+    free(g_part);
+    return frame;
+}
+
+/* What each frame of the scripted user takes; u of the middle of the side. */
+static void print_frames(int n, enum law law, double reach)
+{
+    struct user *user = user_alloc(n, law, reach);
+    struct state now = state_make(user->n_dof);
+    table_begin("frames", "k t motion status first attempts substeps "
+                          "iterations factorisations u1 u2 min_J");
+    while (user_next(user)) {
+        const struct frame frame =
+            frame_step(user->body, user->dt, user->g, NULL, &now);
+        table_row(user->k, user->t, user->motion, status_name(frame.status),
+                  status_name(frame.first), frame.attempts, frame.substeps,
+                  frame.iterations, frame.factorisations, now.u[user->side],
+                  now.u[user->side + 1], body_min_J(user->body, now.u));
+    }
+    table_end();
+    state_free(&now);
+    user_free(user);
+}
+
+int main(int argc, char *argv[])
+{
+    int n = 8, law = 0;
+    double w_dt = 0.5, reach = 1.0;
+    const struct option options[] = {
+        {"wdt", .real = &w_dt, .min = 0.01, .max = 20.0,
+         .help = "omega dt of the mode",
+         .why = "mode 5 of the bar has 17.3 at 30 frames per second"},
+        {"n", .integer = &n, .min = 2, .max = 32, .help = "squares per side"},
+        {"law", .choice = &law, .choices = "log cubic",
+         .help = "material of the loop"},
+        {"reach", .real = &reach, .min = 0.0, .max = 1.8,
+         .help = "how far the user of the loop goes"},
+    };
+    options_parse("14_time_step", options, COUNT(options), argc, argv);
+
+    print_stages();
+    print_mode(w_dt);
+    print_frames(n, law ? CUBIC : LOG, reach);
+    return table_finish();
+}

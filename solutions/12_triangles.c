@@ -1,0 +1,287 @@
+/*
+ * 12_triangles.c - a square of rubber at rest: the force of a triangle, its
+ * tangent, and Newton's method.
+ *
+ * Notes: Lecture 2, 3.3.2 to 3.3.4.
+ *
+ * Problem.  A body (-1, 1)^2 of Neo-Hookean material: some vertices are held,
+ * u = g, and forces f act on the vertices.  Find the u at which no free vertex
+ * is pulled: [eq:body-q] with dt = 1 and rho = 0, which is
+ *
+ *     q_a = sum_e area_e P(F_e) grad N_a - f_a = 0
+ *
+ *     6---7---8     vertex a rests at X_a; component i of its displacement is
+ *     | / | / |     u[2a + i] [eq:flatten].  Triangle e has the vertices
+ *     3---4---5     t = &mesh->triangle[3e], counter-clockwise; on it F, P and
+ *     | / | / |     the gradients of its three shape functions are constant
+ *     0---1---2
+ *
+ * Run       make lesson-12, or with options: -h lists them
+ * Expect    elastic energy 339.307925 after 5 Newton iterations
+ * Plot: triangles e J
+ */
+#include "options.h"
+#include "scene.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* F = I + sum_a u_a (x) grad N_a [eq:deformation-gradient] of the triangle with
+ * the vertices t; dN_a/dX_k = g[2a + k] for a = 0, 1, 2 [eq:shape-gradient]. */
+static mat2 deformation(const int t[3], const double g[6], const double u[])
+{
+    mat2 F = mat2_identity();
+    /* SLOT 12a(t, g, u, &F): u_a is at u[2 t[a]] and u[2 t[a] + 1]. */
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < 2; i++)
+            for (int k = 0; k < 2; k++)
+                F.m[i][k] += u[2 * t[a] + i] * g[2 * a + k];
+    /* END 12a */
+    return F;
+}
+
+enum { CAP = 40 }; /* linear systems at most */
+
+/* How Newton's method went: OK, INVERTED, NOT_SPD, NONFINITE, MAX_ITERATIONS;
+ * linear systems solved; max|q| before step k, and max|du| of it (m). */
+struct report {
+    enum status status;
+    int iterations;
+    double residual[CAP + 1], increment[CAP + 1];
+};
+
+/* The last row is of a step that was not made, and says why. */
+static void print_history(const struct report *report)
+{
+    table_begin("history", "k residual increment status");
+    const int last = report->iterations;
+    for (int k = 0; k < last; k++)
+        table_row(k, report->residual[k], report->increment[k], MISSING);
+    table_row(last, cell_if(report->status != INVERTED, report->residual[last]),
+              MISSING, status_name(report->status));
+    table_end();
+}
+
+/* q of a held vertex is the force that holds it; hold: all of the left side. */
+static void print_solution(const struct scene *s, const double q[])
+{
+    const double *X = s->mesh->X, *u = s->u;
+    double g[6], hold[2] = {0.0, 0.0};
+    table_begin("triangles", "e F11 F12 F21 F22 J P11 P12 P21 P22");
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        mesh_gradients(s->mesh, e, g);
+        const mat2 F = deformation(&s->mesh->triangle[3 * e], g, u);
+        const mat2 P = material2_pk1(&s->body->material, F);
+        table_row(e, F.m[0][0], F.m[0][1], F.m[1][0], F.m[1][1], mat2_det(F),
+                  P.m[0][0], P.m[0][1], P.m[1][0], P.m[1][1]);
+    }
+    table_end();
+    table_begin("nodes", "X Y u_x u_y q_x q_y held");
+    for (int x = 0, y = 1; x < s->n_dof; x += 2, y += 2) {
+        table_row(X[x], X[y], u[x], u[y], q[x], q[y],
+                  s->held[x / 2] ? "held" : "free");
+        if (X[x] == -1.0) hold[0] += q[x], hold[1] += q[y];
+    }
+    table_end();
+    const struct scene_measures m = scene_measure(s);
+    table_begin("result", "scene law elastic external min_J hold_x hold_y");
+    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
+              m.external, m.min_J, hold[0], hold[1]);
+    table_end();
+}
+
+/* q_a = sum_e area_e P(F_e) grad N_a - f_a [eq:element-force], at all vertices.
+ * INVERTED where the material is not defined; q is then incomplete. */
+static enum status residual(const struct scene *s, const double u[], double q[])
+{
+    const struct mesh *mesh = s->mesh;
+    const struct material *material = &s->body->material;
+    /* SLOT 12b(s->f, mesh, material, u, q): mesh_gradients(mesh, e, g) fills g
+     * and returns the area; material_defined(), material2_pk1(). */
+    for (int r = 0; r < s->n_dof; r++) q[r] = -s->f[r];
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        const int *t = &mesh->triangle[3 * e];
+        double g[6];
+        const double area = mesh_gradients(mesh, e, g);
+        const mat2 F = deformation(t, g, u);
+        if (!material_defined(material, mat2_det(F))) return INVERTED;
+        const mat2 P = material2_pk1(material, F);
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++)
+                q[2 * t[a] + i] +=
+                    area * (P.m[i][0] * g[2 * a] + P.m[i][1] * g[2 * a + 1]);
+    }
+    /* END 12b */
+    return OK;
+}
+
+/*
+ * K = dq/du, before anything is held [eq:body-tangent]: row 2a + i, column
+ * 2b + j gets from triangle e
+ *
+ *     area_e sum_km (dP_ik/dF_jm) dN_a/dX_k dN_b/dX_m     [eq:dP-dF]
+ *
+ * K is banded or dense; what it held is forgotten.  INVERTED as in residual().
+ */
+static enum status tangent(const struct scene *s, const double u[],
+                           struct matrix *K)
+{
+    const struct mesh *mesh = s->mesh;
+    const struct material *material = &s->body->material;
+    /* SLOT 12c(mesh, material, u, K): for each i, j the 2x2 block dP_ik/dF_jm,
+     * rows k, columns m; material_r(), mat2_cofactor(), matrix_zero(),
+     * matrix_add(). */
+    const double mu = material->mu, lambda = material->lambda;
+    matrix_zero(K);
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        const int *t = &mesh->triangle[3 * e];
+        double g[6];
+        const double area = mesh_gradients(mesh, e, g);
+        const mat2 F = deformation(t, g, u), cof = mat2_cofactor(F);
+        const double J = mat2_det(F);
+        if (!material_defined(material, J)) return INVERTED;
+        const struct volumetric v = material_r(material, J);
+        const double c1 = lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+        const double c2 = (lambda * v.r - mu) * v.dr;
+
+        for (int i = 0; i < 2; i++)
+            for (int j = 0; j < 2; j++) {
+                mat2 D; /* D.m[k][m] = dP_ik/dF_jm */
+                for (int k = 0; k < 2; k++)
+                    for (int m = 0; m < 2; m++)
+                        D.m[k][m] = c1 * cof.m[i][k] * cof.m[j][m] +
+                                    (i == j && k == m ? mu : 0.0);
+                if (i != j) D.m[i][j] += c2;
+                if (i != j) D.m[j][i] -= c2;
+                for (int a = 0; a < 3; a++)
+                    for (int b = 0; b < 3; b++) {
+                        double sum = 0.0;
+                        for (int k = 0; k < 2; k++)
+                            for (int m = 0; m < 2; m++)
+                                sum += g[2 * a + k] * D.m[k][m] * g[2 * b + m];
+                        matrix_add(K, 2 * t[a] + i, 2 * t[b] + j, area * sum);
+                    }
+            }
+    }
+    /* END 12c */
+    return OK;
+}
+
+/*
+ * The Newton increment: K du = -q, du = 0 at the held vertices [eq:newton]
+ * [eq:dirichlet-correction].  K and q are those of tangent() and residual(); K
+ * may be overwritten.  NOT_SPD: K is not positive definite; du is meaningless.
+ */
+static enum status increment(const struct scene *s, struct matrix *K,
+                             const double q[], double du[])
+{
+    enum status status = OK;
+    int *row = allocate((size_t)s->n_dof, sizeof *row);
+    double *zero = allocate((size_t)s->n_dof, sizeof *zero);
+    /* SLOT 12d(s, K, q, du, row, zero, &status): collect the unknowns of held
+     * vertices, s->held[a], in row[]; then matrix_dirichlet() with zero[] as
+     * values, matrix_factor() and matrix_solve() of matrix.h. */
+    int n_row = 0;
+    for (int a = 0; a < s->mesh->n_vertex; a++)
+        for (int i = 0; i < 2 && s->held[a]; i++) row[n_row++] = 2 * a + i;
+    for (int r = 0; r < s->n_dof; r++) du[r] = -q[r];
+    matrix_dirichlet(K, du, n_row, row, zero, KEEP_DIAGONAL);
+    status = matrix_factor(K);
+    if (status == OK) matrix_solve(K, du);
+    /* END 12d */
+    free(row);
+    free(zero);
+    return status;
+}
+
+/*
+ * Newton's method for q(u) = 0 at the free vertices [alg:body-newton], from a u
+ * that has its values at the held ones to the solution, or to the last state
+ * reached.  Done: max|q| <= tolerance (2 mu + lambda) over the free vertices,
+ * and in the iteration before max|du| <= tolerance (m).  NONFINITE: q or du is
+ * not finite; MAX_ITERATIONS: not done after cap <= CAP linear systems.
+ */
+static struct report equilibrium(const struct scene *s, double tolerance,
+                                 int cap, double u[])
+{
+    const double weight = material_modulus(&s->body->material);
+    struct report report = {.status = MAX_ITERATIONS};
+    struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
+    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
+
+    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment): the loop,
+     * which fills report on its way; body_max_free() is the size of q, du. */
+    for (;;) {
+        const int k = report.iterations;
+        report.status = residual(s, u, q);
+        if (report.status != OK) break;
+        report.residual[k] = body_max_free(s->body, q);
+        report.status = NONFINITE;
+        if (!isfinite(report.residual[k])) break;
+        report.status = OK;
+        if (k > 0 && report.increment[k - 1] <= tolerance &&
+            report.residual[k] <= tolerance * weight)
+            break;
+        report.status = MAX_ITERATIONS;
+        if (k == cap) break;
+
+        report.status = tangent(s, u, K);
+        if (report.status == OK) report.status = increment(s, K, q, du);
+        if (report.status != OK) break;
+        report.increment[k] = body_max_free(s->body, du);
+        report.status = NONFINITE;
+        if (!isfinite(report.increment[k])) break;
+        for (int r = 0; r < s->n_dof; r++) u[r] += du[r];
+        report.iterations++;
+    }
+    /* END 12e */
+    matrix_free(K);
+    free(q);
+    return report;
+}
+
+int main(int argc, char *argv[])
+{
+    int scene = STRETCH, law = 1, lifted = 1;
+    double t = 1.0;
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
+    set.reach = 0.5;
+    const struct option options[] = {
+        {"scene", .choice = &scene, .choices = SCENES, .help = "see scene.h"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "r"},
+        {"n", .integer = &set.n, .min = 2, .max = 60, .help = "n x n squares"},
+        {"t", .real = &t, .min = 0, .max = 10, .unit = "s", .help = "when"},
+        {"reach", .real = &set.reach, .min = -20, .max = 20, .unit = "m",
+         .help = "amplitude of the moving ends"},
+        {"force", .real = &set.force, .min = -1e4, .max = 1e4,
+         .unit = "N/m^2 or N/m", .help = "of gravity, traction"},
+        {"nu", .real = &set.nu, .min = 0, .max = 0.49, .help = "Poisson's"},
+        {"start", .choice = &lifted, .choices = "rest lifted",
+         .help = "are the moved ends carried into the body?"},
+    };
+    options_parse("12_triangles", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+
+    set.reading = (enum reading)scene;
+    set.law = law ? CUBIC : LOG;
+    struct scene *s = scene_alloc(&set);
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+
+    scene_hold(s, t);
+    step_boundary(s->body, s->g, lifted, s->u);
+    struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * set.n + 5);
+    if (set.n == 2 && tangent(s, s->u, K) == OK) table_matrix("K", K);
+    matrix_free(K);
+    const struct report report = equilibrium(s, 1e-10, CAP, s->u);
+    print_history(&report);
+    if (report.status != OK)
+        die("Newton's method ends with %s after %d iterations",
+            status_name(report.status), report.iterations);
+    residual(s, s->u, q);
+    print_solution(s, q);
+    free(q);
+    scene_free(s);
+    return table_finish();
+}

@@ -1,0 +1,284 @@
+/*
+ * 13_backward_euler_2d.c - a square of rubber that moves: backward Euler in
+ * time, triangles in space, Newton's method in each step.
+ *
+ * Notes: Lecture 2, 3.3.1 and 3.3.5; Lecture 1, time stepping.
+ *
+ * Problem.  rho u'' = div P + f on (-1, 1)^2, Neo-Hookean; some ends are held,
+ * u = g(t), the others are free or loaded.  Backward Euler turns each time step
+ * into one equation for the new u, which Newton's method solves:
+ *
+ *     M (u - u0 - dt v0) + dt^2 (internal - external forces) = 0  [eq:body-q]
+ *
+ *     6---7---8     component i of vertex a is u[2a + i] [eq:flatten]; triangle
+ *     | / | / |     e has the vertices t = &mesh->triangle[3e] and the area
+ *     3---4---5     body->area[e].  Only the vertices that are not held have
+ *     | / | / |     unknowns, in a numbering of their own (body.h); the forces
+ *     0---1---2     come from the lesson before, as body_force()
+ *
+ * Run       make lesson-13, or with options: -h lists them
+ * Expect    --reach 0.5: elastic energy 339.307937720 at t = 1
+ * Plot: steps t elastic
+ */
+#include "options.h"
+#include "scene.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CAP = 30 }; /* linear systems per time step */
+
+/* How a step went: OK, INVERTED, NOT_SPD, NONFINITE, MAX_ITERATIONS; linear
+ * systems solved; max|q| (kg m) before iteration k, and max|du| (m) of it. */
+struct report {
+    enum status status;
+    int iterations;
+    double residual[CAP + 1], increment[CAP + 1];
+};
+
+/* A row of `steps`; the centre is the vertex at (0, 0), or at (-1/n, -1/n). */
+static void print_state(const struct scene *s, int iterations)
+{
+    const struct scene_measures m = scene_measure(s);
+    const int n = s->mesh->n, centre = n / 2 * (n + 1) + n / 2;
+    table_row(s->steps * s->set.dt, iterations, m.kinetic, m.elastic,
+              m.external, m.kinetic + m.elastic + m.external, m.momentum[0],
+              m.momentum[1], m.angular, m.min_J, s->u[2 * centre],
+              s->u[2 * centre + 1]);
+}
+
+/* The iterations of a step; when it failed, also the one not made. */
+static void print_newton(int step, const struct report *report)
+{
+    const int failed =
+        report->status != OK && report->residual[report->iterations] > 0.0;
+    table_begin_note("newton", "k residual increment", "step %d", step);
+    for (int k = 0; k < report->iterations + failed; k++)
+        table_row(k, report->residual[k],
+                  cell_if(k < report->iterations, report->increment[k]));
+    table_end();
+}
+
+static void print_nodes(const struct scene *s)
+{
+    const double *X = s->mesh->X, *u = s->u, *v = s->v;
+    table_begin("nodes", "X Y u_x u_y v_x v_y held");
+    for (int x = 0, y = 1; x < s->n_dof; x += 2, y += 2)
+        table_row(X[x], X[y], u[x], u[y], v[x], v[y],
+                  s->held[x / 2] ? "held" : "free");
+    table_end();
+}
+
+/* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab
+ * [eq:overlap] or, LUMPED, the row sums of that to the diagonal [eq:mass]. */
+static void add_mass(const struct body *body, const double v[], double out[])
+{
+    /* SLOT 13a(body, v, out): triangle by triangle; body->rho, body->area[e],
+     * body->mass, and body->mesh->triangle for the three vertices. */
+    for (int e = 0; e < body->mesh->n_triangle; e++) {
+        const int *t = &body->mesh->triangle[3 * e];
+        const double m = body->rho * body->area[e];
+        for (int a = 0; a < 3; a++)
+            for (int c = 0; c < 3; c++) {
+                double M_ac = a == c ? m / 6.0 : m / 12.0;
+                if (body->mass == LUMPED) M_ac = a == c ? m / 3.0 : 0.0;
+                for (int i = 0; i < 2; i++)
+                    out[2 * t[a] + i] += M_ac * v[2 * t[c] + i];
+            }
+    }
+    /* END 13a */
+}
+
+/*
+ * b of [eq:body-b] at all vertices, for the state u0, v0 before the step, the
+ * constant body force s->density (N/m^2) and the constant s->traction (N/m) on
+ * the right end, whose edge j, 0 <= j < n, joins the vertices j (n + 1) + n and
+ * (j + 1) (n + 1) + n.
+ */
+static void right_hand_side(const struct scene *s, double dt,
+                            const double u0[], const double v0[], double b[])
+{
+    double *w = allocate((size_t)s->n_dof, sizeof *w);
+    /* SLOT 13b(s, dt, u0, v0, w, b, add_mass): what add_mass() is to multiply
+     * goes into w; then triangle by triangle, then edge by edge. */
+    for (int r = 0; r < s->n_dof; r++) {
+        w[r] = u0[r] + dt * v0[r];
+        b[r] = 0.0;
+    }
+    add_mass(s->body, w, b);
+    for (int e = 0; e < s->mesh->n_triangle; e++)
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++)
+                b[2 * s->mesh->triangle[3 * e + a] + i] +=
+                    dt * dt * s->body->area[e] / 3.0 * s->density[i];
+    const double *X = s->mesh->X;
+    const int n = s->mesh->n;
+    for (int j = 0; j < n; j++) {
+        const int A = 2 * (j * (n + 1) + n), B = A + 2 * (n + 1);
+        const double half = 0.5 * hypot(X[B] - X[A], X[B + 1] - X[A + 1]);
+        for (int i = 0; i < 2; i++) {
+            b[A + i] += dt * dt * half * s->traction[i];
+            b[B + i] += dt * dt * half * s->traction[i];
+        }
+    }
+    /* END 13b */
+    free(w);
+}
+
+/* q of all vertices [eq:body-q] (at a held one it is what holds it, times dt^2)
+ * and A = dq/du of the free unknowns [eq:body-tangent].  INVERTED where the
+ * material is not defined; q and A are then incomplete. */
+static enum status equation(const struct body *body, double dt,
+                            const double u[], const double b[], double q[],
+                            struct matrix *A)
+{
+    struct matrix *K = body_matrix(body);
+    enum status status = OK;
+    /* SLOT 13c(body, dt, u, b, q, A, K, &status): dPsi/du by body_force(), K by
+     * body_stiffness(), M by body_mass_matrix(); then matrix_combine(). */
+    status = body_force(body, u, q);
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
+        q[r] = dt * dt * q[r] - b[r];
+    add_mass(body, u, q);
+    if (status == OK) status = body_stiffness(body, u, K);
+    body_mass_matrix(body, A);
+    matrix_combine(A, dt * dt, K, A);
+    /* END 13c */
+    matrix_free(K);
+    return status;
+}
+
+/* The sum of all forces of the load, which n must not change.  For n <= 4 also
+ * b, and q at the start, of the step that follows. */
+static void print_stages(const struct scene *s)
+{
+    double *b = allocate(3 * (size_t)s->n_dof, sizeof *b), sum[2] = {0.0, 0.0};
+    double *q = b + s->n_dof, *zero = q + s->n_dof;
+    struct matrix *A = body_matrix(s->body);
+
+    right_hand_side(s, 1.0, zero, zero, b);
+    for (int r = 0; r < s->n_dof; r++) sum[r % 2] += b[r];
+    table_begin("loads", "force_x force_y");
+    table_row(sum[0], sum[1]);
+    table_end();
+    right_hand_side(s, s->set.dt, s->u, s->v, b);
+    if (s->mesh->n <= 4 &&
+        equation(s->body, s->set.dt, s->u, b, q, A) == OK) {
+        table_begin("b_q", "vertex b_x b_y q_x q_y");
+        for (int x = 0, y = 1; x < s->n_dof; x += 2, y += 2)
+            table_row(x / 2, b[x], b[y], q[x], q[y]);
+        table_end();
+    }
+    matrix_free(A);
+    free(b);
+}
+
+/*
+ * One step of backward Euler by Newton's method [alg:body-newton], from s->u
+ * (lifted: [eq:lift-2d]) with s->g at the held vertices.  Done: max|q| of the
+ * free vertices <= tolerance weight, and in the iteration before max|du| <=
+ * tolerance (m); so there is at least one.  Then v = (u_new - u) / dt at every
+ * vertex, and u = u_new [eq:backward-euler].  NONFINITE: q or du is not finite;
+ * MAX_ITERATIONS: not done after cap systems.  Unless the status is OK, s->u,
+ * s->v and s->steps stay as they were.
+ */
+static struct report step(struct scene *s, double tolerance, int cap, int lift)
+{
+    const double dt = s->set.dt, h = 2.0 / s->mesh->n;
+    const double weight = /* of 1 m in q: the size of an entry of A */
+        s->body->rho * h * h + dt * dt * material_modulus(&s->body->material);
+    const size_t n_dof = (size_t)s->n_dof;
+    struct report report = {.status = MAX_ITERATIONS};
+    struct matrix *A = body_matrix(s->body);
+    double *next = allocate(4 * n_dof, sizeof *next), *b = next + n_dof;
+    double *q = b + n_dof, *du = q + n_dof;
+
+    memcpy(next, s->u, n_dof * sizeof *next);
+    if (lift) step_boundary(s->body, s->g, 1, next);
+    /* SLOT 13d(s, tolerance, cap, weight, b, q, du): write s->g into next; then
+     * the loop, which fills report on its way: body_increment() for du, and
+     * body_max_free() for the size of q and du; then s->v and s->u. */
+    right_hand_side(s, dt, s->u, s->v, b);
+    for (size_t r = 0; r < n_dof; r++)
+        if (s->held[r / 2]) next[r] = s->g[r];
+    for (;;) {
+        const int k = report.iterations;
+        report.status = equation(s->body, dt, next, b, q, A);
+        if (report.status != OK) break;
+        report.residual[k] = body_max_free(s->body, q);
+        report.status = NONFINITE;
+        if (!isfinite(report.residual[k])) break;
+        report.status = OK;
+        if (k > 0 && report.increment[k - 1] <= tolerance &&
+            report.residual[k] <= tolerance * weight)
+            break;
+        report.status = MAX_ITERATIONS;
+        if (k == cap) break;
+
+        report.status = body_increment(s->body, A, q, du);
+        if (report.status != OK) break;
+        report.increment[k] = body_max_free(s->body, du);
+        report.status = NONFINITE;
+        if (!isfinite(report.increment[k])) break;
+        for (size_t r = 0; r < n_dof; r++) next[r] += du[r];
+        report.iterations++;
+    }
+    for (size_t r = 0; r < n_dof && report.status == OK; r++) {
+        s->v[r] = (next[r] - s->u[r]) / dt;
+        s->u[r] = next[r];
+    }
+    /* END 13d */
+    s->steps += report.status == OK;
+    matrix_free(A);
+    free(next);
+    return report;
+}
+
+int main(int argc, char *argv[])
+{
+    int reading = STRETCH, law = 1, mass = CONSISTENT, lift = 0, steps = 30;
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
+    const struct option options[] = {
+        {"scene", .choice = &reading, .choices = SCENES, .help = "see scene.h"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "r"},
+        {"n", .integer = &set.n, .min = 2, .max = 60, .help = "n x n squares"},
+        {"steps", .integer = &steps, .min = 1, .max = 1000, .help = "how many"},
+        {"dt", .real = &set.dt, .min = 1e-6, .max = 10, .unit = "s",
+         .help = "time step"},
+        {"mass", .choice = &mass, .choices = "consistent lumped", .help = "M"},
+        {"guess", .choice = &lift, .choices = "last lifted", .help = "start"},
+        {"reach", .real = &set.reach, .min = -20, .max = 20, .unit = "m",
+         .help = "amplitude of the moving ends"},
+    };
+    options_parse("13_backward_euler_2d", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+
+    set.reading = (enum reading)reading;
+    set.law = law ? CUBIC : LOG;
+    set.mass = (enum mass)mass;
+    struct scene *s = scene_alloc(&set);
+    struct report report = {.status = OK}, shown = report;
+
+    table_begin("steps", "t iterations kinetic elastic external total "
+                "momentum_x momentum_y angular min_J centre_x centre_y");
+    print_state(s, 0);
+    while (report.status == OK && s->steps < steps) {
+        scene_hold(s, (s->steps + 1) * set.dt);
+        report = step(s, 1e-10, CAP, lift);
+        if (s->steps <= 1 || report.status != OK) shown = report;
+        if (report.status == OK) print_state(s, report.iterations);
+    }
+    table_end();
+    print_newton(shown.status == OK ? 1 : s->steps + 1, &shown);
+    print_stages(s);
+    print_nodes(s);
+    if (report.status != OK)
+        die("step %d, t = %g: Newton's method ends with %s after %d iterations",
+            s->steps + 1, (s->steps + 1) * set.dt, status_name(report.status),
+            report.iterations);
+    scene_free(s);
+    return table_finish();
+}
