@@ -48,7 +48,7 @@ judge() {
     log=$BUILD/mine/$slug.log
     if ! "$MAKE" "$BUILD/solutions/$slug" \
         "$BUILD/tests/judge.o" "$BUILD/tests/output.o" \
-        "$BUILD/tests/child.o" >"$log" 2>&1; then
+        "$BUILD/tests/child.o" "$BUILD/tests/guard.o" >"$log" 2>&1; then
         cat "$log" >&2
         return 2
     fi

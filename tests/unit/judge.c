@@ -6,6 +6,8 @@
 
 #include "../checks/output.c"
 
+#include "../checks/guard.c"
+
 #include "../checks/judge.c"
 
 #include "status.h"
