@@ -30,10 +30,11 @@ mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
 $(BUILD)/mutants/unit/%.o: tests/unit/%.c Makefile
 	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
 MUTANT_FILES = $(wildcard common/*.c)
+MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
+    UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
+    NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
+    CC_MUTANT='$(CC) $(STD) $(CFLAGS) -w -Icommon $(GSL_CFLAGS) \
+    -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
 mutants-common: $(UNITS:%=$(BUILD)/mutants/unit/%.o) $(BUILD)/unit/unit.o \
                 $(LIB) mutants-head
-	@N='$(N_COMMON)' UNITS='$(UNITS)' NATIVE='$(NATIVE)' \
-	    NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
-	    BUILD='$(BUILD)' SEED='$(SEED)' LINK='$(UNIT_LIBS)' \
-	    CC_MUTANT='$(CC) $(STD) $(CFLAGS) -w -Icommon $(GSL_CFLAGS) \
-	    -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh common $(MUTANT_FILES)
+	@$(MUTANTS_COMMON) common $(MUTANT_FILES)

@@ -181,10 +181,10 @@ static void line_search_asks_for_enough(void)
 {
     const struct material m = of(LINEAR, 0.3);
     const double newton = -0.5; /* from F = 1.5 to rest */
-    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 2e-4) * newton, 1.0,
-                  "the energy decreases by 2e-4 of the slope");
-    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 0.5e-4) * newton, 0.5,
-                  "at length 1 it decreases by 0.5e-4 of the slope only");
+    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 1.5e-4) * newton, 1.0,
+                  "the energy decreases by 1.5e-4 of the slope");
+    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 0.7e-4) * newton, 0.5,
+                  "at length 1 it decreases by 0.7e-4 of the slope only");
     expect_length(&m, 0.0, 1.5, 2.0 * (1.0 + 0.5e-4) * newton, 0.5,
                   "at length 1 it increases");
 }

@@ -161,9 +161,16 @@ lesson)
 common)
     for file; do
         name=$(basename "$file" .c)
-        # its own unit program first
-        own=$(echo " $UNITS " | grep -o " $name ")
-        units="$own $(echo " $UNITS " | sed "s/ $name / /")"
+        # first the unit programs that look at this file
+        units=$(for unit in $UNITS; do
+            far=$(awk -v file="$file" -v unit="$unit" -v name="$name" '
+                $1 == "file:" { known = $2 == file }
+                $1 == "unit:" && known && $2 == unit { near += 100 }
+                index($0, "#include \"" name ".h\"") { near += 50 }
+                END { print 1000 - near - 500 * (unit == name) }' \
+                tests/unit/mistakes.txt "tests/unit/$unit.c")
+            echo "$far $unit"
+        done | sort -n | sed 's/.* //')
         case $name in
         banded) native=$NATIVE ;;
         body) native=$NATIVE_BODY ;;
