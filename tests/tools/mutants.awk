@@ -8,7 +8,8 @@
 #
 # One operator, constant, index, name, order of arguments or statement is
 # changed; what does not compile is for the caller to leave out.  A statement is
-# taken away by `if (0)` before it.
+# taken away by `if (0)` before it, but for one that gives memory back: that
+# changes no result, and valgrind looks for it.
 
 # Whether the line is code, with comments and strings blanked.
 function code_of(line,    out, i, c, two) {
@@ -136,7 +137,7 @@ function names(list,    n, i, word) {
 # Whether a statement begins on this line of code.
 function begins(code) {
     return open == 0 && last ~ /(^|[;{})]|else|:)$/ &&
-        code ~ /^ *[A-Za-z_*]/ && code !~ /^ *(else|case|default|enum|struct|static|const|UNROLL|typedef|int|double|size_t|mat2)[ :]/
+        code ~ /^ *[A-Za-z_*]/ && code !~ /^ *([a-z_0-9]*_)?free\(/ && code !~ /^ *(else|case|default|enum|struct|static|const|UNROLL|typedef|int|double|size_t|mat2)[ :]/
 }
 
 function look(code,    i, c, bare) {
