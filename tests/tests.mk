@@ -211,3 +211,5 @@ test: $(RESULTS)
 
 memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
 	@cat $^ | sh tests/tools/count.sh
+
+include tests/mutants.mk

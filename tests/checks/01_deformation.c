@@ -68,8 +68,20 @@ static void collapsed_element_has_F_zero(void)
         expect(sign == k, "x1 - x0 = %g is no round-off: sign is %d, not %d",
                k * 1e-9, sign, k);
     }
-    /* the same bar in kilometres and in micrometres */
-    for (double unit = 1e-6; unit < 1e7; unit *= 1e12) {
+    /* the same bar in kilometres and in micrometres; the limit is 16 eps, and
+     * a method may make 3 of them */
+    for (double unit = 1e-6; unit < 1e7; unit *= 1e6) {
+        for (int k = -1; k <= 1; k += 2) {
+            const double gap = k * DBL_EPSILON * unit, x0 = 0.5 * unit;
+            sign = bar_gradient(0.137 * unit, 0.385 * unit, x0,
+                                x0 + 12.0 * gap, unit, &F);
+            expect(sign == 0, "x1 - x0 = %g eps size in a bar of size %g: "
+                   "sign is %d, not 0", k * 12.0, unit, sign);
+            sign = bar_gradient(0.137 * unit, 0.385 * unit, x0,
+                                x0 + 24.0 * gap, unit, &F);
+            expect(sign == k, "x1 - x0 = %g eps size in a bar of size %g: "
+                   "sign is %d, not %d", k * 24.0, unit, sign, k);
+        }
         sign = bar_gradient(0.137 * unit, 0.385 * unit, place * unit,
                             0.612 * unit, unit, &F);
         expect(sign == -1, "sign is %d, not -1, in a bar of size %g", sign,

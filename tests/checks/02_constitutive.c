@@ -100,9 +100,10 @@ static void moduli_give_back_E_and_nu(void)
 
 static void log_is_undefined_not_nan(void)
 {
-    const double J[] = {-2.385, -1.0, -1e-300, 0.0, 1e-300, 0.3714, 3.714};
+    const double J[] = {-2.385, -1.0, -1e-300, 0.0,
+                        1e-300, 0.3714, 3.714, (double)NAN};
     for (int i = 0; i < COUNT(J); i++) {
-        struct volumetric v = {0.0, 0.0, 0.0};
+        struct volumetric v = {0.731, 0.613, 0.371};
         const enum status status = volumetric(LOG, J[i], &v);
         if (!(J[i] > 0.0)) {
             expect(isfinite(v.r) && isfinite(v.dr),
@@ -110,10 +111,13 @@ static void log_is_undefined_not_nan(void)
             expect(status == INVERTED,
                    "the log law at J = %g must return INVERTED, not %s", J[i],
                    status_name(status));
+            expect(v.r == 0.731 && v.dr == 0.613 && v.ddr == 0.371,
+                   "the log law at J = %g must leave r, r' and r'' untouched",
+                   J[i]);
         } else
             expect(status == OK, "the log law at J = %g is %s", J[i],
                    status_name(status));
-        expect(volumetric(CUBIC, J[i], &v) == OK,
+        expect(isnan(J[i]) || volumetric(CUBIC, J[i], &v) == OK,
                "the cubic law is not defined at J = %g, and should be", J[i]);
     }
 }
@@ -235,9 +239,16 @@ static void curves_are_the_oracles(void)
         }
 }
 
-/* psi(Q F) = psi(F), P(Q F) = Q P(F) and P F^T symmetric. */
+/* psi(Q F) = psi(F), P(Q F) = Q P(F) and P F^T symmetric; the linear law is at
+ * rest where it is not turned. */
 static void rotations_cost_nothing(void)
 {
+    const struct material linear = odd(LINEAR);
+    const struct triple rest = two_P(&linear, mat2_identity());
+    expect_close(rest.psi, 0.0, ROUND_OFF, linear.mu,
+                 "linear law: psi of a body at rest, F = I");
+    expect_same(rest.P, mat2_scale(0.0, rest.P), linear.mu,
+                "|P| of a body at rest, F = I", LINEAR);
     const double degrees[] = {30.0, 90.0, 180.0, -71.0};
     for (int law = LOG; law <= CUBIC; law++)
         for (int a = 0; a < COUNT(degrees); a++) {

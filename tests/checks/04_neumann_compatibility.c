@@ -6,7 +6,9 @@
 
 #include "../oracle/poisson.h"
 
+#include <float.h>
 #include <gsl/gsl_eigen.h>
+#include <math.h>
 
 /* A scene with high entropy: unequal elements, beta neither 1 nor constant, a
  * load of changing sign, fluxes at both ends that nothing balances. */
@@ -42,7 +44,7 @@ static const double SUM = 1e-14;
 
 struct scene {
     struct matrix *A;
-    double b[N_node], u[N_node];
+    double *b, *u;
 };
 
 /* A and b of a load and two fluxes [eq:poisson-b]. */
@@ -57,7 +59,8 @@ static void with_fluxes(field *f, double qa, double qb, struct matrix *A,
 /* The scene; b made compatible without the program's help. */
 static struct scene compatible_scene(void)
 {
-    struct scene s = {.A = matrix_alloc(BANDED, N_node, 1)};
+    const struct scene s = {matrix_alloc(BANDED, N_node, 1),
+                            guarded_alloc(N_node), guarded_alloc(N_node)};
     double sum = 0.0;
     with_fluxes(wavy_load, flux_a, flux_b, s.A, s.b);
     for (int i = 0; i < N_node; i++) sum += s.b[i];
@@ -67,7 +70,7 @@ static struct scene compatible_scene(void)
 
 static struct scene solved_scene(void)
 {
-    struct scene s = compatible_scene();
+    const struct scene s = compatible_scene();
     const enum status status = solve_neumann(s.A, s.b, s.u);
     expect(status == OK, "solve_neumann says %s of a system that is solvable",
            status_name(status));
@@ -77,17 +80,19 @@ static struct scene solved_scene(void)
 static void quadratic_form_is_vAv(void)
 {
     const struct scene s = compatible_scene();
+    const double *x = guarded_copy(N_node, nodes);
     double Av[N_node], want = 0.0;
     matrix_multiply(s.A, values, Av);
     for (int i = 0; i < N_node; i++) want += values[i] * Av[i];
-    expect_close(quadratic_form(n_elem, nodes, wavy_beta, values), want,
-                 ROUND_OFF, want, "v'Av, unequal elements, beta not constant");
+    expect_close(quadratic_form(n_elem, x, wavy_beta,
+                                guarded_copy(N_node, values)),
+                 want, ROUND_OFF, want, "v'Av, unequal elements, beta not constant");
 
     /* only element 1 sees node 0, only element n sees node n */
     for (int end = 0; end <= n_elem; end += n_elem) {
         double hat[N_node] = {0};
         hat[end] = 1.0;
-        expect_close(quadratic_form(n_elem, nodes, wavy_beta, hat),
+        expect_close(quadratic_form(n_elem, x, wavy_beta, hat),
                      matrix_get(s.A, end, end), ROUND_OFF, 1.0 / 0.131 * 3.4,
                      "v'Av of the hat at node %d", end);
     }
@@ -107,10 +112,25 @@ static void quadratic_form_of_linear_v_is_exact(void)
                  "v'Av for the constant 2.385");
 }
 
+/* Sums of small integers and of `defect` eps: exact in any order.  Sum |b_i| is
+ * 22, so that 176 eps is the limit. */
+static void judge_defect(double defect, double unit)
+{
+    const double integers[N_node] = {3, -1, 2, -4, 1, -2, 5, -4};
+    double *b = guarded_copy(N_node, integers), found;
+    b[n_elem] += defect * DBL_EPSILON;
+    for (int i = 0; i < N_node; i++) b[i] *= unit;
+    const enum status status = compatibility(N_node, b, &found);
+    expect((status == OK) == (fabs(defect) < 176.0),
+           "N = 8, sum |b| = %g, sum b = %.3g: N eps sum |b| is %.3g, but the "
+           "status is %s", 22.0 * unit, defect * DBL_EPSILON * unit,
+           176.0 * DBL_EPSILON * unit, status_name(status));
+}
+
 static void defect_is_the_sum_of_b(void)
 {
     struct matrix *A = matrix_alloc(BANDED, N_node, 1);
-    double b[N_node], defect = -1.0, scale = 0.0;
+    double *b = guarded_alloc(N_node), defect = -1.0, scale = 0.0;
     const double balance = -3.714 * nodes[n_elem] - flux_a;
 
     /* a constant load is integrated exactly: sum b = int f + q_a + q_b */
@@ -133,6 +153,15 @@ static void defect_is_the_sum_of_b(void)
                    "loads of size 1e%d with sum %.1e times that: said %s", k,
                    sign * 1e-9 * scale, status_name(status));
         }
+    for (int k = -20; k <= 20; k += 20) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            judge_defect(sign * 168.0, ldexp(1.0, k));
+            judge_defect(sign * 184.0, ldexp(1.0, k));
+        }
+    }
+    for (int i = 0; i < N_node; i++) b[i] = 0.0;
+    expect(compatibility(N_node, b, &defect) == OK && defect == 0.0,
+           "without any load the sum of b is 0: that is compatible");
     b[3] = NAN;
     expect(compatibility(N_node, b, &defect) == INCOMPATIBLE,
            "loads with a NaN among them are taken for compatible");
@@ -141,7 +170,7 @@ static void defect_is_the_sum_of_b(void)
 
 static void projection_is_orthogonal(void)
 {
-    double b[N_node], sum = 0.0, mean = 0.0, defect;
+    double *b = guarded_alloc(N_node), sum = 0.0, mean = 0.0, defect;
     for (int i = 0; i < N_node; i++) {
         b[i] = values[i];
         mean += values[i] / N_node;
@@ -164,12 +193,12 @@ static void projection_is_orthogonal(void)
 /* All N of them, the equation of a pinned node too. */
 static void every_equation_holds(void)
 {
-    double x[5], b[5], u[5], Au[5];
+    double x[5], b[5], *u = guarded_alloc(5), Au[5];
     struct matrix *A = matrix_alloc(BANDED, 5, 1);
     const double load[] = {0.5, -1.25, 3.0, -0.75, -1.5};
     grid_make(0.0, 1.0, 4, 1.0, x);
     poisson_assemble(4, x, one, one, &MIDPOINT, A, b);
-    expect(solve_neumann(A, load, u) == OK,
+    expect(solve_neumann(A, guarded_copy(5, load), u) == OK,
            "solve_neumann fails for n = 4 equal elements");
     matrix_multiply(A, u, Au);
     for (int i = 0; i < 5; i++)
@@ -232,7 +261,7 @@ static void same_as_pseudo_inverse(void)
 
 static void incompatible_systems_are_refused(void)
 {
-    struct scene s = compatible_scene();
+    const struct scene s = compatible_scene();
     for (int sign = -1; sign <= 1; sign += 2) {
         s.b[2] += sign * 1e-6;
         const enum status status = solve_neumann(s.A, s.b, s.u);

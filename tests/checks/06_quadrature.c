@@ -17,8 +17,16 @@ static const double flux_a = 2.385, flux_b = -3.714;
 /* Sums of a few products of size one. */
 static const double ROUND_OFF = 1e-14;
 
-static const struct quadrature *const common_rule[] = {&MIDPOINT, &TRAPEZOID,
-                                                       &GAUSS2};
+/* The rules of common/ with NaN behind their last point. */
+static const struct quadrature *common_rule(int r)
+{
+    static struct quadrature rule[3];
+    const struct quadrature *const all[] = {&MIDPOINT, &TRAPEZOID, &GAUSS2};
+    rule[r] = *all[r];
+    for (int k = rule[r].n; k < COUNT(rule[r].s); k++)
+        rule[r].s[k] = rule[r].w[k] = (double)NAN;
+    return &rule[r];
+}
 static const char *const rule_name[] = {"midpoint", "trapezoid", "gauss2"};
 
 static double nothing(double x)
@@ -60,11 +68,12 @@ static void assembled(int n, const double x[], field *beta, field *f,
                       const struct quadrature *rule, double qa, double qb,
                       struct system *out)
 {
-    double mean[n_elem + 1];
+    double *mean = guarded_alloc(n + 1);
     *out = (struct system){0};
+    x = guarded_copy(n + 1, x);
     element_means(n, x, beta, rule, mean);
     for (int j = 0; j <= n; j++) {
-        double row[3];
+        double *row = guarded_alloc(3);
         stiffness_row(j, n, x, mean, row);
         for (int k = 0; k < 3; k++) {
             if (j + k >= 1 && j + k <= n + 1)
@@ -104,7 +113,7 @@ static void element_integrals_of_polynomials_are_exact(void)
     const double x0 = 0.613, x1 = 2.385, h = x1 - x0;
     for (int r = 0; r < N_RULE; r++)
         for (int d = 0; d <= (r == GAUSS2_RULE ? 3 : 1); d++) {
-            const struct quadrature *rule = common_rule[r];
+            const struct quadrature *rule = common_rule(r);
             /* int x^d, and int x^d s = (int x^(d+1) - x0 int x^d) / h */
             const double I = (pow(x1, d + 1) - pow(x0, d + 1)) / (d + 1);
             const double J = (pow(x1, d + 2) - pow(x0, d + 2)) / (d + 2);
@@ -146,7 +155,7 @@ static void rows_of_A_add_up_to_zero(void)
 {
     for (int r = 0; r < N_RULE; r++) {
         struct system s;
-        assembled(n_elem, grid, smooth_beta, smooth_f, common_rule[r], 0.0, 0.0,
+        assembled(n_elem, grid, smooth_beta, smooth_f, common_rule(r), 0.0, 0.0,
                   &s);
         for (int i = 0; i <= n_elem; i++) {
             double sum = 0.0;
@@ -168,7 +177,7 @@ static void linear_beta_gives_the_oracles_matrix(void)
     const double x[] = {0.0, 0.25, 0.5, 0.75, 1.0};
     for (int r = 0; r < N_RULE; r++) {
         struct system s;
-        assembled(4, x, bvp_beta, bvp_f, common_rule[r], 0.0, -0.5, &s);
+        assembled(4, x, bvp_beta, bvp_f, common_rule(r), 0.0, -0.5, &s);
         for (int i = 0; i < 5; i++)
             for (int j = 0; j < 5; j++)
                 expect_close(s.A[i][j], oracle_bvp_A4[5 * i + j], ROUND_OFF,
@@ -191,10 +200,11 @@ static void load_is_the_oracles(void)
 static void loads_add_up_to_force_and_fluxes(void)
 {
     for (int r = 0; r < N_RULE; r++) {
-        const struct quadrature *rule = common_rule[r];
+        const struct quadrature *rule = common_rule(r);
+        const double *x = guarded_copy(n_elem + 1, grid);
         double total = flux_a + flux_b, sum = 0.0;
         for (int j = 0; j <= n_elem; j++)
-            sum += load_entry(j, n_elem, grid, smooth_f, rule, flux_a, flux_b);
+            sum += load_entry(j, n_elem, x, smooth_f, rule, flux_a, flux_b);
         for (int e = 0; e < n_elem; e++) {
             const double h = grid[e + 1] - grid[e];
             for (int k = 0; k < rule->n; k++)
@@ -219,7 +229,7 @@ static void same_as_element_assembly(void)
         double b[n_elem + 1];
         struct system s;
         const struct quadrature rule = quadrature_rule((enum rule)r);
-        poisson_assemble(n_elem, grid, smooth_beta, smooth_f, common_rule[r], A,
+        poisson_assemble(n_elem, grid, smooth_beta, smooth_f, common_rule(r), A,
                          b);
         b[0] += flux_a;
         b[n_elem] += flux_b;
@@ -277,7 +287,7 @@ static void gsl_agrees_to_the_order_of_the_rule(void)
             const double h = fine ? 0.025 : 0.05;
             const double x[] = {at - h, at, at + h};
             struct system s;
-            assembled(2, x, smooth_beta, smooth_f, common_rule[r], 0.0, 0.0,
+            assembled(2, x, smooth_beta, smooth_f, common_rule(r), 0.0, 0.0,
                       &s);
             A_error[fine] =
                 s.A[1][0] + judged(x[0], at, smooth_beta, 0.0, 0.0) / (h * h);

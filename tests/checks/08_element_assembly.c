@@ -30,8 +30,16 @@ static const double ROUND_OFF = 16 * DBL_EPSILON;
 /* The largest entry of A and of b in this scene, to scale with. */
 static const double SIZE_A = 200.0, SIZE_B = 3.0;
 
-static const struct quadrature *const all_rules[] = {&MIDPOINT, &TRAPEZOID,
-                                                     &GAUSS2};
+/* The rules with NaN behind their last point. */
+static const struct quadrature *rule_of(int k)
+{
+    static struct quadrature rule[3];
+    const struct quadrature *const all[] = {&MIDPOINT, &TRAPEZOID, &GAUSS2};
+    rule[k] = *all[k];
+    for (int i = rule[k].n; i < COUNT(rule[k].s); i++)
+        rule[k].s[i] = rule[k].w[i] = (double)NAN;
+    return &rule[k];
+}
 static const char *const rule_names[] = {"midpoint", "trapezoid", "Gauss"};
 
 struct local {
@@ -51,11 +59,11 @@ static struct matrix *assembled(enum storage storage,
                                 const int order[], double b[])
 {
     struct matrix *A = matrix_alloc(storage, N_node, 1);
-    for (int i = 0; i < N_node; i++) {
-        b[i] = 0.731;
-        matrix_add(A, i, i, 1.247);
-    }
-    assemble(n_elem, grid, beta_, load_, rule, order, A, b);
+    double *sums = guarded_alloc(N_node);
+    for (int i = 0; i < N_node; i++) matrix_add(A, i, i, 1.247);
+    assemble(n_elem, guarded_copy(N_node, grid), beta_, load_, rule,
+             guarded_indices(n_elem, order), A, sums);
+    memcpy(b, sums, N_node * sizeof *b);
     return A;
 }
 
@@ -66,8 +74,8 @@ static const int mixed[] = {4, 0, 6, 2, 5, 1, 3};
 static void local_matrix_has_row_sums_0(void)
 {
     for (int e = 0; e < n_elem; e++)
-        for (int k = 0; k < COUNT(all_rules); k++) {
-            const struct local l = local_system(e, all_rules[k]);
+        for (int k = 0; k < COUNT(rule_names); k++) {
+            const struct local l = local_system(e, rule_of(k));
             for (int a = 0; a < 2; a++)
                 expect_close(l.K[a][0] + l.K[a][1], 0.0, ROUND_OFF, l.K[a][a],
                              "sum of row %d of K (%s rule), element %d", a,
@@ -97,10 +105,10 @@ static void local_load_is_a_partition(void)
 static void element_agrees_with_common(void)
 {
     for (int e = 0; e < n_elem; e++)
-        for (int k = 0; k < COUNT(all_rules); k++) {
-            const struct local l = local_system(e, all_rules[k]);
+        for (int k = 0; k < COUNT(rule_names); k++) {
+            const struct local l = local_system(e, rule_of(k));
             double K[2][2], r[2];
-            poisson_element(grid[e], grid[e + 1], beta_, load_, all_rules[k],
+            poisson_element(grid[e], grid[e + 1], beta_, load_, rule_of(k),
                             K, r);
             for (int a = 0; a < 2; a++) {
                 expect_close(l.r[a], r[a], ROUND_OFF, SIZE_B,
@@ -304,8 +312,8 @@ static struct matrix *trial_system(int singular, double b[65])
 static void expect_refused(const struct matrix *A, const double b[],
                            const char *what)
 {
-    double u[65];
-    const struct point p = measure(A, b, 3, u);
+    double *u = guarded_alloc(65);
+    const struct point p = measure(A, guarded_copy(65, b), 3, u);
     expect(!p.valid, "%s: counted as valid", what);
     expect(p.seconds == 0.0, "%s: not valid, but it has a time, %g s", what,
            p.seconds);
@@ -313,9 +321,31 @@ static void expect_refused(const struct matrix *A, const double b[],
            "that is not valid; set it to 0");
 }
 
+/* Right but for one entry above the diagonal, which Cholesky does not read: the
+ * backward error is `eps`, of which 3 may be round-off.  The limit is 20. */
+static void judge_backward_error_of(double eps, int valid)
+{
+    double b[65], *u = guarded_alloc(65);
+    struct matrix *A = trial_system(0, b);
+    for (int i = 0; i < 65; i++) b[i] *= 1e6;
+    const struct point exact = measure(A, b, 1, u);
+    const double step = 1e3 * DBL_EPSILON * matrix_get(A, 30, 30);
+    matrix_add(A, 30, 31, step);
+    const double per_step = matrix_backward_error(A, u, b);
+    matrix_add(A, 30, 31, (eps / per_step - 1.0) * step);
+    const struct point p = measure(A, b, 1, u);
+    expect(exact.status == OK && p.status == OK && !p.valid == !valid,
+           "u solves a system that differs from A u = b by %g eps, %s the "
+           "limit of BACKWARD_EPS = %g: valid must be %d, not %d", eps,
+           valid ? "below" : "above", BACKWARD_EPS, valid, p.valid);
+    matrix_free(A);
+}
+
 static void no_time_without_a_valid_answer(void)
 {
-    double b[65], b_before[65], u[65];
+    judge_backward_error_of(0.5 * BACKWARD_EPS, 1);
+    judge_backward_error_of(2.0 * BACKWARD_EPS, 0);
+    double b[65], b_before[65], *u = guarded_alloc(65);
     struct matrix *A = trial_system(0, b);
     struct matrix *before = matrix_copy(A);
     for (int i = 0; i < 65; i++) b_before[i] = b[i];

@@ -6,6 +6,7 @@
 #include "../oracle/09_linear_bar.h"
 #include "poisson.h"
 
+#include <float.h>
 #include <gsl/gsl_math.h>
 
 /* Round-off of a few products, and of a solve with condition below 1e3. */
@@ -30,11 +31,10 @@ static const double modulus_ = 371.4;
 static struct matrix *assembled(const struct bar_scene *s, double modulus,
                                 double b[])
 {
-    double *f_mid = allocate((size_t)s->n, sizeof *f_mid);
+    double *f_mid = guarded_alloc(s->n);
     struct matrix *K = matrix_alloc(BANDED, s->n + 1, 1);
     bar_scene_force(s, f_mid);
     assemble(s, modulus, f_mid, K, b);
-    free(f_mid);
     return K;
 }
 
@@ -161,9 +161,35 @@ static void loads_add_up_to_the_whole(void)
                  "sum of b, against c + h(0) + h(1)");
 }
 
+/* Sums of small integers and of `defect` eps: exact in any order.  Sum |b_i| is
+ * 22, so that 176 eps is the limit. */
+static void judge_balance(double defect, double unit)
+{
+    const double integers[n_elem + 1] = {3, -1, 2, -4, 1, -2, 5, -4};
+    const struct bar_scene s = scene_of(FREE, 0.0, FREE, 0.0);
+    double assembled_b[n_elem + 1], *b = guarded_copy(n_elem + 1, integers);
+    struct matrix *K = assembled(&s, modulus_, assembled_b);
+    b[n_elem] += defect * DBL_EPSILON;
+    for (int i = 0; i <= n_elem; i++) b[i] *= unit;
+    const enum status status = solve(&s, K, b, guarded_alloc(n_elem + 1));
+    expect((status == OK) == (fabs(defect) < 176.0),
+           "both ends free, n = 7, sum |b| = %g, sum b = %.3g: (n + 1) eps sum "
+           "|b| is %.3g, but the status is %s", 22.0 * unit,
+           defect * DBL_EPSILON * unit, 176.0 * DBL_EPSILON * unit,
+           status_name(status));
+    matrix_free(K);
+}
+
 /* Pure traction ends: solvable exactly when the loads balance. */
 static void free_bar_needs_balanced_loads(void)
 {
+    for (int k = -20; k <= 20; k += 20) {
+        for (int sign = -1; sign <= 1; sign += 2) {
+            judge_balance(sign * 168.0, ldexp(1.0, k));
+            judge_balance(sign * 184.0, ldexp(1.0, k));
+        }
+    }
+    judge_balance(0.0, 0.0); /* no load at all */
     const struct {
         int left, right;
         double at_right, modulus;
@@ -177,7 +203,7 @@ static void free_bar_needs_balanced_loads(void)
                  {HELD, FREE, 71.9, -714.0, NOT_SPD},
                  {HELD, FREE, 71.9, 0.0, NOT_SPD}};
     for (int k = 0; k < COUNT(cases); k++) {
-        double b[n_elem + 1], u[n_elem + 1] = {0};
+        double *b = guarded_alloc(n_elem + 1), *u = guarded_alloc(n_elem + 1);
         const struct bar_scene s =
             scene_of(cases[k].left, -12.3, cases[k].right, cases[k].at_right);
         const char *left = s.held[0] ? "held" : "free";
@@ -215,7 +241,8 @@ static void nodal_values_are_exact(void)
         scene_of(FREE, -12.3, FREE, 12.3 - 53.7)};
     for (int k = 0; k < COUNT(scenes); k++) {
         const struct bar_scene *s = &scenes[k];
-        double b[n_elem + 1], b_before[n_elem + 1], u[n_elem + 1];
+        double *b = guarded_alloc(n_elem + 1), *u = guarded_alloc(n_elem + 1);
+        double b_before[n_elem + 1];
         struct matrix *K = assembled(s, modulus_, b);
         for (int i = 0; i <= n_elem; i++) b_before[i] = b[i];
         expect(solve(s, K, b, u) == OK, "solve: scene %d has a solution", k);
@@ -263,7 +290,8 @@ static void stresses_and_reactions_balance(void)
         scene_of(HELD, 0.137, HELD, -0.2385)};
     for (int k = 0; k < COUNT(scenes); k++) {
         const struct bar_scene *s = &scenes[k];
-        double b[n_elem + 1], u[n_elem + 1], P[n_elem], r[2], sum = 0.0;
+        double *b = guarded_alloc(n_elem + 1), *u = guarded_alloc(n_elem + 1);
+        double *P = guarded_alloc(n_elem), *r = guarded_alloc(2), sum = 0.0;
         solved(s, modulus_, u);
         matrix_free(assembled(s, modulus_, b));
         stress_and_reactions(s, modulus_, b, u, P, r);

@@ -21,17 +21,19 @@ static const double ROUND_OFF = 1e-13;
 /* Forces are of the size of P ~ modulus times strain; K of modulus / h. */
 static const double FORCE = 1346.0, STIFFNESS = 5644.0;
 
-static struct bar a_bar(enum law law, int left, int right, double b[N_node])
+/* Its loads are the program's. */
+static struct bar a_bar(enum law law, int left, int right)
 {
-    load_vector(n_elem, h_, f_mid_, pull_, b);
+    double *b = guarded_alloc(N_node);
+    load_vector(n_elem, h_, guarded_copy(n_elem, f_mid_),
+                guarded_copy(2, pull_), b);
     return (struct bar){n_elem, h_, {left, right}, b,
                         material_notes(law)};
 }
 
 static void loads_are_the_integrals(void)
 {
-    double b[N_node];
-    load_vector(n_elem, h_, f_mid_, pull_, b);
+    const double *b = a_bar(LOG, 1, 0).b;
     for (int i = 0; i < N_node; i++) {
         const double left = i > 0 ? f_mid_[i - 1] : 0.0;
         const double right = i < n_elem ? f_mid_[i] : 0.0;
@@ -45,47 +47,56 @@ static void loads_are_the_integrals(void)
 static void residual_of_a_shifted_bar_is_minus_b(void)
 {
     for (int law = LOG; law <= CUBIC; law++) {
-        double b[N_node], q[N_node], u[N_node];
-        const struct bar bar = a_bar((enum law)law, 1, 0, b);
+        double *q = guarded_alloc(N_node), *u = guarded_alloc(N_node);
+        const struct bar bar = a_bar((enum law)law, 1, 0);
         for (int i = 0; i < N_node; i++) u[i] = 2.385;
         expect(residual(&bar, u, q) == OK, "a bar that is only shifted: the "
                "status is not OK, though F = 1");
         for (int i = 0; i < N_node; i++)
-            expect_close(q[i], -b[i], ROUND_OFF, FORCE,
+            expect_close(q[i], -bar.b[i], ROUND_OFF, FORCE,
                          "q[%d] of a bar that is only shifted, F = 1 and P = "
                          "0, against -b", i);
     }
 }
 
+/* F = -0.01 everywhere, where the log law is not defined. */
+static const double *an_inverted_bar(void)
+{
+    double *u = guarded_alloc(N_node);
+    for (int i = 0; i < N_node; i++) u[i] = -1.01 * h_ * i;
+    return u;
+}
+
 static void residual_agrees_with_common(void)
 {
     for (int law = LOG; law <= CUBIC; law++) {
-        double b[N_node], q[N_node], want[N_node], sum = 0.0;
-        const struct bar bar = a_bar((enum law)law, 1, 1, b);
-        expect(residual(&bar, u_, q) == OK, "residual() of a good state");
+        double *q = guarded_alloc(N_node), want[N_node], sum = 0.0;
+        const struct bar bar = a_bar((enum law)law, 1, 1);
+        expect(residual(&bar, guarded_copy(N_node, u_), q) == OK,
+               "residual() of a good state");
         bar_residual(&bar, u_, want);
         for (int i = 0; i < N_node; i++) {
             expect_close(q[i], want[i], ROUND_OFF, FORCE,
                          "q[%d], against bar_residual()", i);
-            sum += q[i] + b[i];
+            sum += q[i] + bar.b[i];
         }
         expect_close(sum, 0.0, ROUND_OFF, FORCE, "sum of q + b");
     }
-    double b[N_node], q[N_node], u[N_node];
-    const struct bar bar = a_bar(LOG, 1, 0, b);
-    for (int i = 0; i < N_node; i++) u[i] = -1.01 * h_ * i;
-    expect(residual(&bar, u, q) == INVERTED,
-           "log law, F = -0.01: the status must be INVERTED");
+    double q[N_node];
+    const struct bar bar = a_bar(LOG, 1, 0);
+    expect(residual(&bar, an_inverted_bar(), q) == INVERTED,
+           "log law, F = -0.01: the status of residual() must be INVERTED");
 }
 
 static void tangent_at_rest_is_the_linear_bar(void)
 {
     for (int law = LOG; law <= CUBIC; law++) {
-        double b[N_node], u[N_node] = {0};
-        const struct bar bar = a_bar((enum law)law, 1, 0, b);
+        const double u[N_node] = {0};
+        const struct bar bar = a_bar((enum law)law, 1, 0);
         struct matrix *K = matrix_alloc(DENSE, N_node, 0);
         matrix_add(K, 1, 2, 2.385); /* what it held is forgotten */
-        expect(tangent(&bar, u, K) == OK, "tangent() at rest");
+        expect(tangent(&bar, guarded_copy(N_node, u), K) == OK,
+               "tangent() at rest");
         const double k = material_modulus(&bar.material) / h_;
         for (int i = 0; i < N_node; i++)
             for (int j = 0; j < N_node; j++)
@@ -105,12 +116,16 @@ static void tangent_at_rest_is_the_linear_bar(void)
 static void tangent_is_the_slope_of_the_residual(void)
 {
     for (int law = LOG; law <= CUBIC; law++) {
-        double b[N_node], plus[N_node], minus[N_node], u[N_node];
-        const struct bar bar = a_bar((enum law)law, 1, 0, b);
+        double plus[N_node], minus[N_node], u[N_node];
+        const struct bar bar = a_bar((enum law)law, 1, 0);
         struct matrix *K = matrix_alloc(BANDED, N_node, 1);
         const double d = 1e-5;
         memcpy(u, u_, sizeof u);
         expect(tangent(&bar, u_, K) == OK, "tangent() of a good state");
+        expect(law == CUBIC || tangent(&bar, an_inverted_bar(), K) == INVERTED,
+               "log law, F = -0.01: the status of tangent() must be INVERTED, "
+               "as that of residual() is");
+        tangent(&bar, u_, K);
         for (int j = 0; j < N_node; j++) {
             u[j] = u_[j] + d;
             bar_residual(&bar, u, plus);
@@ -130,8 +145,9 @@ static void tangent_is_the_slope_of_the_residual(void)
 static void increment_is_that_of_elimination(void)
 {
     for (int ends = 1; ends < 4; ends++) {
-        double b[N_node], q[N_node], du[N_node], r[N_node];
-        const struct bar bar = a_bar(CUBIC, ends & 1, ends >> 1, b);
+        double *q = guarded_alloc(N_node), *du = guarded_alloc(N_node);
+        double r[N_node];
+        const struct bar bar = a_bar(CUBIC, ends & 1, ends >> 1);
         const int first = bar.held[0], last = n_elem - bar.held[1];
         double A[N_node][N_node];
         struct matrix *K = matrix_alloc(BANDED, N_node, 1);
@@ -163,8 +179,8 @@ static void increment_is_that_of_elimination(void)
                          ends == 1 ? "left end" : ends == 2 ? "right end"
                                                             : "two ends");
     }
-    double b[N_node], q[N_node], du[N_node], u[N_node] = {0};
-    const struct bar bar = a_bar(CUBIC, 0, 0, b);
+    double q[N_node], du[N_node], u[N_node] = {0};
+    const struct bar bar = a_bar(CUBIC, 0, 0);
     struct matrix *K = matrix_alloc(BANDED, N_node, 1);
     bar_residual(&bar, u, q);
     bar_tangent(&bar, u, K);
@@ -223,9 +239,71 @@ static void newton_follows_the_oracles_iterates(void)
     }
 }
 
+/* Just below the largest pull that there is, P' = 0: the steps halve the
+ * distance e to F, and q falls with e^2.  At tolerance 1e-6 the residual is
+ * small at e = 1e-3, and round-off is far away. */
+static void it_goes_on_while_it_moves(void)
+{
+    struct bar_scene scene = bar_scene_notes(CUBIC, 4);
+    const struct newton_control loose = {1e-6, 100, 0, 0};
+    double low = 1.5, high = 2.5; /* P' > 0, P' < 0 */
+    scene.material = material_make(CUBIC, 1000.0, 0.02);
+    while (high - low > 1e-12) {
+        const double F = 0.5 * (low + high);
+        *(material1_dpk1(&scene.material, F) > 0.0 ? &low : &high) = F;
+    }
+    const double F = low - 1e-5;
+    scene.pull[1] = material1_pk1(&scene.material, F);
+    struct bar_state *s = at_rest(&scene);
+    s->report = newton(&s->bar, &loose, s->u);
+    expect(s->report.status == OK, "pulled by %g N, where P' is nearly 0, "
+           "tolerance 1e-6: the status is %s", scene.pull[1],
+           status_name(s->report.status));
+    for (int e = 1; e <= 4; e++)
+        expect_close(bar_stretch(&s->bar, s->u, e), F, 2e-6, 1.0,
+                     "pulled by %g N, where P' is nearly 0, tolerance 1e-6: F "
+                     "of element %d after %d steps; the residual is small long "
+                     "before the steps are", scene.pull[1], e,
+                     s->report.iterations);
+    bar_state_free(s);
+}
+
+/* What is left over is less than the tolerance allows, but not 0: one step. */
+static void it_makes_the_first_step(void)
+{
+    const double pull[] = {1e-10, 1.0}; /* N */
+    for (int k = 0; k < COUNT(pull); k++) {
+        struct bar_scene scene = bar_scene_notes(CUBIC, 5);
+        scene.pull[1] = pull[k];
+        struct bar_state *s = answer(&scene);
+        const double linear = pull[k] / material_modulus(&scene.material);
+        expect_close(s->u[5], linear, 2e-3, linear,
+                     "u(1) of a bar at rest that is pulled by %g N, after %d "
+                     "steps; no step is needed only where q is 0", pull[k],
+                     s->report.iterations);
+        bar_state_free(s);
+    }
+}
+
+static void it_says_nonfinite(void)
+{
+    for (int end = 0; end < 2; end++) {
+        struct bar_scene scene = bar_scene_notes(CUBIC, 5);
+        scene.pull[1] = end ? (double)NAN : 1e300; /* F^5 overflows */
+        struct bar_state *s = solved(&scene, 100);
+        expect(s->report.status == NONFINITE,
+               "pulled by %g N: the status must be NONFINITE, not %s",
+               scene.pull[1], status_name(s->report.status));
+        bar_state_free(s);
+    }
+}
+
 /* Where it must not stop, and where it must. */
 static void newton_stops_at_solutions_only(void)
 {
+    it_goes_on_while_it_moves();
+    it_makes_the_first_step();
+    it_says_nonfinite();
     struct bar_scene scene = bar_scene_notes(CUBIC, 10);
     struct bar_state *s = answer(&scene);
     expect(s->report.iterations <= 1, "a bar at rest: solved after %d steps; "

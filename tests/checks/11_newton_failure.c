@@ -6,6 +6,8 @@
 #include "../oracle/11_newton_failure.h"
 #include "stretch.h"
 
+#include <float.h>
+
 #define ROUND_OFF 1e-12   /* closed forms */
 #define CONVERGED 1e-9    /* quadratic: beyond the tolerance 1e-10 */
 #define SHIFT 2           /* stopping tests and round-off move the count */
@@ -28,6 +30,11 @@ static void flat_tangent_is_not_finite(void)
     expect(out.status == NONFINITE,
            "P' = 0 gives the step 500 / 0: the reason is NONFINITE, not %s",
            status_name(out.status));
+    double step;
+    const enum status at_once = newton_step(&m, 0.0, 2.0, 0.1, 1e-10, &step);
+    expect(at_once == NONFINITE && step == 0.0,
+           "P' = 0 gives the step 500 / 0: newton_step() says %s with the step "
+           "%g, not NONFINITE with 0", status_name(at_once), step);
 }
 
 static void reason(enum law law, double p, double F, double increment,
@@ -58,6 +65,20 @@ static void newton_step_names_the_reason(void)
     reason(LOG, at_rest, 0.6137, 1e-12, OK, "residual and increment small");
     reason(LOG, at_rest, 0.6137 + 1e-14, 1e-3, MAX_ITERATIONS,
            "the increment is not small yet");
+    /* on both sides of the tolerances, and at them */
+    const double small = 1e-10 * material_modulus(&m);
+    reason(LOG, at_rest + 0.5 * small, 0.6137, 1e-12, OK,
+           "the residual is half of tolerance times modulus");
+    reason(LOG, at_rest + 2.0 * small, 0.6137, 1e-12, MAX_ITERATIONS,
+           "the residual is twice tolerance times modulus");
+    reason(LOG, at_rest + 0.5 * small, 0.6137, 1e-10, OK,
+           "the increment is the tolerance");
+    reason(LOG, at_rest + 0.5 * small, 0.6137, 2e-10, MAX_ITERATIONS,
+           "the increment is twice the tolerance");
+    reason(LOG, 0.0, 0.6137, DBL_EPSILON, STALLED,
+           "the increment is DBL_EPSILON, the residual is large");
+    reason(LOG, 0.0, 0.6137, 2.0 * DBL_EPSILON, MAX_ITERATIONS,
+           "the increment is twice DBL_EPSILON");
     reason(LOG, 0.0, 1e-12, 1e-12, MAX_ITERATIONS,
            "the increment is small, the residual 1e16");
     reason(LOG, 0.0, 0.6137, 1e-17, STALLED,
@@ -138,8 +159,71 @@ static void line_search_refuses_to_climb(void)
            "%s", status_name(status));
 }
 
+static void expect_length(const struct material *m, double p, double F,
+                          double step, double want, const char *why)
+{
+    double length;
+    const enum status status = line_search(m, p, F, step, &length);
+    if (want > 0.0)
+        expect(status == OK && length == want, "p = %g, F = %g, step %g: %s, "
+               "length %g, not OK with length %g (%s)", p, F, step,
+               status_name(status), length, want, why);
+    else
+        expect(status == STALLED, "p = %g, F = %g, step %g: %s, length %g, not "
+               "STALLED (%s)", p, F, step, status_name(status), length, why);
+}
+
+/* The linear law's energy is a parabola: it decreases with a step of t times
+ * Newton's where t < 2, and enough for Armijo where t <= 2 (1 - 1e-4). */
+static void line_search_asks_for_enough(void)
+{
+    const struct material m = of(LINEAR, 0.3);
+    const double newton = -0.5; /* from F = 1.5 to rest */
+    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 1.5e-4) * newton, 1.0,
+                  "the energy decreases by 1.5e-4 of the slope");
+    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 - 0.7e-4) * newton, 0.5,
+                  "at length 1 it decreases by 0.7e-4 of the slope only");
+    expect_length(&m, 0.0, 1.5, 2.0 * (1.0 + 0.5e-4) * newton, 0.5,
+                  "at length 1 it increases");
+}
+
+/* Only from this length on is F + length step positive. */
+static void line_search_goes_down_to_its_limit(void)
+{
+    const struct material m = of(LOG, 0.3);
+    expect_length(&m, -1e5, 1.0, -0.9 * ldexp(1.0, 39), ldexp(1.0, -39),
+                  "2^-39 = 1.8e-12 is tried");
+    expect_length(&m, -1e5, 1.0, -0.9 * ldexp(1.0, 40), 0.0,
+                  "2^-40 = 0.9e-12 is not");
+}
+
+/* From one side of the minimum to twice as far on the other: the energy w grows
+ * by as many eps |w| as wanted, of which 3 may be round-off. */
+static void line_search_allows_for_noise(double eps, double want)
+{
+    const struct material m = of(LOG, 0.3);
+    const double p = -1000.0, least = solve(&m, p, 1.0, &plain).F;
+    const double w = energy(&m, p, least), dP = material1_dpk1(&m, least);
+    double off = sqrt(eps * DBL_EPSILON * fabs(w) / (1.5 * dP)), best = NAN;
+    for (int k = -200; k <= 200; k++) { /* where it does in these digits */
+        const double d = off * (1.0 + 1e-4 * k);
+        const double grown = (energy(&m, p, least + 2.0 * d) -
+                              energy(&m, p, least - d)) /
+                             (DBL_EPSILON * fabs(w));
+        if (fabs(grown - eps) < 0.5) best = d;
+    }
+    expect(isfinite(best), "no such state"); /* never with this material */
+    expect_length(&m, p, least - best, 3.0 * best, want,
+                  want == 1.0 ? "the energy grows by 12 eps, noise is 16"
+                              : "at length 1 it grows by 24 eps, noise is 16");
+}
+
 static void line_search_takes_the_first_length_that_descends(void)
 {
+    line_search_asks_for_enough();
+    line_search_goes_down_to_its_limit();
+    line_search_allows_for_noise(12.0, 1.0);
+    line_search_allows_for_noise(24.0, 0.5);
     static const struct { enum law law; double nu, p, F; } scene[] = {
         {LOG, 0.3, -100.0, 1.0},   {LOG, 0.3, -1340.0, 1.0},
         {LOG, 0.3, -2385.0, 1.0},  {LOG, 0.3, -37140.0, 1.0},
@@ -205,6 +289,13 @@ static void load_stepping_stops_at_the_limit_load(void)
                  "load of the last equilibrium, 613.7 / 1024 below the limit");
     expect(out.F < 2.0, "the last equilibrium, F = %g, is before the limit "
            "point F = 2", out.F);
+    /* 500 / p is 853.7 / 1024: with steps of 2^-10 the way ends at 853 of them,
+     * with 2^-9 at 852 and with 2^-11 at 853.5 */
+    const double p = 500.0 * 1024.0 / 853.7;
+    expect_close(material1_pk1(&m, load_stepping(&m, p, 0.0, &plain).F),
+                 p * 853.0 / 1024.0, 1e-6, 500.0,
+                 "nu = 0, p = %g, the limit load 500 at 853.7 / 1024 of it: "
+                 "load of the last equilibrium when steps end at 2^-10", p);
 }
 
 static void runs_are_the_oracles(void)

@@ -295,7 +295,8 @@ static void agrees_with_the_fast_body(void)
         struct scene *s = skew_scene(law);
         struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
         struct matrix *fast = body_matrix(s->body);
-        double u[N_DOF], q[N_DOF], want[N_DOF];
+        double *u = guarded_alloc(N_DOF), *q = guarded_alloc(N_DOF);
+        double want[N_DOF];
         deform(s, squeezed, 0.04, u);
         matrix_add(K, 24, 24, 2.385); /* tangent() has to forget it */
         expect(body_force(s->body, u, want) == OK &&
@@ -334,8 +335,8 @@ static void increment_solves_the_held_system(void)
     struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
     struct matrix *copy = matrix_alloc(BANDED, N_DOF, BAND);
     struct matrix *fast = body_matrix(s->body);
-    double u[N_DOF], q[N_DOF], du[N_DOF], Kdu[N_DOF], also[N_DOF];
-    double largest = 0.0;
+    double *q = guarded_alloc(N_DOF), *du = guarded_alloc(N_DOF);
+    double u[N_DOF], Kdu[N_DOF], also[N_DOF], largest = 0.0;
     deform(s, mat2_rotation(0.3714), 0.01, u);
     for (int r = 0; r < N_DOF; r++) q[r] = odd_number(r + 17);
     expect(tangent(s, u, K) == OK && tangent(s, u, copy) == OK,
@@ -373,9 +374,80 @@ static void increment_solves_the_held_system(void)
 
 /* ---- 12e ----------------------------------------------------------------- */
 
+/* A body that is pressed to a thousandth: from an interior that is off by two
+ * hundredths of the rest, a step is far below the tolerance and leaves residuals
+ * of the size of the modulus.  The unit of force does not matter. */
+static void small_steps_are_no_solution(void)
+{
+    const double eps = 1e-3, tolerance = 1e-3;
+    const mat2 pressed = {{{eps, 0.0}, {0.0, eps}}};
+    for (int k = 0; k < 2; k++) {
+        struct scene *s = skew_scene(LOG);
+        double u[N_DOF], want[N_DOF];
+        s->body->material.mu *= k ? 1e-9 : 1.0;
+        s->body->material.lambda *= k ? 1e-9 : 1.0;
+        for (int a = 0; a < N_VERTEX; a++) {
+            const int i = a % (N + 1), j = a / (N + 1);
+            s->held[a] = i == 0 || i == N || j == 0 || j == N;
+        }
+        remake_body(s);
+        deform(s, pressed, 0.0, want);
+        for (int r = 0; r < N_DOF; r++)
+            u[r] = want[r] + (s->held[r / 2] ? 0.0 : 0.01 * eps *
+                                                         odd_number(r));
+        const struct report report = equilibrium(s, tolerance, CAP, u);
+        expect(report.status == OK, "a body pressed to a thousandth: %s",
+               status_name(report.status));
+        for (int r = 0; r < N_DOF; r++)
+            expect_close(u[r], want[r], 3e-6, eps,
+                         "a body pressed to a thousandth, modulus %.3g, "
+                         "tolerance 1e-3: u of vertex %d, component %d, after "
+                         "%d iterations; q has to be small as well",
+                         material_modulus(&s->body->material), r / 2, r % 2,
+                         report.iterations);
+        scene_free(s);
+    }
+}
+
+/* q is below the tolerance, and u is off by five times the tolerance. */
+static void small_forces_are_no_solution(void)
+{
+    struct scene *s = skew_scene(CUBIC);
+    double u[N_DOF];
+    for (int r = 0; r < N_DOF; r++) {
+        const double *X = &s->mesh->X[r / 2 * 2];
+        u[r] = s->held[r / 2] || r % 2 == 0
+                   ? 0.0 : 5e-6 * 0.25 * gsl_pow_2(X[0] + 1.0) * (1.0 - X[0]);
+    }
+    const struct report report = equilibrium(s, 1e-6, CAP, u);
+    expect(report.status == OK && report.iterations >= 1,
+           "a body that is bent by 5e-6, tolerance 1e-6: %s after %d "
+           "iterations; the increment of one has to be small",
+           status_name(report.status), report.iterations);
+    for (int r = 0; r < N_DOF; r++)
+        expect_close(u[r], 0.0, 1e-8, 1.0,
+                     "a body that was bent by 5e-6 and is at rest: u of vertex "
+                     "%d, component %d", r / 2, r % 2);
+    scene_free(s);
+}
+
+static void a_nan_is_nonfinite(void)
+{
+    struct scene *s = skew_scene(CUBIC);
+    double u[N_DOF] = {0.0};
+    s->f[2 * (N_VERTEX / 2)] = (double)NAN;
+    const enum status status = equilibrium(s, 1e-10, CAP, u).status;
+    expect(status == NONFINITE, "a force that is NaN: the status must be "
+           "NONFINITE, not %s", status_name(status));
+    scene_free(s);
+}
+
 /* The whole boundary moved by an affine map: inside, it is the solution. */
 static void affine_boundary_gives_the_affine_solution(void)
 {
+    small_steps_are_no_solution();
+    small_forces_are_no_solution();
+    a_nan_is_nonfinite();
     for (enum law law = LOG; law <= CUBIC; law++) {
         struct scene *s = skew_scene(law);
         double u[N_DOF], want[N_DOF];

@@ -78,7 +78,7 @@ static void residual_is_that_of_the_body(void)
     struct model *model = a_square(1, 1);
     struct state s = a_state(model, 0.06), t = a_state(model, 0.05);
     const double dt = 0.0213;
-    double *q = t.u_before, *want = t.v_before, *w = s.u_before;
+    double *q = guarded_alloc(s.n), *want = t.v_before, *w = s.u_before;
     double scale = 0.0;
     for (int i = 0; i < s.n; i++) {
         w[i] = s.u[i] + dt * s.v[i];
@@ -299,6 +299,9 @@ static void frames_fall_back_or_keep_the_state(void)
                    "side moved by %g m: %d attempts, the first %s, the last in "
                    "%d parts; 1: FAST, 2: ROBUST, 3 to 5: 2, 4, 8 parts", jump,
                    hard.attempts, status_name(hard.first), hard.substeps);
+            expect(s.steps == start.steps, "side moved by %g m: frame_step() "
+                   "has changed now->steps from %d to %d; u, v and v_before "
+                   "are all that it advances", jump, start.steps, s.steps);
             if (hard.status == OK) {
                 same_by_hand(model->body, hard, g, &start, &s);
                 easy += hard.attempts == 1;

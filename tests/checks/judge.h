@@ -30,6 +30,11 @@ struct claim {
  * way there is a reason, which the student sees.  Every column of the
  * reference's tables needs a rule; column "*" stands for all the columns of a
  * table that have none of their own.
+ *
+ * An order or a constant of errors is allowed more where its errors are small.
+ * If errors in column X may be off by d, then X_order may be off by 3 d / error
+ * and X_constant by 20 d / error of itself, error being the smaller one of this
+ * row and the row before: lengths are halved, and differ from 1 by 2^9 at most.
  */
 struct column_rule {
     const char *table, *column;
@@ -77,6 +82,21 @@ _Noreturn void wrong(const char *format, ...)
  */
 void expect_close(double got, double want, double tolerance, double scale,
                   const char *what, ...) __attribute__((format(printf, 5, 6)));
+
+/*
+ * Arrays to hand over: n numbers that are NaN, or a copy of `values`, with NaN
+ * before and behind them.  What a program reads beyond the ends, or before it
+ * has set it, shows in its results; and once the check is through, one that has
+ * written beyond the ends is wrong().  There is no place for an array in an
+ * index that stands beside guarded indices.  They last as long as the check.
+ */
+double *guarded_alloc(int n);
+double *guarded_copy(int n, const double values[]);
+int *guarded_indices(int n, const int values[]);
+
+/* wrong() if something beside a guarded array has changed; the judge asks after
+ * every check. */
+void guards_hold(void);
 
 /* A program's output: its exit status, its tables, its last stderr line. */
 struct output;

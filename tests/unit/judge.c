@@ -6,6 +6,8 @@
 
 #include "../checks/output.c"
 
+#include "../checks/guard.c"
+
 #include "../checks/judge.c"
 
 #include "status.h"
@@ -41,6 +43,8 @@ static void begin(void)
     static const struct column_rule rules[] = {
         {"t", "free", NOT_COMPARED, "it differs from run to run", 0},
         {"t", "*", 1e-9, "round-off", 0},
+        {"orders", "err", 1e-12, "round-off", 1.0},
+        {"orders", "*", 1e-9, "round-off", 0},
     };
     static const struct lesson lesson = {
         .name = "00_unit", .rules = rules, .n_rule = COUNT(rules)};
@@ -159,6 +163,33 @@ static void words_must_be_the_reference_s(void)
     ck_assert_ptr_nonnull(
         strstr(difference("# t\nlaw\tx\tfree\nlog\t1.1\tA\ncubic\t-\t2\n",
                           want), "yours 1.1, reference 1, 1e+08 times"));
+    remove_work();
+}
+
+/* The errors may be off by 1e-12: the order by 3e-12 over the error, and the
+ * constant by 20e-12 over the error, of itself. */
+static void an_order_is_as_good_as_its_errors(void)
+{
+    static const char *const want = "# orders\nerr\terr_order\terr_constant\n"
+                                    "1e-2\t2\t7\n1e-9\t4\t8\n";
+    static const struct {
+        double order, constant;
+        int differs;
+    } trial[] = {{4.0029, 8.15, 0}, {4.0031, 8.0, 1}, {3.9969, 8.0, 1},
+                 {4.0, 8.17, 1}, {4.0, 7.83, 1}};
+    begin();
+    for (int i = 0; i < COUNT(trial); i++) {
+        char text[200];
+        snprintf(text, sizeof text, "# orders\nerr\terr_order\terr_constant\n"
+                 "1e-2\t2\t7\n1.0005e-9\t%g\t%g\n", trial[i].order,
+                 trial[i].constant);
+        ck_assert_msg((*difference(text, want) != 0) == trial[i].differs,
+                      "trial %d: %s", i, difference(text, want));
+    }
+    ck_assert_ptr_nonnull(
+        strstr(difference("# orders\nerr\terr_order\terr_constant\n"
+                          "1e-2\t2.000001\t7\n1e-9\t4\t8\n", want),
+               "column `err_order`: yours 2.000001"));
     remove_work();
 }
 
@@ -283,6 +314,21 @@ static void leave_like_wrong(void) { _exit(1); }
 static void trap(void) { abort(); } /* which no sanitizer takes over */
 static void stop(void) { raise(SIGSTOP); }
 static void not_written(void) { todo("0b"); }
+static void write_behind(void) { guarded_alloc(3)[3] = 2.385; }
+static void write_before(void) { guarded_alloc(3)[-1] = 2.385; }
+static void change_behind(void) { guarded_alloc(3)[3] += 2.385; }
+static void stay_inside(void)
+{
+    const double values[] = {2.385, -1.247};
+    double *array = guarded_alloc(2);
+    for (int i = -3; i < 5; i++)
+        expect(isnan(array[i]), "entry %d is no NaN", i);
+    array[0] = array[1] = 0.0;
+    array = guarded_copy(2, values);
+    expect(array[1] == -1.247 && isnan(array[2]) && isnan(array[-1]),
+           "the copy is another");
+    expect(guarded_indices(2, (const int[]){3, 7})[1] == 7, "other indices");
+}
 static void daemonise(void)
 {
     if (fork() == 0) {
@@ -312,6 +358,10 @@ static void every_end_has_its_verdict(void)
     expect_finding(not_written, UNFINISHED, "slot 0b is not written yet");
     expect_finding(look_at_descriptors, PASS, "");
     expect_finding(daemonise, PASS, "");
+    expect_finding(stay_inside, PASS, "");
+    expect_finding(write_behind, WRONG, "entries 0 to 2, and entry 3");
+    expect_finding(write_before, WRONG, "entries 0 to 2, and entry -1");
+    expect_finding(change_behind, WRONG, "entries 0 to 2, and entry 3");
     ck_assert_int_eq(waitpid(-1, NULL, WNOHANG), -1); /* no child is left */
     close(open_one);
     remove_work();
@@ -322,6 +372,7 @@ static const struct unit_law laws[] = {
     {"every_row_keeps_its_cells", every_row_keeps_its_cells},
     {"unreadable_output_is_named", unreadable_output_is_named},
     {"words_must_be_the_reference_s", words_must_be_the_reference_s},
+    {"an_order_is_as_good_as_its_errors", an_order_is_as_good_as_its_errors},
     {"known_mistakes_tell_by_words_and_histories",
      known_mistakes_tell_by_words_and_histories},
     {"unsolved_runs_keep_their_tables", unsolved_runs_keep_their_tables},

@@ -1,0 +1,40 @@
+# mutants.mk - how many small mistakes do the judges and the unit laws find?
+#
+#     make mutants            every lesson: minutes
+#     make mutants-07         one lesson; SEED=2 takes others, N=100 more
+#     make mutants-common     common/, by the unit programs
+#
+# Not part of `make test`.  The survivors are in build/mutants/NAME.txt.
+
+SEED = 1
+# mutants of a lesson, and of each file of common/
+N = 60
+N_COMMON = 12
+MUTANTS = BUILD='$(BUILD)' SEED='$(SEED)' LINK='$(LINK)' JUDGE='$(JUDGE)' \
+          CC_MUTANT='$(CC) $(STD) -O0 -w -Icommon -I. -Itests/checks \
+          $(GSL_CFLAGS)' sh tests/tools/mutants.sh
+
+.PHONY: mutants mutants-head mutants-common
+define mutants_rule
+.PHONY: mutants-$(call number,$1)
+mutants-$(call number,$1): $(BUILD)/solutions/$1 $(JUDGE) $(LIB) mutants-head
+	@N='$(N)' $$(MUTANTS) lesson $1
+endef
+$(foreach l,$(LESSONS),$(eval $(call mutants_rule,$l)))
+mutants-head: ; @$(MUTANTS) head
+
+# one after the other: each of them keeps two processors busy
+mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
+	@for l in $(LESSONS); do N='$(N)' $(MUTANTS) lesson $$l || exit 1; done
+
+$(BUILD)/mutants/unit/%.o: tests/unit/%.c Makefile
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
+MUTANT_FILES = $(wildcard common/*.c)
+MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
+    UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
+    NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
+    CC_MUTANT='$(CC) $(STD) $(CFLAGS) -w -Icommon $(GSL_CFLAGS) \
+    -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
+mutants-common: $(UNITS:%=$(BUILD)/mutants/unit/%.o) $(BUILD)/unit/unit.o \
+                $(LIB) mutants-head
+	@$(MUTANTS_COMMON) common $(MUTANT_FILES)

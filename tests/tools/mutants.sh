@@ -1,0 +1,181 @@
+#!/bin/sh
+# mutants.sh lesson NN_slug - how many small mistakes in the slots of a solution
+#                             does its judge find?
+# mutants.sh common FILE... - and how many in common/ the unit programs?
+#
+# Called by tests/mutants.mk with BUILD, the commands CC_MUTANT and LINK, SEED and
+# N in the environment.  N mutants (tests/tools/mutants.awk) that compile are
+# judged, two at a time; a row of the score is printed, and the survivors go to
+# $BUILD/mutants/NAME.txt as differences of one line.  A survivor is no miss when
+# the compiler makes the same code of it, or when tests/mutants/NAME.txt lists it:
+#
+#     why: the reason why no check can see it, on one line or, indented,
+#       on more
+#     -the line of the program, without its indent
+#     +the line of the mutant
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${SEED:=1}" "${N:=60}"
+kind=$1
+shift
+rm_on_exit=
+trap 'rm -rf "$rm_on_exit"' EXIT
+trap 'exit 130' INT TERM HUP
+
+# plant FILE LINE TEXT: the file with another text for a line
+plant() {
+    awk -v at="$2" 'BEGIN { getline text < "/dev/stdin" }
+        FNR == at { print text; next } { print }' "$1" <<TEXT
+$3
+TEXT
+}
+
+# found_by DIR: plant's file in DIR compiles (else status 2), and the first thing
+# that finds the mistake is printed; nothing if it lives
+found_by() {
+    if [ $kind = lesson ]; then
+        $CC_MUTANT -DPROGRAM="\"$1/$name.c\"" "tests/checks/$name.c" \
+            -o "$1/judge" $JUDGE $LINK 2>/dev/null || return 2
+        "$1/judge" --file mutant --reference "$BUILD/solutions/$name" \
+            --result "$1/result" >/dev/null 2>&1
+        if [ $? = 2 ]; then echo judge; return; fi
+        read -r verdict check slot <"$1/result"
+        [ "$verdict" = OK ] || echo "$verdict $check"
+        return
+    fi
+    $CC_MUTANT $native -c "$1/$name.c" -o "$1/mutant.o" 2>/dev/null || return 2
+    for unit in $units; do
+        $CC_MUTANT "$BUILD/mutants/unit/$unit.o" "$1/mutant.o" \
+            "$BUILD/unit/unit.o" -o "$1/unit" $LINK 2>/dev/null || return 2
+        "$1/unit" >"$1/said" 2>&1 && continue
+        sed -n "s/^FAIL \([^:]*: [^:]*\):.*/\1/p" "$1/said" | head -n 1 |
+            grep . || echo "$unit"
+        return
+    done
+}
+
+# half WORKER: every second candidate, until half of N compile; a line of
+# "LINE group what-found-it text" (with tabs) each
+half() {
+    dir=$work/$1
+    mkdir -p "$dir"
+    # an endless loop is found sooner than by the judge's own limit
+    ulimit -S -t 3
+    ulimit -S -v 4000000 2>/dev/null
+    compiled=0 tried=0
+    awk -v half="$1" 'NR % 2 == half' "$work/list" >"$dir/list"
+    while IFS='	' read -r at group text; do
+        [ $compiled -lt $(((N + 1 - $1) / 2)) ] || break
+        tried=$((tried + 1))
+        # `read` has dropped the indent, which nobody needs
+        plant "$file" "$at" "$text" >"$dir/$name.c"
+        found=$(found_by "$dir" </dev/null) || continue
+        compiled=$((compiled + 1))
+        [ -n "$found" ] || same_code "$dir" || found='lived'
+        : "${found:=same code}"
+        printf '%s\t%s\t%s\t%s\n' "$at" "$group" "$found" "$text"
+    done <"$dir/list" >"$work/$1.found"
+    echo $tried >"$work/$1.tried"
+}
+
+# same_code DIR: the compiler makes the same of it
+same_code() {
+    mkdir -p "$1/as"
+    cp "$file" "$1/as/$name.c"
+    $CC_MUTANT $native -O2 -DNDEBUG -c "$1/as/$name.c" -o "$1/a.o" &&
+        cp "$1/$name.c" "$1/as/$name.c" &&
+        $CC_MUTANT $native -O2 -DNDEBUG -c "$1/as/$name.c" -o "$1/b.o" &&
+        cmp -s "$1/a.o" "$1/b.o"
+}
+
+# The row and the survivors of $file.
+score() {
+    name=$(basename "$file" .c)
+    known=tests/mutants/$name.txt
+    work=$BUILD/mutants/$name
+    rm -rf "$work" && mkdir -p "$work" || exit 1
+    rm_on_exit=$work
+    awk -f tests/tools/mutants.awk -v seed="$SEED" "$file" >"$work/list"
+    half 0 & first=$!
+    half 1 & second=$!
+    wait $first $second
+    [ -f "$known" ] || known=/dev/null
+    cat "$work/0.found" "$work/1.found" | sort -n >"$BUILD/mutants/$name.found"
+    awk -F '\t' -v file="$file" -v name="$name" -v \
+        tried="$(($(cat "$work/0.tried") + $(cat "$work/1.tried")))" \
+        -v out="$BUILD/mutants/$name.txt" '
+        function bare(text) { sub(/^ +/, "", text); return text }
+        FILENAME == ARGV[1] {
+            if (/^why: /) why = substr($0, 6)
+            else if (/^  /) why = why " " bare($0)
+            else if (/^-/) minus = bare(substr($0, 2))
+            else if (/^\+/) reason[minus, bare(substr($0, 2))] = why
+            next
+        }
+        FILENAME == ARGV[2] { line[FNR] = $0; next }
+        {
+            compiled++
+            old = bare(line[$1])
+            said = $3
+            if (said == "lived" && (old, bare($4)) in reason) {
+                equivalent++
+                said = "no mistake: " reason[old, bare($4)]
+            } else if (said == "same code") {
+                equivalent++
+                said = ""
+            } else if (said == "lived") {
+                lived++
+            } else {
+                killed++
+                said = ""
+            }
+            if (said == "") next
+            match(line[$1], /^ */)
+            indent = substr(line[$1], 1, RLENGTH)
+            printf "--- %s\n+++ %s\n@@ -%d +%d @@ %s\n-%s\n+%s\n", file, said,
+                $1, $1, $2, line[$1], indent bare($4) > out
+        }
+        END {
+            if (!lived && !equivalent) printf "" > out
+            real = compiled - equivalent
+            printf "  %-26s %6d %8d %10d %6d %5d %6.1f %%\n", name, tried,
+                compiled, equivalent, killed, lived,
+                (real > 0 ? 100 * killed / real : 100)
+        }' "$known" "$file" "$BUILD/mutants/$name.found"
+    rm -rf "$work"
+    rm_on_exit=
+}
+
+head_() {
+    printf '  %-26s %6s %8s %10s %6s %5s %6s\n' '' tried compiled equivalent \
+        killed lived score
+}
+
+case $kind in
+head) head_ ;;
+lesson)
+    native=
+    file=solutions/$1.c
+    score ;;
+common)
+    for file; do
+        name=$(basename "$file" .c)
+        # first the unit programs that look at this file
+        units=$(for unit in $UNITS; do
+            far=$(awk -v file="$file" -v unit="$unit" -v name="$name" '
+                $1 == "file:" { known = $2 == file }
+                $1 == "unit:" && known && $2 == unit { near += 100 }
+                index($0, "#include \"" name ".h\"") { near += 50 }
+                END { print 1000 - near - 500 * (unit == name) }' \
+                tests/unit/mistakes.txt "tests/unit/$unit.c")
+            echo "$far $unit"
+        done | sort -n | sed 's/.* //')
+        case $name in
+        banded) native=$NATIVE ;;
+        body) native=$NATIVE_BODY ;;
+        *) native= ;;
+        esac
+        score
+    done ;;
+esac
