@@ -3,11 +3,12 @@
  *
  * tests/checks/NN_slug.c includes the program under test, whatever it is (a
  * student's file, the solution, a known mistake), so that checks can call its
- * static functions: program.h first, then this header.  It lists its checks, the
- * runs and the column rules for the comparison with the reference, and ends with
- * int main() returning judge(&lesson, argc, argv).  Every check runs in a child
- * of its own (child.h), with limits on time, memory and output; the last check,
- * added here, compares the output tables with those of the reference solution.
+ * static functions: program.h first, then this header.  It lists its checks,
+ * the runs and the column rules for the comparison with the reference, and ends
+ * with int main() returning judge(&lesson, argc, argv).  Every check runs in a
+ * child of its own (child.h), with limits on time, memory and output; the last
+ * check, added here, compares the output tables with those of the reference
+ * solution.
  */
 #ifndef TESTS_CHECKS_JUDGE_H
 #define TESTS_CHECKS_JUDGE_H
