@@ -1,6 +1,6 @@
 /*
- * names.h - the words that checks are written in are the student's as well: from
- * here on they mean the judge's, under names that no student uses.
+ * names.h - the words that checks are written in are the student's as well:
+ * from here on they mean the judge's, under names that no student uses.
  */
 #ifndef TESTS_CHECKS_NAMES_H
 #define TESTS_CHECKS_NAMES_H
