@@ -88,7 +88,8 @@ static void quadratic_form_is_vAv(void)
     for (int i = 0; i < N_node; i++) want += values[i] * Av[i];
     expect_close(quadratic_form(n_elem, x, wavy_beta,
                                 guarded_copy(N_node, values)),
-                 want, ROUND_OFF, want, "v'Av, unequal elements, beta not constant");
+                 want, ROUND_OFF, want,
+                 "v'Av, unequal elements, beta not constant");
 
     /* only element 1 sees node 0, only element n sees node n */
     for (int end = 0; end <= n_elem; end += n_elem) {
