@@ -18,9 +18,9 @@ GSL_LIBS     = $(or $(shell gsl-config --libs 2>/dev/null), \
                     -lgsl -lgslcblas -lm)
 CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
-# Flags for common/banded.c and body.c alone, where they count: those of the
-# list that the compiler takes; body.c goes without the last, so that its digits
-# are the same everywhere.  They make the build one for this machine; `make
+# Flags for common/banded.c, readable.c and body.c, where they count: those of
+# the list that the compiler takes; body.c goes without the last, so that its
+# digits are the same everywhere.  They make the build one for this machine; `make
 # clean` and NATIVE= give one for any.
 ifeq ($(origin NATIVE),undefined)
 NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
@@ -104,7 +104,7 @@ $(LIB): $(OBJECTS)
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(if $(filter banded,$*),$(NATIVE)) \
+	    $(if $(filter banded readable,$*),$(NATIVE)) \
 	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
 	    -c $< -o $@
 
@@ -148,10 +148,6 @@ $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 $(COUNTED:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%
 	$(call say,study,$*)
 	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
-
-$(BUILD)/data/robustness.tsv: tests/bench/robustness.c $(LIB)
-	$(Q)mkdir -p $(@D) $(BUILD)/bench && $(COMPILE) $< -o \
-	    $(BUILD)/bench/robustness $(LINK) && $(BUILD)/bench/robustness > $@
 
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 DRAW = $(Q)mkdir -p $(@D) && sh tests/tools/figure.sh

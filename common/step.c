@@ -6,6 +6,34 @@
 #include <stdlib.h>
 #include <string.h>
 
+struct step_control step_method(const char *name)
+{
+    static const struct {
+        const char *name;
+        struct step_control control;
+    } method[] = {
+        {"notes", {1e-10, 40, FROM_LAST, 0, 0, 0, NEVER}},
+        {"search", {1e-10, 40, FROM_LAST, 0, 0, 1, NEVER}},
+        {"demand", {1e-10, 100, FROM_LAST, 0, 0, 0, ON_DEMAND}},
+        {"demand+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ON_DEMAND}},
+        {"always+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ALWAYS}},
+        {"lift", {1e-10, 40, EXTRAPOLATED, 1, 0, 0, NEVER}},
+        {"lift+search", {1e-10, 40, EXTRAPOLATED, 1, 0, 1, NEVER}},
+        {"all", {1e-10, 300, EXTRAPOLATED, 1, 0, 1, ON_DEMAND}},
+    };
+    for (size_t k = 0; k < sizeof method / sizeof *method; k++)
+        if (strcmp(name, method[k].name) == 0) return method[k].control;
+    die("there is no method %s", name);
+}
+
+const char *step_reason(const struct step_control *control,
+                        enum status status)
+{
+    const int blown_up = status == NOT_SPD || status == NONFINITE ||
+                         status == STALLED || status == MAX_ITERATIONS;
+    return blown_up && !control->line_search ? "fails" : status_name(status);
+}
+
 static double max_diagonal(const struct matrix *K)
 {
     double largest = 0.0;

@@ -30,6 +30,25 @@ struct step_control {
                                  * ON_DEMAND: PROJECTED when K is not SPD */
 };
 
+/*
+ * The methods that lessons, studies and tests compare, by the word that their
+ * tables print; tolerance 1e-10 m, new factors in each iteration.
+ *
+ *     notes          as the notes have it: from the last u, K solved as it is,
+ *                    positive definite or not, and no line search
+ *     search         ... with a line search
+ *     demand         ... projected on demand
+ *     demand+search  ... with both
+ *     always+search  ... always projected, with a line search
+ *     lift           notes, but the guess extrapolated, and the jump lifted
+ *     lift+search    ... with a line search
+ *     all            ... and projected on demand
+ *
+ * The caps: what has no projection has converged after 40 systems or hardly
+ * ever does; projections need more, most when they start far away.
+ */
+struct step_control step_method(const char *name);
+
 struct step_report {
     enum status status; /* OK, NOT_SPD, INVERTED, NONFINITE, STALLED,
                          * MAX_ITERATIONS */
@@ -40,6 +59,14 @@ struct step_report {
     double residual;    /* the last max|q| / max K_ii of free unknowns (m) */
     double increment;   /* the last max|du| (m) */
 };
+
+/*
+ * How a step ended, as a word: status_name(), or "fails" where round-off
+ * decides between NOT_SPD, NONFINITE, STALLED and MAX_ITERATIONS: without a
+ * line search, when the iterates blow up.
+ */
+const char *step_reason(const struct step_control *control,
+                        enum status status);
 
 /*
  * Newton's method for q(u) = 0 from u, whose prescribed vertices have their

@@ -5,11 +5,9 @@
  * Constitutive Modeling", and "Inversion" with its Figure 4.
  *
  * Problem.  phi takes a material point X to its place x = phi(X) = X + u.  From
- * the places of the vertices of a mesh find F = d phi / d X on every element
- * [eq:deformation-gradient] [eq:triangle-gradient], its determinant J
- * [eq:jacobian], and which elements are turned inside out, J < 0.  Then ask of
- * three strain measures [eq:linear-strain] [eq:green-strain] [eq:left-strain]
- * which of them notices a motion that deforms nothing.
+ * the places of the vertices of a mesh find F = d phi / d X on every element,
+ * J = det F, and which elements are turned inside out, J < 0.  Then ask: which
+ * of three strain measures notices a motion that deforms nothing?
  *
  *         X2                       x1          an inverted triangle: its
  *         | \          F          / |          vertices run clockwise, and
@@ -17,8 +15,7 @@
  *        X0 -- X1             x0 -- x2
  *
  * Run       make lesson-01, or with options: -h lists them
- * Expect    sin 2 pi X on 10 elements: 4 inverted, 2 collapsed; 62 triangles of
- *           the pushed square inverted, their signed areas with the others' 4
+ * Expect    4 elements of the bar inverted, 2 collapsed; 62 triangles inverted
  * Plot: bar X0 F
  */
 #include "mesh.h"
@@ -44,13 +41,10 @@ static void push(double s, const double X[2], double x[2])
 }
 
 /*
- * F of the bar element (X0, X1) whose ends are now at x0, x1, and its sign
- * [eq:deformation-gradient]: 1 upright, -1 inverted, 0 collapsed.
- *
- * size  in   largest coordinate of the bar before and after: round-off can
- *            move a point by a few DBL_EPSILON size, so an element is
- *            collapsed when |x1 - x0| <= 16 DBL_EPSILON size
- * *F    out  the element's deformation gradient
+ * F of the bar element (X0, X1) whose ends are now at x0, x1.  Returns its sign
+ * [eq:deformation-gradient]: 1 upright, -1 inverted, 0 collapsed, which is when
+ * |x1 - x0| <= 16 DBL_EPSILON size: round-off can move a point by that much.
+ * size is the largest coordinate of the bar, before and after.
  */
 static int bar_gradient(double X0, double X1, double x0, double x1,
                         double size, double *F)
@@ -77,8 +71,7 @@ static void print_bar(field *phi, double a, int n)
     }
     table_begin("bar", "X0 X1 F sign");
     for (int e = 0; e < n; e++) {
-        const int sign =
-            bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
+        int sign = bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
         table_row(X[e], X[e + 1], F, word[1 + sign]);
     }
     table_end();
@@ -86,13 +79,10 @@ static void print_bar(field *phi, double a, int n)
 }
 
 /*
- * F of a triangle whose vertices went from X to x: the matrix that takes every
- * reference edge to its deformed edge [eq:triangle-gradient].  Returns
- * J = det F [eq:jacobian], negative when the triangle is inverted.
- *
- * node  in   its three vertices, in either sense of rotation
- * X, x  in   coordinate i of vertex a is X[2 a + i], x[2 a + i]
- * *F    out  deformation gradient
+ * F of a triangle whose vertices, in either sense of rotation, went from X to
+ * x: it takes every reference edge to its deformed edge [eq:triangle-gradient].
+ * Coordinate i of vertex a is X[2 a + i], x[2 a + i].  Returns J = det F
+ * [eq:jacobian], negative when the triangle is inverted.
  */
 static double triangle_gradient(const int node[3], const double X[],
                                 const double x[], mat2 *F)
@@ -105,9 +95,8 @@ static double triangle_gradient(const int node[3], const double X[],
     return J;
 }
 
-/* F and J of every triangle of the pushed square, and sums over them: areas of
- * the deformed triangles are J A.  Every second triangle is listed clockwise,
- * as in meshes from files, which promise no sense of rotation. */
+/* F and J of every triangle of the pushed square, and sums over them.  Every
+ * second triangle is listed clockwise, as a mesh from a file may do. */
 static void print_square(const struct mesh *mesh, double s)
 {
     double *x = allocate(2 * (size_t)mesh->n_vertex, sizeof *x);
@@ -138,7 +127,6 @@ static void print_square(const struct mesh *mesh, double s)
 
 /*
  * Three strains of F, all zero for F = I:
- *
  * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
  * *green   out  (F^T F - I)/2      [eq:green-strain]
  * *left    out  (F F^T - I)/2      [eq:left-strain]
@@ -155,13 +143,12 @@ static void print_strains(double stretch, double angle)
 {
     static const char *const measure[] = {"linear", "green", "left"};
     const mat2 U = {{{stretch, 0.0}, {0.0, 1.0}}};
-    mat2 strain[3] = {U, U, U};
-    strains(mat2_multiply(mat2_rotation(angle), U), &strain[0], &strain[1],
-            &strain[2]);
+    const mat2 F = mat2_multiply(mat2_rotation(angle), U);
+    mat2 e[3] = {F, F, F};
+    strains(F, &e[0], &e[1], &e[2]);
     table_begin("strains", "measure e11 e12 e22");
     for (int k = 0; k < 3; k++)
-        table_row(measure[k], strain[k].m[0][0], strain[k].m[0][1],
-                  strain[k].m[1][1]);
+        table_row(measure[k], e[k].m[0][0], e[k].m[0][1], e[k].m[1][1]);
     table_end();
 }
 
@@ -170,8 +157,7 @@ int main(int argc, char *argv[])
     int map = 0, n = 10, m = 16;
     double left = 0.0, s = 1.05, angle = 30.0, stretch = 1.3;
     const struct option options[] = {
-        {"map", .choice = &map, .choices = "sine square",
-         .help = "of the bar: sin 2 pi X or X^2"},
+        {"map", .choice = &map, .choices = "sine square", .help = "of the bar"},
         {"n", .integer = &n, .min = 1, .max = 1000, .help = "bar elements"},
         {"left", .real = &left, .min = -2, .max = 0.9, .unit = "m",
          .help = "the bar is (left, 1)"},

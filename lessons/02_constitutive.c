@@ -1,26 +1,21 @@
 /*
  * 02_constitutive.c - energy, stress and tangent of three elastic laws.
  *
- * Notes: Lecture 1, "Neo-Hookean" and "Inversion", Figure 6; Lecture 2,
- * sections 2.2 and 2.3.
+ * Notes: Lecture 1, "Neo-Hookean", "Inversion"; Lecture 2, sections 2.2, 2.3.
  *
- * Problem.  A hyperelastic law is its energy psi(F) alone: the first
- * Piola-Kirchhoff stress P is the gradient of psi, the tangent the gradient of
- * P.  Write all three for linear elasticity [eq:psi-linear] and for
- * Neo-Hookean elasticity [eq:psi-neohookean] with r = ln J, which resists
- * collapse with an infinite force, and with the cubic r [eq:r-cubic], which
- * lets a body be turned inside out.
+ * Problem.  A hyperelastic law is its energy psi(F): the first Piola-Kirchhoff
+ * stress P is the gradient of psi, the tangent that of P.  Write all three for
+ * linear and for Neo-Hookean elasticity, with r = ln J, which resists collapse
+ * with an infinite force, and a cubic r, which lets a body turn inside out.
  *
  *         r |              __..--
  *         0 +---------_.-''1------- J    defined at   J < 0   J = 0   J > 0
  *           |      .-' /                  log            no      no     yes
  *           |   .-'   |                   cubic         yes     yes     yes
- *     -11/6 + .'      |
- *           | cubic   | log              equal up to the third derivative at 1
+ *     -11/6 + cubic   | log              equal up to the third derivative at 1
  *
  * Run       make lesson-02, or with options: -h lists them
- * Expect    P at F = 3: linear 2692.3, log 1236.9, cubic 4615.4; at F = 0 the
- *           cubic law has P = -4326.9, and the log law has no value
+ * Expect    P at F = 3: linear 2692.3, log 1236.9, cubic 4615.4
  * Plot: curve_cubic F P
  */
 #include "material.h"
@@ -29,16 +24,11 @@
 
 #include <math.h>
 
-/* material.h gives enum law {LINEAR, LOG, CUBIC}, struct material {law, mu,
- * lambda} and struct volumetric {r, dr, ddr}; its mathematics is written here.
- * Where a law is not defined the functions return INVERTED, which is an answer
- * where a NaN is none, and leave their output untouched. */
+/* The structs are in material.h.  Where a law is not defined the functions
+ * return INVERTED, no NaN, and leave their output untouched. */
 
-/*
- * mu and lambda from E and nu [eq:lame].  They are those of a solid: one
- * dimension means uniaxial strain, with the modulus 2 mu + lambda and not E;
- * two dimensions mean plane strain.
- */
+/* mu and lambda from E and nu [eq:lame].  One dimension means uniaxial strain:
+ * the modulus is 2 mu + lambda and not E.  Two dimensions mean plane strain. */
 static struct material lame(enum law law, double E, double nu)
 {
     const double mu = E / (2.0 * (1.0 + nu));
@@ -46,11 +36,8 @@ static struct material lame(enum law law, double E, double nu)
     return (struct material){law, mu, lambda};
 }
 
-/*
- * v->r, v->dr, v->ddr: r, r' and r'' at J [eq:r-cubic], where s = J - 1:
- *
- *     LOG  r = ln J, for J > 0        CUBIC  r = s - s^2/2 + s^3/3
- */
+/* v->r, v->dr, v->ddr := r, r', r'' at J [eq:r-cubic]: LOG r = ln J for J > 0,
+ * CUBIC r = s - s^2/2 + s^3/3 with s = J - 1. */
 static enum status volumetric(enum law law, double J, struct volumetric *v)
 {
     if (law == LINEAR) return OK; /* it has no r */
@@ -63,7 +50,6 @@ static enum status volumetric(enum law law, double J, struct volumetric *v)
 
 /*
  * One dimension, F = J a number [eq:psi-neohookean] [eq:psi-linear]:
- *
  *     psi = mu/2 (F^2 - 1) - mu r + lambda/2 r^2,   P = dpsi/dF,   dP = dP/dF;
  *     LINEAR: psi = (mu + lambda/2) (F - 1)^2.
  */
@@ -75,8 +61,7 @@ static enum status response1(const struct material *material, double F,
 {
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
-    const enum status status = volumetric(material->law, F, &v);
-    if (status != OK) return status;
+    if (volumetric(material->law, F, &v) != OK) return INVERTED;
     /* SLOT 2b(material, mu, lambda, F, v, out): out->psi, out->P and out->dP,
      * for LINEAR and, with v, for both Neo-Hookean laws. */
     todo("2b", material, mu, lambda, F, v, out);
@@ -87,8 +72,7 @@ static enum status response1(const struct material *material, double F,
 /* Figure 6: a law where it is defined, F = -1 ... 3. */
 static void print_curve(const struct material *material, int n)
 {
-    static const char *const name[] = {"curve_linear", "curve_log",
-                                       "curve_cubic"};
+    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
     table_begin(name[material->law], "F psi P dP");
     for (int i = 0; i <= n; i++) {
         const double F = (4.0 * i - n) / n;
@@ -100,22 +84,18 @@ static void print_curve(const struct material *material, int n)
 }
 
 /*
- * Two dimensions (plane strain), J = det F:
- *
+ * Two dimensions, J = det F and cof F = dJ/dF, written out: F may be singular.
  *     psi = mu/2 (F:F - 2) - mu r + lambda/2 r^2        [eq:psi-neohookean]
  *     P   = mu F + (lambda r - mu) r' cof F             [eq:pk1-neohookean]
  *     LINEAR: psi = mu eps:eps + lambda/2 tr(eps)^2, P = 2 mu eps +
  *             lambda tr(eps) I, eps = (F + F^T)/2 - I   [eq:psi-linear]
- *
- * with cof F = dJ/dF = J F^{-T}, written out: F may be singular.
  */
 static enum status response2(const struct material *material, mat2 F,
                              double *psi, mat2 *P)
 {
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
-    const enum status status = volumetric(material->law, mat2_det(F), &v);
-    if (status != OK) return status;
+    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
     /* SLOT 2c(material, mu, lambda, F, v, psi, P): *psi and *P for LINEAR and,
      * with v, for both Neo-Hookean laws. */
     todo("2c", material, mu, lambda, F, v, psi, P);
@@ -139,17 +119,14 @@ static void print_state(const struct material *material, mat2 F)
               cell_if(ok, P.m[1][0]), cell_if(ok, P.m[1][1]));
 }
 
-/*
- * The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
- * symmetric, A : dP(F; B) = B : dP(F; A).
- */
+/* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
+ * symmetric, A : dP(F; B) = B : dP(F; A). */
 static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
                             mat2 *dP)
 {
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
-    const enum status status = volumetric(material->law, mat2_det(F), &v);
-    if (status != OK) return status;
+    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
     /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
      * of P in the direction dF. */
     todo("2d", material, mu, lambda, F, dF, v, dP);

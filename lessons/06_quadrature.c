@@ -3,11 +3,10 @@
  *
  * Notes: Lecture 2, section 1.1, exercise (4).
  *
- * Problem.  -(e^x u')' = f on (0, 1) with the solution u = sin 2x, the flux
- * q = -2 at 0 and u(1) given, linear elements on an unequal grid.  The
- * integrals of beta and of f e_j are taken by the midpoint rule, the
- * trapezoidal rule or two-point Gauss on every element [eq:quadrature], vertex
- * by vertex [eq:quadrature-A] [eq:quadrature-b].
+ * Problem.  -(e^x u')' = f on (0, 1) with the solution u = sin 2x, given at one
+ * end, and the flux at the other.  Linear elements on an unequal grid; each row
+ * of A and b belongs to one vertex, and its integrals are taken by the midpoint
+ * rule, the trapezoidal rule or two-point Gauss on each element.
  *
  *     hat e_j of vertex j:    RISING /|\ FALLING
  *                                   / | \
@@ -73,7 +72,7 @@ static double element_integral(double x0, double x1, field *g,
     return sum;
 }
 
-/* beta_j, the mean of beta over element j: mean[1..n]; mean[0] is 0. */
+/* mean[j], j = 1..n, is the mean of beta over element j; mean[0] is 0. */
 static void element_means(int n, const double x[], field *beta,
                           const struct quadrature *rule, double mean[])
 {
@@ -83,13 +82,8 @@ static void element_means(int n, const double x[], field *beta,
                   (x[j] - x[j - 1]);
 }
 
-/*
- * Row j of A, before any boundary condition [eq:quadrature-A]:
- *
- *     row[0], row[1], row[2] = A_{j,j-1}, A_jj, A_{j,j+1},
- *
- * 0 where there is no such neighbour.  mean[1..n] from element_means().
- */
+/* row[0..2] := A_{j,j-1}, A_jj, A_{j,j+1} before any boundary condition, 0
+ * where there is no such neighbour [eq:quadrature-A]. */
 static void stiffness_row(int j, int n, const double x[], const double mean[],
                           double row[3])
 {
@@ -111,18 +105,6 @@ static void print_A(int n, const double x[], const double mean[])
     table_end();
 }
 
-/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
-static double load_entry(int j, int n, const double x[], field *f,
-                         const struct quadrature *rule, double qa, double qb)
-{
-    double b = 0.0;
-    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, one half only at an end, where its flux is added. */
-    todo("6d", j, n, x, f, rule, qa, qb);
-    /* END 6d */
-    return b;
-}
-
 /* u := A^{-1} b, b in u; at node `held` u is given as sin 2x. */
 static enum status solve(int n, const double x[], const double mean[], int held,
                          double u[])
@@ -141,6 +123,18 @@ static enum status solve(int n, const double x[], const double mean[], int held,
     if (status == OK) matrix_solve(A, u);
     matrix_free(A);
     return status;
+}
+
+/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
+static double load_entry(int j, int n, const double x[], field *f,
+                         const struct quadrature *rule, double qa, double qb)
+{
+    double b = 0.0;
+    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
+     * the hat e_j, one half only at an end, where its flux is added. */
+    todo("6d", j, n, x, f, rule, qa, qb);
+    /* END 6d */
+    return b;
 }
 
 int main(int argc, char *argv[])

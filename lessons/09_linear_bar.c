@@ -1,6 +1,5 @@
 /*
- * 09_linear_bar.c - the linearly elastic bar: its modulus, the signs of its
- * end loads, and what has to hold it.
+ * 09_linear_bar.c - a linear bar: its modulus, its end loads, what holds it.
  *
  * Notes: Lecture 1, 1D Elasticity; Lecture 2, (2.12b), for the end loads.
  *
@@ -12,9 +11,8 @@
  *     h  <---|=========================================|--->  h
  *            0        body force f (N/m^3) -->         1
  *
- * A positive h pushes towards +X at either end, f does so inside, and each of
- * them enters b with a plus.  Linear elements on n equal lengths; unit cross-
- * section, so that stresses are forces.
+ * A positive h or f pushes towards +X, and enters b with a plus.  Linear
+ * elements on n equal lengths; unit cross-section, so that stresses are forces.
  *
  * Run       make lesson-09, or with options: -h lists them
  * Expect    E = 1000, nu = 0.3: modulus 1346.15, reaction -200 at the left end
@@ -28,9 +26,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* struct bar_scene, the scene of bar_scene.h: n elements; per end (0 left, 1
- * right) held[] (is u given?), g[] (that u, in m) and pull[] (the traction h of
- * an end that is free, in N/m^2); shape and c of the body force. */
+/* struct bar_scene of bar_scene.h has n elements and, of each end (0 left, 1
+ * right): held[], g[] (u of a held end), pull[] (traction h of a free end). */
 
 struct elastic {
     double mu, lambda; /* Lame parameters, N/m^2 */
@@ -95,10 +92,7 @@ static void print_bar(const struct bar_scene *s, const double b[], int solved,
     table_end();
 }
 
-/*
- * mu, lambda from Young's modulus E and Poisson's ratio nu [eq:lame], and the
- * modulus of uniaxial strain [eq:bar-linear].
- */
+/* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
 static struct elastic elastic_make(double E, double nu)
 {
     struct elastic m = {0};
@@ -114,9 +108,8 @@ static struct elastic elastic_make(double E, double nu)
  *     K_ij = modulus int N_i' N_j' dX,
  *     b_i  = int f N_i dX + h N_i at the ends where h is given.
  *
- * f_mid    in    f at the middle of element e = 0..n-1
- * K        out   order n + 1, half bandwidth 1
- * b        out   n + 1 nodal forces; int f N_i by the midpoint rule
+ * f_mid    in    f at the middle of element e = 0..n-1, for the midpoint rule
+ * K, b     out   order n + 1, half bandwidth 1
  */
 static void assemble(const struct bar_scene *s, double modulus,
                      const double f_mid[], struct matrix *K, double b[])
@@ -151,9 +144,8 @@ static enum status solve(const struct bar_scene *s, const struct matrix *K,
 /*
  * What the displacements say about forces.
  *
- * P         out  n stresses: P[e - 1] = modulus u' on element e = 1..n
- * reaction  out  the forces that the held ends need, K u - b at node 0 and
- *                at node n [eq:reaction]; 0 at a free end
+ * P         out  P[e - 1] = modulus u' on element e = 1..n
+ * reaction  out  the force on a held end, K u - b there [eq:reaction], else 0
  */
 static void stress_and_reactions(const struct bar_scene *s, double modulus,
                                  const double b[], const double u[],

@@ -4,14 +4,11 @@
  * Notes: Lecture 2, sections 2.5.5 and 2.5.6.
  *
  * Problem.  In a bar with one free end every element carries a known stress p,
- * so Newton on the bar [alg:newton] is one scalar Newton per element,
+ * and Newton's method [alg:newton] is F := F + (p - P(F)) / P'(F) in each one.
  *
- *     F := F + (p - P(F)) / P'(F)   until P(F) = p.
- *
- *         P |        .-'        the tangent at F0 meets the level p at F1:
- *           |     .-'o F0       F1 <= 0 when p <= P(F0) - F0 P'(F0)
- *           |   .' .'                                  [eq:first-step]
- *     ------+--/-.'----- F
+ *         P |       .-'         the tangent at F0 meets the level p at F1:
+ *           |    .-'o F0        F1 <= 0 when p <= P(F0) - F0 P'(F0)
+ *     ------+--/-.'------ F                            [eq:first-step]
  *           | /.'
  *       p - +.' - - -
  *
@@ -26,16 +23,6 @@
 #include <float.h>
 #include <math.h>
 
-/* What the failures should be, from the material alone [eq:first-step]. */
-struct limits {
-    double load;     /* p at or below which the first step from F inverts */
-    double step;     /* largest drop of the load from the equilibrium at F */
-    double start;    /* F0 at or above which it inverts for p = 0 */
-    double push;     /* dg / dX at or above which the start is inverted */
-    double pull;     /* dg / dX at or below which the first step inverts */
-    double collapse; /* p at which the cubic law has F = 0 */
-};
-
 struct outcome {
     enum status status;
     int iterations; /* linear systems solved */
@@ -43,17 +30,14 @@ struct outcome {
 };
 
 /*
- * Where the iteration stands at F, and its next step (p - P(F)) / P'(F).
- *
- * increment  in   |step| that led to F, INFINITY at the start
- * step       out  the next step; 0 where there is none
+ * Where the iteration stands at F, and its next *step, 0 where there is none.
+ * increment is the |step| that led to F, INFINITY at the start.
  *
  * INVERTED        the law is not defined at F
  * NONFINITE       the residual P(F) - p or the step is not a finite number
- * OK              converged: |residual| <= tolerance (2 mu + lambda), and
- *                 |increment| <= tolerance as well or the residual is 0
- * STALLED         the increment cannot change F any more (<= DBL_EPSILON), but
- *                 the residual is not small
+ * OK              converged: the residual is 0, or |residual| <= tolerance
+ *                 (2 mu + lambda) and increment <= tolerance as well
+ * STALLED         not converged, and increment <= DBL_EPSILON cannot change F
  * MAX_ITERATIONS  none of these: go on with the step
  */
 static enum status newton_step(const struct material *material, double p,
@@ -67,11 +51,19 @@ static enum status newton_step(const struct material *material, double p,
     /* END 11a */
 }
 
-/* All but `collapse` are limits of the log law.  F > 0 is where a load step
- * starts; at nu = 0 and near it start and pull may be infinite. */
+/* What the failures of the log law should be, for a load step that starts from
+ * F > 0 [eq:first-step]; start and pull may be infinite, as at nu = 0. */
+struct limits {
+    double load;     /* p at or below which the first step from F inverts */
+    double step;     /* largest drop of the load from the equilibrium at F */
+    double start;    /* F0 at or above which it inverts for p = 0 */
+    double push;     /* dg / dX at or above which the start is inverted */
+    double pull;     /* dg / dX at or below which the first step inverts */
+    double collapse; /* p at which the cubic law has F = 0 */
+};
 static struct limits predict(double mu, double lambda, double F)
 {
-    struct limits limits = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    struct limits limits = {0};
     /* SLOT 11b(mu, lambda, F, &limits): the six closed forms [eq:first-step].
      * limits.load at F = 1 is -(2 mu + lambda). */
     todo("11b", mu, lambda, F, &limits);
@@ -80,9 +72,8 @@ static struct limits predict(double mu, double lambda, double F)
 }
 
 /*
- * The length of a step by backtracking [alg:line-search]: the first of 1, 1/2,
- * 1/4, ... > 1e-12 at which the law is defined and the energy
- * w(F) = psi(F) - p (F - 1) has decreased enough (Armijo),
+ * *length is the first of 1, 1/2, 1/4, ... > 1e-12 at which the law is defined
+ * and the energy w(F) = psi(F) - p (F - 1) falls enough [alg:line-search],
  *     w(F + length step) <= w(F) + 1e-4 length w'(F) step + noise,
  * noise = 16 eps |w(F)|: at the minimum w has no digits left to compare.
  * NOT_SPD: the step does not lead downhill (P' < 0).  STALLED: no length does.
@@ -103,33 +94,29 @@ static enum status line_search(const struct material *material, double p,
 static struct outcome solve(const struct material *material, double p,
                             double F, const struct newton_control *control)
 {
-    struct outcome state = {MAX_ITERATIONS, 0, F};
-    double increment = INFINITY;
-    for (;;) {
-        double step, length = 1.0;
-        state.status = newton_step(material, p, state.F, increment,
-                                   control->tolerance, &step);
-        if (state.status != MAX_ITERATIONS) return state;
-        if (state.iterations >= control->max_iterations) return state;
-        state.iterations++;
+    double step, length = 1.0, increment = INFINITY;
+    for (int k = 0;; k++) {
+        enum status status = newton_step(material, p, F, increment,
+                                         control->tolerance, &step);
+        if (status != MAX_ITERATIONS || k >= control->max_iterations)
+            return (struct outcome){status, k, F};
         if (control->line_search) {
-            state.status = line_search(material, p, state.F, step, &length);
-            if (state.status != OK) return state;
+            status = line_search(material, p, F, step, &length);
+            if (status != OK) return (struct outcome){status, k + 1, F};
         }
-        state.F += length * step;
+        F += length * step;
         increment = fabs(step);
     }
 }
 
 /*
  * Load stepping with halving [alg:load-stepping].  At the fraction s of the way
- * the load is s p and the boundary has moved by s jump (in units of dX); s = 0
- * is the state of rest, F = 1.  A step from s to s + ds starts at the last
- * equilibrium, less ds jump.  It fails: it is taken back, ds := ds / 2.  It
- * converges: s := s + ds, ds := 2 ds, but never beyond s = 1.  The first ds is
- * 1; one attempt may take `patience` iterations, all of them together
- * control->max_iterations (then: MAX_ITERATIONS).  STALLED: ds < 2^-10.
- * F is the last equilibrium; iterations counts the failed attempts as well.
+ * the load is s p and the boundary has moved by s jump (in units of dX).  A
+ * step from s to s + ds <= 1, the first from 0 to 1, starts at the last
+ * equilibrium (F = 1 at s = 0) less ds jump.  If it converges, ds := 2 ds; if
+ * not, it is taken back, ds := ds / 2.  One attempt may take `patience`
+ * iterations, all of them, also the failed ones, control->max_iterations (then:
+ * MAX_ITERATIONS).  STALLED: ds < 2^-10.  F is the last equilibrium.
  */
 static struct outcome load_stepping(const struct material *material, double p,
                                     double jump,
@@ -153,8 +140,7 @@ int main(int argc, char *argv[])
         {"law", .choice = &law, .choices = MATERIAL_LAWS, .help = "material"},
         {"nu", .real = &nu, .min = 0.0, .max = 0.4999,
          .help = "Poisson's ratio", .why = "at 1/2 lambda is infinite"},
-        {"p", .real = &p, .min = -1e12, .max = 1e12, .unit = "N/m^2",
-         .help = "stress"},
+        {"p", .real = &p, .min = -1e12, .max = 1e12, .help = "stress, N/m^2"},
         {"start", .real = &start, .min = -20.0, .max = 20.0,
          .help = "F0; by stepping the boundary moves by 1 - F0"},
         {"search", .choice = &search, .choices = "off on",
@@ -175,8 +161,8 @@ int main(int argc, char *argv[])
                        : solve(&m, p, start, &control);
         if (end.iterations < k) break;
         const int ok = material_defined(&m, end.F); /* else no residual */
-        table_row(k, end.F,
-                  cell_if(ok, ok ? material1_pk1(&m, end.F) - p : 0.0));
+        const double P = ok ? material1_pk1(&m, end.F) : 0.0;
+        table_row(k, end.F, cell_if(ok, P - p));
     }
     table_end();
     table_begin("limits", "F load step start push pull collapse");

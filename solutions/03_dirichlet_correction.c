@@ -15,8 +15,7 @@
  *     |  .  a21  .  . | .. |   | .. |      |  .  a21  .   . | .. |   ...
  *
  * Run       make lesson-03, or with options: -h lists them
- * Expect    reactions 678.721, -3498.433 and 2581.212, which balance the
- *           load 238.5
+ * Expect    reactions 678.721, -3498.433 and 2581.212; the load is 238.5
  * Plot: nodes x u
  */
 #include "matrix.h"
@@ -25,10 +24,8 @@
 
 #include <stdlib.h>
 
-/* Here A is a full N x N array, A_ij = A[i * N + j], so that both triangles
- * can be seen; N = n + 1 is the number of nodes. */
-
-/* A and b of n equal elements, constant beta and f [eq:poisson-A]. */
+/* A and b of n equal elements, constant beta and f [eq:poisson-A].  Here A is a
+ * full N x N array, A_ij = A[i * N + j], N = n + 1, to show both triangles. */
 static void assemble(int n, double beta, double f, double A[], double b[])
 {
     const int N = n + 1;
@@ -46,20 +43,6 @@ static void assemble(int n, double beta, double f, double A[], double b[])
     }
 }
 
-/* u := A^{-1} b by Cholesky, which looks at the lower triangle only. */
-static enum status solve(int N, const double A[], const double b[], double u[])
-{
-    struct matrix *L = matrix_alloc(DENSE, N, 0);
-    for (int i = 0; i < N; i++) {
-        for (int j = 0; j < N; j++) matrix_add(L, i, j, A[i * N + j]);
-        u[i] = b[i];
-    }
-    const enum status status = matrix_factor(L);
-    if (status == OK) matrix_solve(L, u);
-    matrix_free(L);
-    return status;
-}
-
 static void print_matrix(const char *name, int N, const double A[])
 {
     table_begin(name, "i j value");
@@ -68,35 +51,29 @@ static void print_matrix(const char *name, int N, const double A[])
     table_end();
 }
 
-/* What is prescribed: n_fixed nodes and their values. */
 enum { LEFT, RIGHT, BOTH, THREE };
-struct prescribed {
-    int n_fixed, node[3];
-    double g[3];
-};
 
-/* The nodes of --fix out of 0, 2n/3 and n, with their part of `value`. */
-static struct prescribed prescribe(int n, int fix, const double value[3])
+/* Of the nodes 0, 2n/3 and n and their values g, keep those that --fix names;
+ * returns how many they are. */
+static int prescribe(int fix, int node[3], double g[3])
 {
-    const int node[3] = {0, 2 * n / 3, n};
     const int wanted[3] = {fix != RIGHT, fix == THREE, fix != LEFT};
-    struct prescribed p = {0};
+    int n_fixed = 0;
     for (int k = 0; k < 3; k++) {
         if (!wanted[k]) continue;
-        p.node[p.n_fixed] = node[k];
-        p.g[p.n_fixed++] = value[k];
+        node[n_fixed] = node[k];
+        g[n_fixed++] = g[k];
     }
-    return p;
+    return n_fixed;
 }
 
 /*
  * First half of the correction: bring the known part of every equation to the
  * right-hand side, b_i -= sum_k A_ik g_k [eq:dirichlet-correction].
  *
- * A      in      N x N, not corrected yet
- * b      in/out  N
- * node   in      the n_fixed prescribed nodes k, in any order
- * g      in      their values
+ * A        in      N x N, not corrected yet
+ * b        in/out  N
+ * node, g  in      the n_fixed prescribed nodes, in any order; their values
  */
 static void move_known_values(int N, const double A[], double b[], int n_fixed,
                               const int node[], const double g[])
@@ -129,6 +106,26 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
     /* END 3b */
 }
 
+/* A u = b with n_fixed prescribed nodes; A and b are corrected in place.
+ * Cholesky looks at the lower triangle of A only. */
+static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
+                                    const int node[], const double g[],
+                                    enum diagonal diagonal, double u[])
+{
+    move_known_values(N, A, b, n_fixed, node, g);
+    replace_equations(N, A, b, n_fixed, node, g, diagonal);
+
+    struct matrix *L = matrix_alloc(DENSE, N, 0);
+    for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++) matrix_add(L, i, j, A[i * N + j]);
+        u[i] = b[i];
+    }
+    const enum status status = matrix_factor(L);
+    if (status == OK) matrix_solve(L, u);
+    matrix_free(L);
+    return status;
+}
+
 /*
  * r := A u - b with the A and b of *before* the correction [eq:reaction].
  * r_k is the force that holds prescribed node k; it is zero at the others.
@@ -144,21 +141,11 @@ static void reactions(int N, const double A[], const double b[],
     /* END 3c */
 }
 
-/* A u = b with n_fixed prescribed nodes; A and b are corrected in place. */
-static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
-                                    const int node[], const double g[],
-                                    enum diagonal diagonal, double u[])
-{
-    move_known_values(N, A, b, n_fixed, node, g);
-    replace_equations(N, A, b, n_fixed, node, g, diagonal);
-    return solve(N, A, b, u);
-}
-
 int main(int argc, char *argv[])
 {
     int n = 6, fix = THREE, diagonal = KEEP_DIAGONAL;
     double beta = 1346.153846153846; /* 2 mu + lambda for E = 1000, nu = 0.3 */
-    double load = 238.5, value[3] = {0.2385, -0.137, 0.512};
+    double load = 238.5, g[3] = {0.2385, -0.137, 0.512};
     const struct option options[] = {
         {"n", .integer = &n, .min = 2, .max = 200, .help = "elements"},
         {"fix", .choice = &fix, .choices = "left right both three",
@@ -167,16 +154,16 @@ int main(int argc, char *argv[])
          .help = "diagonal entry of a replaced equation"},
         {"beta", .real = &beta, .min = 1e-6, .max = 1e9, .help = "coefficient"},
         {"f", .real = &load, .min = -1e9, .max = 1e9, .help = "load"},
-        {"left", .real = &value[0], .min = -1e6, .max = 1e6, .help = "u(0)"},
-        {"inner", .real = &value[1], .min = -1e6, .max = 1e6,
+        {"left", .real = &g[0], .min = -1e6, .max = 1e6, .help = "u(0)"},
+        {"inner", .real = &g[1], .min = -1e6, .max = 1e6,
          .help = "u at node 2n/3"},
-        {"right", .real = &value[2], .min = -1e6, .max = 1e6, .help = "u(1)"},
+        {"right", .real = &g[2], .min = -1e6, .max = 1e6, .help = "u(1)"},
     };
     options_parse("03_dirichlet_correction", options, COUNT(options), argc,
                   argv);
 
-    const struct prescribed p = prescribe(n, fix, value);
-    const int N = n + 1;
+    int node[3] = {0, 2 * n / 3, n};
+    const int n_fixed = prescribe(fix, node, g), N = n + 1;
     const size_t size = (size_t)N;
     double *A = allocate(2 * size * size, sizeof *A), *corrected = A + N * N;
     double *b = allocate(4 * size, sizeof *b);
@@ -187,7 +174,7 @@ int main(int argc, char *argv[])
     if (n <= 12) print_matrix("A", N, A);
     table_vector("b", N, b);
     const enum status status =
-        solve_prescribed(N, corrected, b_corrected, p.n_fixed, p.node, p.g,
+        solve_prescribed(N, corrected, b_corrected, n_fixed, node, g,
                          (enum diagonal)diagonal, u);
     if (n <= 12) print_matrix("A_corrected", N, corrected);
     table_vector("b_corrected", N, b_corrected);

@@ -29,6 +29,8 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
+# There are many of them, and they are run once: what counts is how soon.
+QUICK = $(filter-out -O2 -g,$(COMPILE)) -O1 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
@@ -36,10 +38,11 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
 	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)$$(COMPILE) -w $$< -o $$@ $$(LINK)
+	$(Q)$$(QUICK) $$< -o $$@ $$(LINK)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c
-	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1))) -w
+	$(Q)$$(subst $$(COMPILE),$$(QUICK),$$(call \
+	    build_judge,$$<,$(patsubst %/,%,$(dir $1))))
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
@@ -126,7 +129,7 @@ define unit_mistake
 $(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
         $(BUILD)/unit/unit.o $(LIB)
 	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
-	$(Q)$$(COMPILE) -w $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
+	$(Q)$$(QUICK) $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
 	    $$(word 4,$$^) $$(UNIT_LIBS)
 $(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
 	$$(call say,test,common/ with $1)

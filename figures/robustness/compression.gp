@@ -1,22 +1,20 @@
-# robustness_compression.gp - the ends pushed together, n = 8: linear systems of
-# each step and least J after it; crosses: the step that failed.
-# Reads   data  tables path_plain, path_always, path_demand, path_log_plain,
+# compression.gp - the ends pushed together, n = 8: linear systems of each step
+# and least J after it; crosses: the step that failed.
+# Reads   data  tables path_notes, path_always, path_demand, path_log_notes,
 #               path_log_halved
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/robustness.tsv"
-if (!exists("out"))  out  = "figures/robustness_compression.svg"
 load "figures/style.gp"
 set terminal svg size 860,620
 set output out
 set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
-array Name[5] = ["path_plain", "path_demand", "path_always", \
-    "path_log_plain", "path_log_halved"]
+array Name[5] = ["path_notes", "path_demand", "path_always", \
+    "path_log_notes", "path_log_halved"]
 array Title[5] = ["cubic, notes' Newton", "cubic, on demand", \
     "cubic, always projecting", "log, notes' Newton", \
     "log, all cures, halved steps"]
 array Style[5] = [2, 3, 4, 1, 5]
-ok(what) = column("reason") == 0 ? column(what) : NaN
-lost(value) = column("reason") != 0 ? value : NaN
+ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
+lost(value) = strcol("reason") ne "OK" ? value : NaN
 set multiplot
 set lmargin at screen 0.09
 set rmargin at screen 0.985
@@ -29,7 +27,7 @@ set logscale y
 set yrange [2:2000]
 set format x ""
 set label 1 "failed" at 0.03, 1300 textcolor rgb "#555555"
-set ylabel "linear systems a step"
+set ylabel "linear systems per step"
 plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
          with linespoints ls Style[k] title Title[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(1300)) \

@@ -1,17 +1,15 @@
-# robustness_map.gp - one step of the shake from rest over dt and n: iterations
-# where Newton's method converges, crosses where it does not.  Lines: the
-# boundary moves sin dt = 0.95 h, h = 2 / n (predicted), or by what
-# boundary_step measured.
-# Reads   data  tables map_plain, map_plain_log, map_demand, map_lift_log,
+# map.gp - the first step over dt and n: iterations where Newton's method
+# converges, crosses where it does not.  Lines: the boundary moves sin dt =
+# 0.95 h, h = 2 / n (predicted), or by what boundary_step measured.
+# Reads   data  tables map_notes, map_notes_log, map_demand, map_lift_log,
 #               boundary_step
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/robustness.tsv"
-if (!exists("out"))  out  = "figures/robustness_map.svg"
 load "figures/style.gp"
 set terminal svg size 880,640
 set output out
 limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on { s = $".column." } END { print s }' '".data."'") + 0.0
+ended(how) = strcol("reason") eq how ? column("n") : NaN
 array Limit[2] = [limit("boundary_step", 2), limit("boundary_step", 3)]
 set logscale xy
 set xrange [0.0018:1.15]
@@ -39,9 +37,9 @@ set cbrange [3:14]
 unset colorbox
 set multiplot layout 2,2 margins 0.075,0.98,0.09,0.90 spacing 0.07,0.14
 do for [k = 1:4] {
-    name = word("map_plain map_plain_log map_demand map_lift_log", k)
+    name = word("map_notes map_notes_log map_demand map_lift_log", k)
     set xlabel (k > 2 ? "Δt (s)" : "")
-    set ylabel (k % 2 ? "squares a side n" : "")
+    set ylabel (k % 2 ? "squares per side n" : "")
     set label 1 (k == 1 ? "notes' Newton, cubic law" : k == 2 ? \
         "notes' Newton, log law" : k == 3 ? \
         "cubic law, projected on demand, line search" : \
@@ -51,17 +49,16 @@ do for [k = 1:4] {
         nohead lw 2 lc rgb "black" front
     set arrow 2 from asin(0.95 * 2 / 39), 39 to asin(0.95 * 2 / 3.3), 3.3 \
         nohead lw 1.5 dt 2 lc rgb "black" front
-    plot data index name using "dt":(column("reason") == 0 ? column("n") \
-             : NaN):"iterations" with points pt 5 ps 1.05 lc palette, \
-         data index name using "dt":(column("reason") == 0 ? column("n") \
-             : NaN):(sprintf("%d", column("iterations"))): \
+    plot data index name using "dt":(ended("OK")):"iterations" \
+             with points pt 5 ps 1.05 lc palette, \
+         data index name using "dt":(ended("OK")): \
+             (sprintf("%d", column("iterations"))): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
              font ",8" textcolor rgb variable, \
-         data index name using "dt":(column("reason") != 0 && \
-             column("reason") != 4 ? column("n") : NaN) \
+         data index name using "dt":(ended("fails")) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
-         data index name using "dt":(column("reason") == 4 ? column("n") \
-             : NaN) with points pt 1 ps 0.6 lw 1.5 lc rgb "#CC79A7"
+         data index name using "dt":(ended("INVERTED")) \
+             with points pt 1 ps 0.6 lw 1.5 lc rgb "#CC79A7"
     do for [i = 11:15] { unset label i }
     unset arrow 14
     unset arrow 15

@@ -1,10 +1,8 @@
-# bench_step_assembly.gp - residual and tangent of one element, in ns: with
+# assembly.gp - residual and tangent of one element, in ns: with
 # dP/dF applied to six directions, and in closed form.
 # Reads   data  table assembly (n readable both residual projected clear, ns),
 #               machine; from `make bench`
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/bench_step.tsv"
-if (!exists("out"))  out  = "figures/bench_step_assembly.svg"
 load "figures/style.gp"
 set terminal svg size 640,400
 set output out
@@ -23,8 +21,8 @@ set grid noxtics
 set xrange [-0.5:2.5]
 set yrange [0:*]
 set xtics ("16" 0, "32" 1, "64" 2)
-set xlabel "squares a side n"
-set ylabel "time an element (ns)"
+set xlabel "squares per side n"
+set ylabel "time per element (ns)"
 plot for [k = 1:5] data index "assembly" \
          using ($0 + 0.17 * (k - 3)):(column(Column[k])) with boxes \
          lc rgb Colour[k] title Name[k]

@@ -1,23 +1,19 @@
-# bench_solve_band.gp - factor and solve the band of n x n squares: seconds,
-# and flops a second.  Expected: slope 4; 6 where the matrix is full.
-# Reads   data  tables ours, gsl_banded, gsl_dense and lapack_dpbtrf (where
-#               there is one) (n milliseconds gigaflop_a_second), peak (n
-#               peak_gigaflop; 0 where it is not known), machine; from
-#               `make bench`
+# band.gp - factor and solve the band of n x n squares: seconds, and flops per
+# second.  Expected: slope 4; 6 where the matrix is full.
+# Reads   data  tables band (solver n milliseconds gigaflop_per_second), peak
+#               (n gigaflop_per_second), machine; from `make bench`
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/bench_solve.tsv"
-if (!exists("out"))  out  = "figures/bench_solve_band.svg"
 load "figures/style.gp"
 set terminal svg size 860,440
 set output out
-array Table[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
+array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "LAPACK dpbtrf", \
                  "common/banded.c"]
 array Style[4] = [3, 2, 4, 1]
-has(t) = system(sprintf("grep -c '^# %s$' '%s'", t, data)) > 0
+has(t) = system(sprintf("grep -c '^%s\t' '%s'", t, data)) > 0
 there = ""
-do for [k = 1:4] { if (has(Table[k])) { there = there." ".k } }
-ok(c) = column(c) > 0 ? column(c) : 1/0
+do for [k = 1:4] { if (has(Solver[k])) { there = there." ".k } }
+of(k) = strcol("solver") eq Solver[int(k)] ? column("n") : NaN
 
 set multiplot layout 1,2 margins 0.08,0.985,0.165,0.79 spacing 0.085,0
 set key above left vertical maxrows 3 reverse Left samplen 2 font ",12"
@@ -27,20 +23,19 @@ set xtics (16, 32, 64, 128)
 set xrange [14:150]
 set format y "10^{%T}"
 set yrange [2e-2:5e3]
-set xlabel "squares a side n"
+set xlabel "squares per side n"
 set ylabel "time to factor and solve (ms)"
-plot for [k in there] data index Table[int(k)] \
-         using "n":(ok("milliseconds")) with linespoints ls Style[int(k)] \
-         title Name[int(k)], \
+plot for [k in there] data index "band" using (of(k)):"milliseconds" \
+         with linespoints ls Style[int(k)] title Name[int(k)], \
      8e-8 * x**4 with lines ls 8 title "slope 4 expected"
 unset label 1
 unset logscale y
 set format y "%g"
 set yrange [0:*]
-set ylabel "flops a second (10^{9}/s)"
-plot for [k in there] data index Table[int(k)] \
-         using "n":(ok("gigaflop_a_second")) with linespoints ls Style[int(k)] \
-         notitle, \
-     data index "peak" using "n":"peak_gigaflop" with lines ls 8 dt 4 \
+set ylabel "flops per second (10^{9}/s)"
+plot for [k in there] data index "band" \
+         using (of(k)):"gigaflop_per_second" \
+         with linespoints ls Style[int(k)] notitle, \
+     data index "peak" using "n":"gigaflop_per_second" with lines ls 8 dt 4 \
          title "multiply-adds of the core"
 unset multiplot

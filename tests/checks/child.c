@@ -1,7 +1,4 @@
 /* child.c - see child.h. */
-#if defined(__linux__)
-#define _GNU_SOURCE /* prctl */
-#endif
 #include "child.h"
 
 #include "output.h" /* quit */

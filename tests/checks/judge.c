@@ -572,8 +572,8 @@ static void explain_end(struct ending ending, struct finding *finding)
         quit("%s", line + 7);
     } else {
         snprintf(text, size,
-                 "the program left in the middle of its work, with exit(%d)%s%s",
-                 ending.status, colon, line);
+                 "the program left in the middle of its work, with exit(%d)"
+                 "%s%s", ending.status, colon, line);
     }
 }
 

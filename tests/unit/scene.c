@@ -1,4 +1,5 @@
 /* scene.c - laws of common/scene.h and of the doors of body.h. */
+#include "readable.h"
 #include "scene.h"
 
 #include "unit.h"
@@ -119,6 +120,28 @@ static void a_step_that_fails_is_not_counted(void)
     ck_assert_int_eq(scene->steps, 0);
     for (int r = 0; r < scene->n_dof; r++)
         ck_assert_double_eq(scene->u[r], 0.0);
+    scene_free(scene);
+}
+
+/* Within reach, both ways, and the same again; the held vertices stay. */
+static void scattered_vertices_stay_within_reach(void)
+{
+    struct scene *scene = scene_of(GRAVITY, CUBIC, 6);
+    double *first = vector(scene, 0.0), least = 0.0, most = 0.0;
+    scene_scatter(scene, 3, 0.25);
+    memcpy(first, scene->u, (size_t)scene->n_dof * sizeof *first);
+    for (int r = 0; r < scene->n_dof; r++) {
+        if (scene->held[r / 2]) ck_assert_double_eq(first[r], 0.0);
+        least = fmin(least, first[r]);
+        most = fmax(most, first[r]);
+    }
+    ck_assert(least > -0.25 && least < -0.2 && most > 0.2 && most < 0.25);
+    scene_scatter(scene, 4, 0.25);
+    ck_assert(scene->u[scene->n_dof - 1] != first[scene->n_dof - 1]);
+    scene_scatter(scene, 3, 0.25);
+    for (int r = 0; r < scene->n_dof; r++)
+        ck_assert_double_eq(scene->u[r], first[r]);
+    free(first);
     scene_free(scene);
 }
 
@@ -315,6 +338,45 @@ static void doors_report_states_outside(void)
     scene_free(scene);
 }
 
+/* ---- the readable program ------------------------------------------------ */
+
+static void the_readable_step_finds_the_same_u(void)
+{
+    const struct step_control notes = step_method("notes");
+    struct scene *s = scene_of(STRETCH, CUBIC, 5);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.0), *v = vector(s, 0.0);
+    for (int step = 1; step <= 3; step++) {
+        const struct step_report fast = scene_step(s, &notes);
+        const struct step_report slow =
+            readable_step(r, readable_gsl, s->g, u, v);
+        ck_assert(fast.status == OK && slow.status == OK);
+        ck_assert_int_eq(slow.iterations, fast.iterations);
+        for (int i = 0; i < s->n_dof; i++) {
+            close_to(u[i], s->u[i], 1e-12);
+            close_to(v[i], s->v[i], 1e-10);
+        }
+    }
+    readable_free(r);
+    free(u), free(v);
+    scene_free(s);
+}
+
+/* It stops where K is not positive definite, and leaves the state alone. */
+static void the_readable_step_stops_at_an_indefinite_K(void)
+{
+    struct scene *s = scene_of(COMPRESS, CUBIC, 4);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.0), *v = vector(s, 0.0);
+    scene_hold(s, 1.2); /* all of it in one step */
+    ck_assert_int_eq(readable_step(r, readable_gsl, s->g, u, v).status,
+                     NOT_SPD);
+    for (int i = 0; i < s->n_dof; i++) ck_assert(u[i] == 0.0 && v[i] == 0.0);
+    readable_free(r);
+    free(u), free(v);
+    scene_free(s);
+}
+
 static const struct unit_law laws[] = {
     {"ends_move_as_the_words_say", ends_move_as_the_words_say},
     {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
@@ -322,6 +384,8 @@ static const struct unit_law laws[] = {
      a_spin_starts_with_its_energy_and_momenta},
     {"gravity_pulls_downwards", gravity_pulls_downwards},
     {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
+    {"scattered_vertices_stay_within_reach",
+     scattered_vertices_stay_within_reach},
     {"triangles_are_where_the_map_puts_them",
      triangles_are_where_the_map_puts_them},
     {"every_scene_has_its_word", every_scene_has_its_word},
@@ -334,6 +398,9 @@ static const struct unit_law laws[] = {
     {"the_largest_free_component_is_found",
      the_largest_free_component_is_found},
     {"doors_report_states_outside", doors_report_states_outside},
+    {"the_readable_step_finds_the_same_u", the_readable_step_finds_the_same_u},
+    {"the_readable_step_stops_at_an_indefinite_K",
+     the_readable_step_stops_at_an_indefinite_K},
 };
 
 UNIT_MAIN("scene", laws)

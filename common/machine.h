@@ -1,80 +1,70 @@
-/* bench.c - see bench.h.  Compiled with the flags of common/banded.c. */
-#include "bench.h"
+/*
+ * machine.h - what the studies of speed ask the machine at hand: the limits of
+ * one core, and LAPACK, where there is one.
+ *
+ * All in this header, because it is to be compiled with the flags of the study
+ * that includes it: NATIVE_FLAGS names those for this machine, and LAPACK, when
+ * defined, the library that was found.
+ */
+#ifndef COMMON_MACHINE_H
+#define COMMON_MACHINE_H
 
 #include "clock.h"
-#include "status.h"
-#include "table.h"
+#include "matrix.h"
 
 #include <gsl/gsl_cblas.h>
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #ifndef NATIVE_FLAGS
 #define NATIVE_FLAGS ""
 #endif
-
-void times_record(struct times *t, double seconds, int valid)
-{
-    if (t->runs < SAMPLES) t->second[t->runs++] = valid ? seconds : (double)NAN;
-}
-
-double times_quantile(const struct times *t, double fraction)
-{
-    double sorted[SAMPLES];
-    if (t->runs == 0) return (double)NAN;
-    for (int i = 0; i < t->runs; i++)
-        if (isnan(t->second[i])) return (double)NAN;
-    memcpy(sorted, t->second, sizeof sorted);
-    gsl_sort(sorted, 1, (size_t)t->runs);
-    return gsl_stats_quantile_from_sorted_data(sorted, 1, (size_t)t->runs,
-                                               fraction);
-}
-
-double times_median(const struct times *t)
-{
-    return times_quantile(t, 0.5);
-}
-
-double times_spread(const struct times *t)
-{
-    return (times_quantile(t, 1.0) - times_quantile(t, 0.0)) / times_median(t);
-}
-
-void row_of(int n, double value[])
-{
-    for (int i = 0; i < n; i++)
-        if (isnan(value[i])) value[i] = 0.0;
-    table_row_of(n, value);
-}
-
-void bench_header(void)
-{
-    char machine[512];
-    clock_machine(sizeof machine, machine);
-    printf("# machine: %s\n# banded.c, and body.c but for the last, with: %s\n"
-           "# LAPACK: %s\n\n\n",
-           machine, *NATIVE_FLAGS ? NATIVE_FLAGS : "nothing",
 #ifdef LAPACK
-           LAPACK
+#define MACHINE_LAPACK LAPACK
+void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
+             const int *lda, int *info, size_t length);
+void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,
+             const double a[], const int *lda, double b[], const int *ldb,
+             int *info, size_t length);
 #else
-           "none found"
+#define MACHINE_LAPACK ""
 #endif
-    );
+
+/* matrix_factor() and matrix_solve() by LAPACK; false when K is not positive
+ * definite, or when there is no LAPACK. */
+static inline int lapack_factor(struct matrix *K)
+{
+    int info = 1;
+#ifdef LAPACK
+    const int lda = (int)K->stride;
+    dpbtrf_("L", &K->n, &K->p, K->a, &lda, &info, 1);
+#else
+    (void)K;
+#endif
+    return info == 0;
+}
+
+static inline void lapack_solve(const struct matrix *L, double b[])
+{
+#ifdef LAPACK
+    const int lda = (int)L->stride, one = 1;
+    int info;
+    dpbtrs_("L", &L->n, &L->p, &one, L->a, &lda, b, &L->n, &info, 1);
+#else
+    (void)L, (void)b;
+#endif
 }
 
 /*
- * 96 independent chains: enough to fill the pipelines of any machine.
+ * Multiply-adds in registers: 1e9 flops per second of one core, at its best.
+ * 96 independent chains are enough to fill the pipelines of any machine.
  *
  * Their sum keeps the compiler from leaving the loop out, and is a call that
  * keeps GSL with the CBLAS of its own: a linker that drops libraries nobody
  * calls would drop -lgslcblas, and GSL would find OpenBLAS, which is here as
  * LAPACK, instead.
  */
-double bench_peak_gigaflop(void)
+static inline double machine_peak_gigaflop(void)
 {
     enum { CHAINS = 96, TIMES = 1000000 };
     const double x = 1.0 - 1e-9, y = 1e-9;
@@ -91,7 +81,9 @@ double bench_peak_gigaflop(void)
     return 1e-9 * 2.0 * CHAINS * TIMES / least;
 }
 
-double bench_read_gigabyte(size_t bytes)
+/* Reading `bytes` again and again, in order: 1e9 bytes per second of one
+ * core. */
+static inline double machine_read_gigabyte(size_t bytes)
 {
     enum { LANES = 64 };
     const size_t n = bytes / sizeof(double) / LANES * LANES;
@@ -111,3 +103,5 @@ double bench_read_gigabyte(size_t bytes)
     free(a);
     return 1e-9 * (double)(repeats * n) * sizeof(double) / least;
 }
+
+#endif

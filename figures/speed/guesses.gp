@@ -1,11 +1,9 @@
-# bench_step_newton.gp - Newton's iterations a step by where it starts, with
+# guesses.gp - linear systems per step by where it starts, with
 # new factors each time (left) and with kept ones [alg:chord] (right).
 # Reads   data  tables newton_last, newton_velocity, newton_velocity_lift,
 #               newton_extrapolated_lift (n full_mean full_max chord_mean
 #               chord_max); from `make bench`
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/bench_step.tsv"
-if (!exists("out"))  out  = "figures/bench_step_newton.svg"
 load "figures/style.gp"
 set terminal svg size 860,440
 set output out
@@ -21,11 +19,11 @@ set logscale x
 set xtics (8, 16, 32, 64, 96)
 set xrange [7:112]
 set yrange [0:11.5]
-set xlabel "squares a side n"
-set ylabel "linear systems a step (mean), new factors"
+set xlabel "squares per side n"
+set ylabel "linear systems per step (mean), new factors"
 plot for [k = 1:4] data index Table[k] using "n":"full_mean" \
          with linespoints ls Style[k] title "guess ".Name[k]
-set ylabel "linear systems a step (mean), factors kept"
+set ylabel "linear systems per step (mean), factors kept"
 plot for [k = 1:4] data index Table[k] using "n":"chord_mean" \
          with linespoints ls Style[k] notitle, \
      for [k = 1:4] data index Table[k] using "n":"chord_factorisations" \

@@ -1,33 +1,24 @@
-# bench_step_time.gp - what a whole time step costs, beside the limits of a
-# core [eq:roofline], and what an accuracy costs.
+# step.gp - what a whole time step costs, beside the limits of a core
+# [eq:roofline], and what an accuracy costs.
 # Expected: slope 4 in n for large n, where factoring is everything.
-# Reads   data  tables notes, lapack (where there is one), blocked, best
-#               (n median_ms p99_ms), roofline (n predicted_ms), realtime,
-#               accuracy (n rms *_ms), machine; from `make bench`
+# Reads   data  tables steps (method n median_ms real_time), roofline
+#               (n predicted_ms), accuracy (n rms *_ms), machine; from
+#               `make bench`
 # Writes  out   SVG
-if (!exists("data")) data = "build/data/bench_step.tsv"
-if (!exists("out"))  out  = "figures/bench_step_time.svg"
 load "figures/style.gp"
 set terminal svg size 860,500
 set output out
-array Table[4] = ["notes", "lapack", "blocked", "best"]
+array Method[4] = ["readable", "lapack", "blocked", "best"]
 array Name[4] = ["readable, GSL banded", "LAPACK dpbtrf", \
                  "blocked band", "blocked band, lift, chord rule"]
 array Style[4] = [2, 4, 3, 1]
-# The entry of a column in row 0 of a table, 0 where there is none.
-cell(table, name) = system(sprintf( \
-    "awk -F'\t' -v t='# %s' -v c='%s' \
-     '$0 == t { on = 1; next } /^# / { next } \
-      on == 1 { for (i = 1; i <= NF; i++) if ($i == c) k = i; on = 2; next } \
-      on == 2 { print $k; found = 1; exit } \
-      END { if (!found) print 0 }' '%s'", \
-    table, name, data)) + 0.0
-within(k) = cell("realtime", Table[k])
-ok(c) = column(c) > 0 ? column(c) : 1/0
+# The largest n of a method that is ready in time, 0 where there is none.
+within(k) = system(sprintf("awk -F'\t' '$1 == \"%s\" && /\tyes\t/ \
+    { n = $2 } END { print n + 0 }' '%s'", Method[k], data)) + 0
+has(k) = system(sprintf("grep -c '^%s\t' '%s'", Method[k], data)) > 0
+of(k) = strcol("method") eq Method[int(k)] ? column("n") : NaN
 there = ""
-do for [k = 1:4] {
-    if (cell(Table[k], "n") > 0) { there = there." ".k }
-}
+do for [k = 1:4] { if (has(k)) { there = there." ".k } }
 
 set multiplot layout 1,2 margins 0.075,0.985,0.155,0.735 spacing 0.10,0
 set key above left vertical maxrows 6 reverse Left samplen 2 font ",12"
@@ -37,11 +28,11 @@ set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128)
 set xrange [7:150]
 set yrange [1e-3:4e3]
-set xlabel "squares a side n"
-set ylabel "median time a step (ms)"
+set xlabel "squares per side n"
+set ylabel "median time per step (ms)"
 set label 2 "1/30 s" at 7.4,50 left font ",11"
-plot for [k in there] data index Table[int(k)] \
-         using "n":(ok("median_ms")) with linespoints ls Style[int(k)] \
+plot for [k in there] data index "steps" \
+         using (of(k)):"median_ms" with linespoints ls Style[int(k)] \
          title sprintf("%s: n = %d in real time", Name[int(k)], \
                        within(int(k))), \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4 \
@@ -54,10 +45,10 @@ set xtics auto
 set format x "10^{%T}"
 set xrange [1e-2:1e3]
 set yrange [3e-5:5e-3]
-set xlabel "median time a step (ms)"
+set xlabel "median time per step (ms)"
 set ylabel "difference from half the elements, rms (m)"
 plot for [k in there] data index "accuracy" \
-         using (ok(Table[int(k)]."_ms")):"rms" \
+         using (column(Method[int(k)]."_ms")):"rms" \
          with linespoints ls Style[int(k)] \
          notitle, \
      data index "accuracy" using (column("best_ms") * 0.85):"rms": \

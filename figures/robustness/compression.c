@@ -1,0 +1,120 @@
+/*
+ * compression.c - how far can the body be squeezed, and by which method?
+ *
+ * The ends are pushed together by sin t each (compress), 60 steps; they meet at
+ * t = pi / 2.  A run ends with the first step that fails; by the log law also
+ * when a triangle is flat, J < 0.001: then round-off decides.  "halved" is all
+ * cures, and a step that fails is tried again in halves, these in quarters, to
+ * dt / 16.  Tables: what the runs reached, and the steps of five with n = 8.
+ */
+#include "scene.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NOTES, LIFT, SEARCH, EVERY, DEMAND, ALL, HALVED, METHODS, FRAMES = 60 };
+static const char *const method[] = {"notes", "lift", "lift+search",
+    "always+search", "demand+search", "all", "halved"};
+
+struct run {
+    const char *reason;
+    double t, pressed;             /* reached (s); the largest sin t */
+    double least_J, min_J[FRAMES]; /* of all states; after each step */
+    int frames, steps;             /* succeeded; the parts of halved ones */
+    int iterations;                /* of those */
+    int cost[FRAMES];              /* iterations of a step and its parts */
+};
+
+/* A step of dt, or with halve > 0 its halves; the status of the last one. */
+static enum status advance(struct scene *s, const struct step_control *control,
+                           int halve, double dt, struct run *run)
+{
+    scene_hold(s, run->t + dt);
+    const struct step_report report =
+        step_backward_euler(s->body, control, dt, s->g, s->f, s->u, s->v,
+                            s->v_before);
+    run->cost[run->frames] += report.iterations;
+    if (report.status != OK && halve > 0) {
+        const enum status half = advance(s, control, halve - 1, dt / 2, run);
+        return half == OK ? advance(s, control, halve - 1, dt / 2, run) : half;
+    }
+    if (report.status != OK) return report.status;
+    run->t += dt;
+    run->steps++;
+    run->iterations += report.iterations;
+    run->pressed = fmax(run->pressed, sin(run->t));
+    run->least_J = fmin(run->least_J, body_min_J(s->body, s->u));
+    return OK;
+}
+
+static struct run press(enum law law, int n, int m)
+{
+    const struct scene_setting set = scene_notes(COMPRESS, law, n);
+    const int halve = strcmp(method[m], "halved") == 0 ? 4 : 0;
+    const struct step_control control = step_method(halve ? "all" : method[m]);
+    struct scene *s = scene_alloc(&set);
+    struct run run = {.reason = "OK", .least_J = 1.0};
+    for (; run.frames < FRAMES; run.frames++) {
+        run.reason = law == LOG && run.least_J < 1e-3 ? "flat"
+            : step_reason(&control, advance(s, &control, halve, set.dt, &run));
+        run.min_J[run.frames] = body_min_J(s->body, s->u);
+        if (strcmp(run.reason, "OK") != 0) break;
+    }
+    scene_free(s);
+    return run;
+}
+
+/* The steps of a run; of the one that failed only how. */
+static void print_path(const char *name, int m, const struct run *run)
+{
+    table_begin_note(name, "t pressed iterations min_J reason", "n = 8, %s",
+                     method[m]);
+    for (int k = 0; k < FRAMES && k <= run->frames; k++) {
+        const double t = (k + 1) / 30.0;
+        const int done = k < run->frames;
+        table_row(t, sin(t), cell_if(done, run->cost[k]), run->min_J[k],
+                  done ? "OK" : run->reason);
+    }
+    table_end();
+}
+
+int main(void)
+{
+    static struct run run[2][3][METHODS]; /* cubic, log; n = 4, 8, 16 */
+    int other = 0;
+    for (int l = 0; l < 2; l++) {
+        table_begin_note(l ? "press_log" : "press_cubic",
+                         "n method pressed reason steps iterations "
+                         "least_J per_step", "iterations of steps that are OK");
+        for (int i = 0; i < 3; i++)
+            for (int m = 0; m < METHODS; m++) {
+                struct run *r = &run[l][i][m];
+                if (i == 2 && m == EVERY) continue; /* seconds */
+                *r = m == HALVED && r[-1].frames == FRAMES
+                         ? r[-1] : press(l ? LOG : CUBIC, 4 << i, m);
+                other += (r->frames == FRAMES) != (l == 0 && m >= EVERY);
+                table_row(4 << i, method[m], r->pressed, r->reason, r->steps,
+                          r->iterations, r->least_J,
+                          (double)r->iterations / r->steps);
+            }
+        table_end();
+    }
+    const struct run *cubic = run[0][1], *logarithm = run[1][1];
+    print_path("path_notes", NOTES, &cubic[NOTES]);
+    print_path("path_always", EVERY, &cubic[EVERY]);
+    print_path("path_demand", DEMAND, &cubic[DEMAND]);
+    print_path("path_log_notes", NOTES, &logarithm[NOTES]);
+    print_path("path_log_halved", HALVED, &logarithm[HALVED]);
+    claim(other == 0, "with the cubic law what projects reaches the end, with "
+          "the log law nothing does (%d runs differ)", other);
+    claim(run[0][0][NOTES].pressed < 0.9 && cubic[NOTES].pressed < 0.7 &&
+          run[0][2][NOTES].pressed < 0.6, "a finer mesh buckles earlier");
+    claim(cubic[EVERY].iterations > 9 * cubic[DEMAND].iterations &&
+              fabs(cubic[EVERY].least_J - cubic[DEMAND].least_J) < 1e-8,
+          "projecting always finds the same states nine times as slowly");
+    claim(logarithm[HALVED].pressed > 0.999 && run[1][2][HALVED].pressed < 0.95,
+          "halved steps end just before the ends meet, at n = 16 earlier");
+    return table_finish();
+}
