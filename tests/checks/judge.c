@@ -253,7 +253,8 @@ static double allowed(const struct column_rule *rule,
 
 /* The column of errors that an order or a constant belongs to (judge.h), and
  * which of the two it is; -1 for any other column. */
-static int errors_of_column(const struct named_table *want, int c, int *is_order)
+static int errors_of_column(const struct named_table *want, int c,
+                            int *is_order)
 {
     static const char *const end[] = {"_constant", "_order"};
     const char *name = want->column[c];
