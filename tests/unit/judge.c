@@ -209,7 +209,7 @@ static void known_mistakes_tell_by_words_and_histories(void)
     remove_work();
 }
 
-/* ---- as the student sees it: what a claim in its child comes to ----------- */
+/* ---- as the student sees it: what a claim in its child comes to ---------- */
 
 static void expect_finding(void (*check)(void), enum verdict verdict,
                            const char *message)

@@ -1,5 +1,5 @@
-/* small.c - laws of the small files of common/, and values that the laws of the
- * large ones leave open: norms, clocks, energies from 0, scenes of the notes. */
+/* small.c - laws of the small files of common/, and values that the laws of
+ * the large ones leave open: norms, clocks, energies, the notes' scenes. */
 #include "bar_scene.h"
 #include "clock.h"
 #include "mesh.h"
