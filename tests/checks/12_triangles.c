@@ -375,8 +375,8 @@ static void increment_solves_the_held_system(void)
 /* ---- 12e ----------------------------------------------------------------- */
 
 /* A body that is pressed to a thousandth: from an interior that is off by two
- * hundredths of the rest, a step is far below the tolerance and leaves
- * residuals of the size of the modulus.  The unit of force does not matter. */
+ * hundredths of the rest, a step is far below the tolerance, and leaves forces
+ * of the size of the modulus.  The unit of force does not matter. */
 static void small_steps_are_no_solution(void)
 {
     const double eps = 1e-3, tolerance = 1e-3;

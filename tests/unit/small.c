@@ -1,0 +1,121 @@
+/* small.c - laws of the small files of common/, and values that the laws of
+ * the large ones leave open: norms, clocks, energies, the notes' scenes. */
+#include "bar_scene.h"
+#include "clock.h"
+#include "mesh.h"
+#include "scene.h"
+#include "tensor.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+static void a_norm_is_the_root_of_the_squares(void)
+{
+    const mat2 A = {{{1.0, -2.0}, {4.0, 10.0}}};
+    close_to(mat2_norm(A), 11.0, 1e-14);
+    close_to(mat2_norm(mat2_scale(-0.5, A)), 5.5, 1e-14);
+}
+
+/* Between two looks at the system's clock, and the part below a second too. */
+static void seconds_are_those_of_the_system(void)
+{
+    const struct timespec pause = {0, 20000000};
+    struct timespec first, last;
+    for (int k = 0; k < 5; k++) {
+        clock_gettime(CLOCK_MONOTONIC, &first);
+        const double start = clock_seconds();
+        nanosleep(&pause, NULL);
+        const double end = clock_seconds();
+        clock_gettime(CLOCK_MONOTONIC, &last);
+        const double most = (double)(last.tv_sec - first.tv_sec) +
+                            1e-9 * (double)(last.tv_nsec - first.tv_nsec);
+        ck_assert_msg(end - start >= 0.02 - 1e-6 && end - start <= most + 1e-6,
+                      "%g s in a time of %g s", end - start, most);
+    }
+}
+
+static void a_machine_has_its_processors_name(void)
+{
+    char text[512], line[256], name[256] = "";
+    FILE *file = fopen("/proc/cpuinfo", "r"); /* where there is one */
+    while (file && !*name && fgets(line, sizeof line, file))
+        if (strncmp(line, "model name\t: ", 13) == 0)
+            sscanf(line + 13, "%100[^\n]", name);
+    if (file) fclose(file);
+    clock_machine(sizeof text, text);
+    ck_assert_msg(strncmp(text, name, strlen(name)) == 0, "%s: %s", name, text);
+    ck_assert_ptr_nonnull(strstr(text, ", "));
+    ck_assert(strstr(text, "gcc ") || strstr(text, "clang "));
+}
+
+/* Not only its slope: 0 at rest, h sum psi - b.u elsewhere. */
+static void energies_count_from_rest(void)
+{
+    const double b[] = {1.0, -2.0, 4.0, 8.0}, rest[4] = {0.0};
+    const double u[] = {0.0, 0.05, 0.1, 0.15};
+    for (int law = LINEAR; law <= CUBIC; law++) {
+        const struct bar bar = {3, 0.25, {1, 0}, b,
+                                material_notes((enum law)law)};
+        double energy;
+        ck_assert(bar_energy(&bar, rest, &energy) == OK);
+        close_to(energy, 0.0, 1e-12);
+        ck_assert(bar_energy(&bar, u, &energy) == OK);
+        close_to(energy, 0.75 * material1_psi(&bar.material, 1.2) - 1.5, 1e-12);
+    }
+}
+
+static void every_clockwise_triangle_is_found(void)
+{
+    struct mesh *mesh = mesh_square(2);
+    ck_assert_int_eq(mesh_clockwise(mesh), -1);
+    for (int e = mesh->n_triangle - 1; e >= 0; e--) {
+        int *t = &mesh->triangle[3 * e];
+        const int second = t[1];
+        t[1] = t[2];
+        t[2] = second;
+        ck_assert_int_eq(mesh_clockwise(mesh), e);
+    }
+    mesh_free(mesh);
+}
+
+static void the_notes_scenes_have_the_notes_numbers(void)
+{
+    for (int reading = 0; reading < 3; reading++) {
+        const struct scene_setting set =
+            scene_notes((enum reading)reading, CUBIC, 8);
+        ck_assert(set.E == 1000.0 && set.nu == 0.3 && set.rho == 1.0);
+        close_to(set.dt, 1.0 / 30.0, 1e-15);
+    }
+}
+
+/* 1e-12 of the size: 1 m, what the loads stretch, what the ends move. */
+static void a_tolerance_has_the_size_of_the_answer(void)
+{
+    struct bar_scene scene = bar_scene_notes(LOG, 4);
+    const double modulus = material_modulus(&scene.material);
+    scene.c = -2.0 * modulus;
+    scene.pull[0] = 3.0 * modulus;
+    scene.pull[1] = -4.0 * modulus;
+    scene.g[0] = 5.0;
+    scene.g[1] = -6.0;
+    close_to(bar_scene_control(&scene).tolerance, 21e-12, 1e-24);
+    scene.n = 2000;
+    close_to(bar_scene_control(&scene).tolerance,
+             21.0 * 8.0 * 2000.0 * 0x1p-52, 1e-22);
+}
+
+static const struct unit_law laws[] = {
+    {"a_norm_is_the_root_of_the_squares", a_norm_is_the_root_of_the_squares},
+    {"seconds_are_those_of_the_system", seconds_are_those_of_the_system},
+    {"a_machine_has_its_processors_name", a_machine_has_its_processors_name},
+    {"energies_count_from_rest", energies_count_from_rest},
+    {"every_clockwise_triangle_is_found", every_clockwise_triangle_is_found},
+    {"the_notes_scenes_have_the_notes_numbers",
+     the_notes_scenes_have_the_notes_numbers},
+    {"a_tolerance_has_the_size_of_the_answer",
+     a_tolerance_has_the_size_of_the_answer},
+};
+UNIT_MAIN("small", laws)
