@@ -34,13 +34,13 @@ state() {
 # ---- the class ----------------------------------------------------------------
 for student in Zo"$(printf '\303\253')" "O'Neill, \"Sean\"" -dash 'two twice' \
     'Mallory ' nobody; do
-    mkdir -p "class/$student/work"
+    mkdir -p "class/$student/handed in"
 done
-variant lift_sign >"class/O'Neill, \"Sean\"/work/$slug.c"
+variant lift_sign >"class/O'Neill, \"Sean\"/handed in/$slug.c"
 variant elimination_and_reexpansion >"class/Zo$(printf '\303\253')/$slug.c"
 awk -f tests/tools/starter.awk "solutions/$slug.c" >"class/-dash/$slug.c"
 cp "solutions/$slug.c" "class/two twice/$slug.c"
-cp "solutions/$slug.c" "class/two twice/work/$slug.c"
+cp "solutions/$slug.c" "class/two twice/handed in/$slug.c"
 echo 'no lesson' >"class/two twice/99_nothing.c"
 ln -s ../../solutions "class/two twice/link"
 # one that means to spoil the others' verdicts, and the workbook
