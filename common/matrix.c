@@ -296,6 +296,7 @@ struct matrix_cost matrix_cost(enum storage storage, int n, int p)
     const struct matrix_cost cost = {
         order * (q + 1.0), /* n - q full columns, then q, q - 1, ... below */
         (order - q) * (q + 1.0) * (q + 1.0) +
-            q * (q + 1.0) * (2.0 * q + 1.0) / 6.0};
+            q * (q + 1.0) * (2.0 * q + 1.0) / 6.0,
+        4.0 * (order * q - q * (q + 1.0) / 2.0) + 2.0 * order};
     return cost;
 }

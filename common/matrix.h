@@ -42,6 +42,7 @@ struct matrix {
 struct matrix_cost {
     double numbers; /* kept, without the room behind a wide band's columns */
     double flops;   /* of the factorisation */
+    double solve;   /* flops of the two triangular solves */
 };
 
 /* A zero matrix; p is ignored when dense.  The caller frees it. */
@@ -140,9 +141,10 @@ size_t matrix_bytes(const struct matrix *A);
 
 /*
  * What order n and half bandwidth p cost, without a matrix [eq:band-cost]; p is
- * not looked at when dense.  Each + - * / and square root of the textbook's
- * Cholesky counts one: (m + 1)^2 for a column with m entries below its pivot.
- * Real numbers, for n^3 exceeds any int.
+ * ignored when dense.  Each + - * / and square root of the textbook's
+ * Cholesky counts one: (m + 1)^2 for a column with m entries below its pivot,
+ * and 2 (2 m + 1) in the solves [eq:cholesky-flops].  Real numbers, for n^3
+ * exceeds any int.
  */
 struct matrix_cost matrix_cost(enum storage storage, int n, int p);
 

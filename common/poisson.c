@@ -25,6 +25,18 @@ double smooth_exact_dx(double x)
     return 2.0 * cos(2.0 * x);
 }
 
+double field_one(double x)
+{
+    (void)x;
+    return 1.0;
+}
+
+double field_zero(double x)
+{
+    (void)x;
+    return 0.0;
+}
+
 double bvp_beta(double x)
 {
     return 1.0 + x;
@@ -97,6 +109,23 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
             for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
         }
     }
+}
+
+void bvp_boundary(int n, struct matrix *A, double b[])
+{
+    const int left[] = {0};
+    const double value[] = {1.0};
+    b[n] -= 0.5;
+    matrix_dirichlet(A, b, 1, left, value, KEEP_DIAGONAL);
+}
+
+struct matrix *bvp_system(enum storage storage, int n, double x[], double b[])
+{
+    struct matrix *A = matrix_alloc(storage, n + 1, 1);
+    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
+    bvp_boundary(n, A, b);
+    return A;
 }
 
 /* With t = 1 + x the load of the right node is (ln(t1/t0) - h/t1)/h: two

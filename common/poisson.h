@@ -21,6 +21,9 @@ typedef double field(double x);
  * u = sin 2x in (0, 1); u' with it. */
 field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
 
+/* The constants 1 and 0. */
+field field_one, field_zero;
+
 /* The lecture's boundary value problem [eq:poisson-bvp]: beta = 1 + x, f =
  * (1+x)^-2 in (0, 1), u(0) = 1, beta u'(1) = -1/2; its solution u = 2 - 1/(1+x)
  * - ln(1+x) and u'. */
@@ -58,6 +61,14 @@ void poisson_element(double x0, double x1, field *beta, field *f,
 void poisson_assemble(int n, const double x[], field *beta, field *f,
                       const struct quadrature *rule, struct matrix *A,
                       double b[]);
+
+/* The boundary conditions of [eq:poisson-bvp] in A and b of n elements: the
+ * flux at x = 1, then u(0) = 1 [eq:dirichlet-correction]. */
+void bvp_boundary(int n, struct matrix *A, double b[]);
+
+/* Its nodes x[0..n], n equal elements, b[0..n] by the midpoint rule, and A, for
+ * the caller to free; with the boundary conditions. */
+struct matrix *bvp_system(enum storage storage, int n, double x[], double b[]);
 
 /* Of [eq:poisson-bvp], in closed form: b_i := int f e_i dx. */
 void bvp_exact_load(int n, const double x[], double b[]);

@@ -27,12 +27,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 /* u and the exact solution x - e^x + c that has nodal mean 0, too. */
 static void print_nodes(int n, const double x[], const double u[])
 {
@@ -87,7 +81,7 @@ static void print_quadratic_form(int n, const double x[])
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     double *v = allocate(2 * (size_t)(n + 1), sizeof *v), *Av = v + n + 1;
 
-    poisson_assemble(n, x, bvp_beta, one, &MIDPOINT, A, Av);
+    poisson_assemble(n, x, bvp_beta, field_one, &MIDPOINT, A, Av);
     table_begin_note("quadratic_form", "v differences matrix",
                      "v_i = 1, x_i, (-1)^i, 1 at node 0 only; beta = 1 + x");
     for (int k = 0; k < COUNT(name); k++) {
@@ -205,7 +199,7 @@ int main(int argc, char *argv[])
     double *b = x + N, *c = x + 2 * N, *u = x + 3 * N, defect;
 
     grid_make(0.0, 1.0, n, grading, x);
-    poisson_assemble(n, x, one, exp, rules[rule], A, b);
+    poisson_assemble(n, x, field_one, exp, rules[rule], A, b);
     b[n] += flux;
     print_quadratic_form(n, x);
     for (int i = 0; i < N; i++) c[i] = b[i];

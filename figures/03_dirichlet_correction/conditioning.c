@@ -24,12 +24,6 @@ static double modulus(double x)
     return material_modulus(&material);
 }
 
-static double nothing(double x)
-{
-    (void)x;
-    return 0.0;
-}
-
 /* A of n equal elements; nodes[0..k-1] are prescribed (k = 0: none). */
 static struct matrix *corrected(int n, int k, const int nodes[],
                                 enum diagonal diagonal)
@@ -38,7 +32,7 @@ static struct matrix *corrected(int n, int k, const int nodes[],
     struct matrix *A = matrix_alloc(DENSE, n + 1, 1);
     double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *b = x + n + 1;
     grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, modulus, nothing, &MIDPOINT, A, b);
+    poisson_assemble(n, x, modulus, field_zero, &MIDPOINT, A, b);
     matrix_dirichlet(A, b, k, nodes, value, diagonal);
     free(x);
     return A;

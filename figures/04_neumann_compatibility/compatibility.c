@@ -15,12 +15,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 /* sum_i b_i on n equal elements; *status says whether it is more than the
  * round-off of that sum. */
 static double defect(int n, const struct quadrature *rule, enum status *status)
@@ -30,7 +24,7 @@ static double defect(int n, const struct quadrature *rule, enum status *status)
     double sum = 0.0, scale = 0.0;
 
     grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, one, exp, rule, A, b);
+    poisson_assemble(n, x, field_one, exp, rule, A, b);
     b[n] -= expm1(1.0);
     for (int i = 0; i <= n; i++) {
         sum += b[i];

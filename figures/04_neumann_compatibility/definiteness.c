@@ -18,12 +18,6 @@
 enum { n = 4, N = n + 1 };
 static const double grading = 1.0;
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 /* The eigenvector of the smallest eigenvalue of A, scaled to mean 1. */
 static void lowest_eigenvector(const struct matrix *A, double v[N])
 {
@@ -56,7 +50,7 @@ int main(void)
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
     grid_make(0.0, 1.0, n, grading, x);
-    poisson_assemble(n, x, one, one, &MIDPOINT, A, b);
+    poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, b);
     table_begin_note("definiteness",
                      "fixed order lambda_min lambda_max rank cholesky",
                      "an eigenvalue below N eps lambda_max counts as 0");

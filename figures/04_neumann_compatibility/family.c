@@ -15,12 +15,6 @@
 enum { n = 4, N = n + 1 };
 static const double shift[] = {-0.3, 0.0, 0.3};
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 /* v[i] -= the mean of v. */
 static void subtract_mean(double v[N])
 {
@@ -37,7 +31,7 @@ int main(void)
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
     grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, one, exp, &MIDPOINT, A, u);
+    poisson_assemble(n, x, field_one, exp, &MIDPOINT, A, u);
     u[n] -= expm1(1.0);
     subtract_mean(u); /* b, made compatible */
     struct matrix *L = matrix_copy(A);

@@ -16,11 +16,6 @@
 
 enum { n = 4, N = n + 1 };
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
 static double exact(double x)
 {
     return x - exp(x);
@@ -60,7 +55,7 @@ int main(void)
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
     grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, one, exp, &MIDPOINT, A, b);
+    poisson_assemble(n, x, field_one, exp, &MIDPOINT, A, b);
     b[n] -= expm1(1.0);
     for (int i = 0; i < N; i++) sum += b[i];
     for (int i = 0; i < N; i++) c[i] = b[i] - sum / N;
@@ -77,7 +72,7 @@ int main(void)
         matrix_multiply(A, v, Av);
         const double reaction = Av[node] - c[node];
         const double error =
-            poisson_errors(n, x, v, one, exact, exact_dx).energy / size;
+            poisson_errors(n, x, v, field_one, exact, exact_dx).energy / size;
         for (int i = 0; i < N; i++) v[i] -= u[i];
         difference[k] = energy_norm(A, v) / size;
         table_row(excess[k / 3], node, x[node], reaction, difference[k], error);

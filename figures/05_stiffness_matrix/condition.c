@@ -17,12 +17,6 @@
 enum { FINEST = 64 };
 static const double grading = 4.0;
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 static double condition_number(int n, int fixed, double ratio)
 {
     double x[FINEST + 1], lambda[FINEST + 1];
@@ -30,7 +24,7 @@ static double condition_number(int n, int fixed, double ratio)
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
     grid_make(0.0, 1.0, n, ratio, x);
-    poisson_assemble(n, x, one, one, &MIDPOINT, A, lambda);
+    poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, lambda);
     struct matrix *free_part = matrix_block(A, 1, order);
     if (matrix_eigenvalues(free_part, lambda) != OK) die("A is not finite");
     matrix_free(free_part);

@@ -11,12 +11,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 int main(void)
 {
     int as_due = 1;
@@ -33,7 +27,7 @@ int main(void)
         double largest = 0.0, asymmetry = 0.0, row_sum = 0.0;
 
         grid_make(0.0, 1.0, n, 4.0, x);
-        poisson_assemble(n, x, one, one, &MIDPOINT, A, b);
+        poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, b);
         for (int i = 0; i < N; i++) {
             double sum = 0.0;
             for (int j = 0; j < N; j++) {

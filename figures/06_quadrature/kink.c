@@ -15,8 +15,6 @@
 enum { FINEST = 128 };
 static const double c = 1.0 / 3.0;
 
-static double one(double x) { return 1.0 + 0.0 * x; }
-static double zero(double x) { return 0.0 * x; }
 static double tent(double x) { return x < c ? x * (1.0 - c) : c * (1.0 - x); }
 static double tent_dx(double x) { return x < c ? 1.0 - c : -c; }
 static double jump_beta(double x) { return x < c ? 1.0 : 4.0; }
@@ -34,11 +32,11 @@ static const struct problem {
     "L2_gauss2 energy_midpoint energy_trapezoid energy_gauss2",
     3, smooth_beta, smooth_f, smooth_exact, smooth_exact_dx, -2.0, 0.0, 1, 1
 }, POINT_LOAD = {"point_load", "point_load_orders", "n h nodal L2 energy",
-    1, one, zero, tent, tent_dx, 0.0, 0.0, 2, 0
+    1, field_one, field_zero, tent, tent_dx, 0.0, 0.0, 2, 0
 }, JUMP = {"jump", "jump_orders",
     "n h nodal_sampled nodal_exact nodal_harmonic L2_sampled L2_exact "
     "L2_harmonic energy_sampled energy_exact energy_harmonic",
-    3, jump_beta, zero, jump, jump_dx, 0.0, 1.0, 1, 0};
+    3, jump_beta, field_zero, jump, jump_dx, 0.0, 1.0, 1, 0};
 
 /* The error in column i on n equal elements; the norms on a mesh with c as one
  * more node, at the fraction s of element e: no kink inside an element. */

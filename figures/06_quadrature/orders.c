@@ -17,11 +17,6 @@
 enum { COARSEST = 4, LEVELS = 6, FINEST = COARSEST << (LEVELS - 1) };
 static const double c = 1.0 / 3.0;
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
 static double kink(double x)
 {
     return fabs(x - c);
@@ -37,7 +32,7 @@ static double total_load(int n, field *f, const struct quadrature *rule)
     double x[FINEST + 1], b[FINEST + 1], sum = 0.0;
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, one, f, rule, A, b);
+    poisson_assemble(n, x, field_one, f, rule, A, b);
     for (int j = 0; j <= n; j++) sum += b[j];
     matrix_free(A);
     return sum;

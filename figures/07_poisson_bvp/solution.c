@@ -15,15 +15,12 @@ enum { N = 4, STEPS = 16 };
 
 static void solve(int fitted, const double x[], double u[])
 {
-    const int node[] = {0};
-    const double g[] = {1.0};
     struct matrix *A = matrix_alloc(BANDED, N + 1, 1);
     if (fitted)
         bvp_fitted_assemble(N, x, A, u);
     else
         poisson_assemble(N, x, bvp_beta, bvp_f, &MIDPOINT, A, u);
-    u[N] -= 0.5;
-    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    bvp_boundary(N, A, u);
     if (matrix_factor(A) != OK) die("A is not positive definite");
     matrix_solve(A, u);
     matrix_free(A);

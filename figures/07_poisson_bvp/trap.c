@@ -14,12 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double one(double x)
-{
-    (void)x;
-    return 1.0;
-}
-
 static double companion_exact(double x)
 {
     return 1.0 + log1p(x) - x;
@@ -34,9 +28,7 @@ enum load { MIDPOINT_RULE, GAUSS2_RULE, EXACT_LOAD, FITTED };
 
 static struct poisson_error errors_of(int companion, enum load load, int n)
 {
-    const int node[] = {0};
-    const double g[] = {1.0};
-    field *beta = companion ? one : bvp_beta;
+    field *beta = companion ? field_one : bvp_beta;
     double *x = allocate(2 * ((size_t)n + 1), sizeof *x), *u = x + n + 1;
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
@@ -45,8 +37,7 @@ static struct poisson_error errors_of(int companion, enum load load, int n)
                      load == GAUSS2_RULE ? &GAUSS2 : &MIDPOINT, A, u);
     if (load == EXACT_LOAD) bvp_exact_load(n, x, u);
     if (load == FITTED) bvp_fitted_assemble(n, x, A, u);
-    u[n] -= 0.5;
-    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    bvp_boundary(n, A, u);
     if (matrix_factor(A) != OK) die("A is not positive definite");
     matrix_solve(A, u);
     const struct poisson_error error =

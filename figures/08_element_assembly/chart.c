@@ -20,27 +20,6 @@
 enum { REPEATS = 5 };
 static const double BUDGET = 0.3; /* s, of a curve */
 
-/* A and b of n equal elements, u(0) = 1 and the flux -1/2 at x = 1. */
-static struct matrix *system_of(enum storage storage, int n, double x[],
-                                double b[])
-{
-    const int left[] = {0};
-    const double one[] = {1.0};
-    struct matrix *A = matrix_alloc(storage, n + 1, 1);
-    grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
-    b[n] -= 0.5;
-    matrix_dirichlet(A, b, 1, left, one, KEEP_DIAGONAL);
-    return A;
-}
-
-/* Flops of the two triangular solves: 2 (2 m + 1) for a column of L with m
- * entries below the diagonal, p N - p (p + 1) / 2 of them in all. */
-static double solve_flops(double N, double p)
-{
-    return 4.0 * (N * p - p * (p + 1.0) / 2.0) + 2.0 * N;
-}
-
 struct point {
     double seconds, backward, L2; /* NAN where there is none */
     int valid;
@@ -52,7 +31,7 @@ static struct point measured(enum storage storage, int n)
 {
     double *x = allocate(3 * ((size_t)n + 1), sizeof *x), *b = x + n + 1;
     double *u = b + n + 1, N = n + 1.0;
-    struct matrix *A = system_of(storage, n, x, b);
+    struct matrix *A = bvp_system(storage, n, x, b);
     struct point point = {(double)NAN, (double)NAN, (double)NAN, 1};
     static struct times t;
 
@@ -90,14 +69,14 @@ static void print_curve(enum storage storage)
     table_begin(storage == DENSE ? "chart_dense" : "chart_banded",
                 "n flops seconds L2 backward_eps valid roundoff");
     for (int n = 8; n <= (storage == DENSE ? 1 << 12 : 1 << 20); n *= 2) {
-        const double now = clock_seconds(), p = storage == DENSE ? n : 1.0;
+        const double now = clock_seconds();
         if (n > 32 && now - start + growth * took > BUDGET) break;
         const struct point point = measured(storage, n);
+        const struct matrix_cost cost = matrix_cost(storage, n + 1, 1);
         took = clock_seconds() - now;
         if (point.valid && point.L2 > 0.5 * before) roundoff = 1;
         if (point.valid) before = point.L2;
-        table_row(n, matrix_cost(storage, n + 1, (int)p).flops +
-                         solve_flops(n + 1, p),
+        table_row(n, cost.flops + cost.solve,
                   cell_if(point.valid, point.seconds),
                   cell_if(point.valid, point.L2),
                   cell_if(point.valid, point.backward),

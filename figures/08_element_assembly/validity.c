@@ -19,18 +19,15 @@ enum { n = 64 };
 /* Of trial `t`: A, b and the nodes. */
 static struct matrix *system_of(enum trial t, double x[], double b[])
 {
-    const int left[] = {0};
-    const double one[] = {1.0};
-    struct matrix *A = matrix_alloc(DENSE, n + 1, 1);
-    grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
-    b[n] -= 0.5;
+    struct matrix *A = bvp_system(DENSE, n, x, b);
     if (t == NAN_IN_LOAD) b[n / 2] = (double)NAN;
+    if (t == NOTHING_HELD || t == ROW_ONLY) {
+        poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
+        b[n] -= 0.5;
+    }
     if (t == ROW_ONLY) { /* the column stays, nothing moves into b */
         matrix_add(A, n, n - 1, -matrix_get(A, n, n - 1));
         b[n] = matrix_get(A, n, n) * bvp_exact(1.0);
-    } else if (t != NOTHING_HELD) {
-        matrix_dirichlet(A, b, 1, left, one, KEEP_DIAGONAL);
     }
     return A;
 }

@@ -12,27 +12,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A and b of n equal elements, u(0) = 1 and the flux -1/2 at x = 1. */
-static struct matrix *system_of(enum storage storage, int n, double x[],
-                                double b[])
-{
-    const int left[] = {0};
-    const double one[] = {1.0};
-    struct matrix *A = matrix_alloc(storage, n + 1, 1);
-    grid_make(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
-    b[n] -= 0.5;
-    matrix_dirichlet(A, b, 1, left, one, KEEP_DIAGONAL);
-    return A;
-}
-
-/* Flops of the two triangular solves: 2 (2 m + 1) for a column of L with m
- * entries below the diagonal, p N - p (p + 1) / 2 of them in all. */
-static double solve_flops(double N, double p)
-{
-    return 4.0 * (N * p - p * (p + 1.0) / 2.0) + 2.0 * N;
-}
-
 int main(void)
 {
     double flops[2] = {0.0, 0.0}, entries[2], L2[2] = {0.0, 0.0}, apart = 0.0;
@@ -43,10 +22,10 @@ int main(void)
         for (int storage = DENSE; storage <= BANDED; storage++) {
             double *x = allocate(2 * ((size_t)n + 1), sizeof *x);
             double *u = x + n + 1;
-            struct matrix *A = system_of((enum storage)storage, n, x, u);
+            struct matrix *A = bvp_system((enum storage)storage, n, x, u);
             const struct matrix_cost cost =
                 matrix_cost(A->storage, n + 1, A->p);
-            flops[storage] = cost.flops + solve_flops(n + 1, A->p);
+            flops[storage] = cost.flops + cost.solve;
             entries[storage] = cost.numbers;
             if (matrix_factor(A) != OK) die("A is not positive definite");
             matrix_solve(A, u);

@@ -17,7 +17,6 @@
 
 enum { MIDPOINT_RULE, GAUSS, EXACT, L2, ENERGY, N_ERROR };
 
-static double one(double x) { return 1.0 + 0.0 * x; }
 static double cosine(double x) { return cos(M_PI_2 * x); }
 /* its integral from 0, and the integral of that */
 static double cosine_1(double x) { return sin(M_PI_2 * x) / M_PI_2; }
@@ -53,14 +52,14 @@ static void errors(int n, double error[N_ERROR])
 
     grid_make(0.0, 1.0, n, 1.0, x);
     for (int way = EXACT; way >= MIDPOINT_RULE; way--) {
-        poisson_assemble(n, x, one, cosine, &GAUSS2, K, u);
+        poisson_assemble(n, x, field_one, cosine, &GAUSS2, K, u);
         if (way == MIDPOINT_RULE) bar_scene_load(&scene, u);
         if (way == EXACT) exact_load(n, u);
         matrix_dirichlet(K, u, 1, held, zero, KEEP_DIAGONAL);
         if (matrix_factor(K) != OK) die("K is not positive definite");
         matrix_solve(K, u);
         const struct poisson_error e =
-            poisson_errors(n, x, u, one, exact, exact_dx);
+            poisson_errors(n, x, u, field_one, exact, exact_dx);
         error[way] = e.nodal;
         error[L2] = e.L2;
         error[ENERGY] = e.energy;

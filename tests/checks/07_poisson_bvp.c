@@ -32,11 +32,6 @@ static double no_load(double x)
     return 0.0 * x;
 }
 
-static double one(double x)
-{
-    return 1.0 + 0.0 * x;
-}
-
 /* The companion problem: beta = 1 instead of 1 + x. */
 static double companion_exact(double x)
 {
@@ -49,7 +44,7 @@ static double companion_exact_dx(double x)
 }
 
 static const struct problem companion = {
-    one, bvp_f, 1.0, -0.5, companion_exact, companion_exact_dx};
+    field_one, bvp_f, 1.0, -0.5, companion_exact, companion_exact_dx};
 
 static double wave(double x)
 {
@@ -147,7 +142,7 @@ static void equations_and_balance_hold(void)
 static void straight_line_is_exact(void)
 {
     struct problem problem = scene;
-    problem.beta = one;
+    problem.beta = field_one;
     problem.f = no_load;
     const struct solved s = solved_scene(&problem);
     for (int j = 0; j < N_node; j++)
@@ -174,7 +169,7 @@ static void errors_of_a_parabola(void)
     double *x = guarded_alloc(N_node), *u = guarded_alloc(N_node);
     double L2_ = 0.0, energy = 0.0;
 
-    problem.beta = one;
+    problem.beta = field_one;
     problem.exact = square;
     problem.exact_dx = square_dx;
     grid_make(0.0, 1.0, n_elem, 2.385, x);
@@ -259,7 +254,7 @@ static void agrees_with(enum load load, const struct oracle_bvp *oracle,
                         int n_oracle)
 {
     struct problem flat = EXERCISE;
-    flat.beta = one;
+    flat.beta = field_one;
     for (int k = 0; k < n_oracle; k++) {
         const struct oracle_bvp *o = &oracle[k];
         struct solution s = solution_of(&EXERCISE, load, o->N, 1.0);

@@ -422,13 +422,16 @@ static void costs_are_counted(void)
             struct matrix *A = matrix_alloc(BANDED, n, p < 12 ? p : 12);
             const struct matrix_cost cost = matrix_cost(BANDED, n, p);
             const struct matrix_cost dense = matrix_cost(DENSE, n, p);
-            double flops = 0.0, all = 0.0;
+            double flops = 0.0, all = 0.0, solve = 0.0;
             for (int k = 0; k < n; k++) {
                 const int m = n - 1 - k < p ? n - 1 - k : p;
                 flops += (m + 1) * (m + 1);
+                solve += 2 * (m + 1 + m); /* L y = b, then L^T u = y */
                 all += (n - k) * (n - k);
             }
             close_to(cost.flops, flops, 1e-9);
+            close_to(cost.solve, solve, 1e-9);
+            close_to(dense.solve, 2.0 * n * n, 1e-9);
             close_to(dense.flops, all, 1e-9);
             close_to(dense.numbers, n * n, 1e-9);
             if (p < 12)

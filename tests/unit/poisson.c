@@ -8,10 +8,6 @@
 #include <gsl/gsl_integration.h>
 #include <math.h>
 
-static double one(double x)
-{
-    return x * 0.0 + 1.0;
-}
 static double smooth(double x)
 {
     return exp(-2.385 * x) + 0.3;
@@ -20,12 +16,9 @@ static double smooth(double x)
 static void solve_exercise(int n, const double x[],
                            const struct quadrature *rule, double u[])
 {
-    const int node[] = {0};
-    const double g[] = {1.0};
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     poisson_assemble(n, x, bvp_beta, bvp_f, rule, A, u);
-    u[n] -= 0.5;
-    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    bvp_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, u);
     matrix_free(A);
@@ -78,6 +71,12 @@ static void exercise_5_equals_the_oracle(void)
     for (int i = 0; i < 5; i++)
         close_to(b[i], oracle_bvp_u4_midpoint[i], 1e-14);
     matrix_free(A);
+    A = bvp_system(BANDED, 4, x, b); /* all of it at once */
+    ck_assert_int_eq(matrix_factor(A), OK);
+    matrix_solve(A, b);
+    for (int i = 0; i < 5; i++)
+        close_to(b[i], oracle_bvp_u4_midpoint[i], 1e-14);
+    matrix_free(A);
 }
 
 static void errors_equal_the_oracles(void)
@@ -88,7 +87,7 @@ static void errors_equal_the_oracles(void)
         grid_make(0.0, 1.0, want->N, 1.0, x);
         solve_exercise(want->N, x, &MIDPOINT, u);
         const struct poisson_error got =
-            poisson_errors(want->N, x, u, one, bvp_exact, bvp_exact_dx);
+            poisson_errors(want->N, x, u, field_one, bvp_exact, bvp_exact_dx);
         close_to(got.nodal, want->nodal, 1e-13);     /* of u = 1 */
         close_to(got.L2, want->L2, 1e-7 * want->L2); /* Gauss 5 of u - u_h */
         close_to(got.energy, want->H1, 1e-7 * want->H1);
@@ -118,7 +117,7 @@ static void energy_is_weighted_with_beta(void)
 {
     const double x[] = {0.0, 0.4, 1.0}, u[] = {0.0, 0.0, 0.0};
     const struct poisson_error error =
-        poisson_errors(2, x, u, bvp_beta, identity, one);
+        poisson_errors(2, x, u, bvp_beta, identity, field_one);
     close_to(error.energy, sqrt(1.5), 1e-15);
     close_to(error.L2, sqrt(1.0 / 3.0), 1e-15);
     close_to(error.nodal, 1.0, 1e-15);
@@ -185,7 +184,7 @@ static void a_nan_is_not_swallowed(void)
 {
     double x[3] = {0.0, 0.5, 1.0}, u[3] = {1.0, NAN, 0.8};
     const struct poisson_error error =
-        poisson_errors(2, x, u, one, bvp_exact, bvp_exact_dx);
+        poisson_errors(2, x, u, field_one, bvp_exact, bvp_exact_dx);
     ck_assert(isnan(error.nodal) && isnan(error.L2) && isnan(error.energy));
 }
 
@@ -237,14 +236,11 @@ static void loads_in_closed_form_equal_gsl(void)
 static void the_fitted_system_is_exact_at_the_nodes(void)
 {
     enum { n = 7 };
-    const int node[] = {0};
-    const double g[] = {1.0};
     double x[n + 1], u[n + 1];
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     grid_make(0.0, 1.0, n, 2.385, x);
     bvp_fitted_assemble(n, x, A, u);
-    u[n] -= 0.5;
-    matrix_dirichlet(A, u, 1, node, g, KEEP_DIAGONAL);
+    bvp_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, u);
     for (int j = 0; j <= n; j++) close_to(u[j], bvp_exact(x[j]), 1e-14);
