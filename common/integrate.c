@@ -84,8 +84,10 @@ enum status integrate_residual(const struct model *model, double dt,
     return status;
 }
 
-enum status integrate_symplectic(const struct model *model, double dt,
-                                 double u[], double v[])
+/* u, v of the next step of SYMPLECTIC_EULER; what is prescribed keeps its
+ * velocity.  Statuses of model_force(), the state then being of no use. */
+static enum status symplectic_euler(const struct model *model, double dt,
+                                    double u[], double v[])
 {
     const int n = model->n_dof;
     double *a = allocate((size_t)n, sizeof *a);
@@ -121,10 +123,13 @@ struct step_report integrate_solve(struct model *model,
     return report;
 }
 
-struct step_report integrate_implicit(struct model *model, enum method method,
-                                      double dt, const double g[],
-                                      const struct state *s, double u[],
-                                      double v[])
+/* u, v := the end of the next step from s by an implicit method; g are the
+ * boundary values at its end (NULL: linear model). */
+static struct step_report implicit_step(struct model *model,
+                                        enum method method, double dt,
+                                        const double g[],
+                                        const struct state *s, double u[],
+                                        double v[])
 {
     const int n = s->n, first = s->steps == 0;
     const int midpoint =
@@ -163,9 +168,9 @@ struct step_report integrate_step(struct model *model, enum method method,
     if (method == SYMPLECTIC_EULER) {
         memcpy(u, s->u, size);
         memcpy(v, s->v, size);
-        report.status = integrate_symplectic(model, dt, u, v);
+        report.status = symplectic_euler(model, dt, u, v);
     } else {
-        report = integrate_implicit(model, method, dt, g, s, u, v);
+        report = implicit_step(model, method, dt, g, s, u, v);
     }
     if (report.status == OK) report.status = state_accept(s, u, v);
     free(u);

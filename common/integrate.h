@@ -59,11 +59,6 @@ enum status integrate_residual(const struct model *model, double dt,
                                const double u0[], const double v0[],
                                const double u[], double q[]);
 
-/* u, v of the next step of SYMPLECTIC_EULER; what is prescribed keeps its
- * velocity.  Statuses of model_force(), the state then being of no use. */
-enum status integrate_symplectic(const struct model *model, double dt,
-                                 double u[], double v[]);
-
 /* integrate_residual(), or another function that computes the same. */
 typedef enum status residual_function(const struct model *model, double dt,
                                       const double u0[], const double v0[],
@@ -80,13 +75,6 @@ struct step_report integrate_solve(struct model *model,
                                    residual_function *residual, double d,
                                    const double a[], const double b[],
                                    const double g[], double u[]);
-
-/* u, v := the end of the next step from s by an implicit method; g are the
- * boundary values at its end (NULL: linear model). */
-struct step_report integrate_implicit(struct model *model, enum method method,
-                                      double dt, const double g[],
-                                      const struct state *s, double u[],
-                                      double v[]);
 
 /* One step of any method; s stays as it was when the status is not OK. */
 struct step_report integrate_step(struct model *model, enum method method,

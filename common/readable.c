@@ -77,7 +77,8 @@ void readable_assemble(struct readable *r, const double w[], const double u[])
         add_element(r, e, w, u);
 }
 
-void readable_correct(struct readable *r)
+/* Held unknowns: row and column of the identity, q = 0. */
+static void correct(struct readable *r)
 {
     const size_t n_dof = 2 * (size_t)r->body->mesh->n_vertex;
     const size_t width = (size_t)r->width;
@@ -99,7 +100,7 @@ int readable_gsl(struct readable *r, const double w[], const double u[],
     gsl_matrix_view K = gsl_matrix_view_array(r->K, n_dof, (size_t)r->width);
     gsl_vector_view x = gsl_vector_view_array(du, n_dof);
     readable_assemble(r, w, u);
-    readable_correct(r);
+    correct(r);
     for (size_t i = 0; i < n_dof; i++) du[i] = -r->q[i];
     gsl_error_handler_t *old = gsl_set_error_handler_off();
     const int failed = gsl_linalg_cholesky_band_decomp(&K.matrix) ||

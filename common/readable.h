@@ -25,9 +25,6 @@ void readable_free(struct readable *r);
 /* q and K at u, without forces, as body_assemble() but of all unknowns. */
 void readable_assemble(struct readable *r, const double w[], const double u[]);
 
-/* Held unknowns: row and column of the identity, q = 0. */
-void readable_correct(struct readable *r);
-
 /* du := -K^{-1} q at u, 0 where a vertex is held; false: K is not positive
  * definite. */
 typedef int readable_increment(struct readable *r, const double w[],

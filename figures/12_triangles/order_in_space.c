@@ -74,7 +74,7 @@ static void smooth_error(const struct body *body, const double u[], double *L2,
 /* The errors of the solution and of the interpolant: {L2, gradient}. */
 static void solve(int n, double error[2], double closest[2])
 {
-    const struct step_control control = {1e-10, 30, FROM_LAST, 0, 0, 0, NEVER};
+    const struct step_control control = step_method("notes");
     const struct scene_setting set = scene_notes(SPIN, CUBIC, n);
     struct scene *s = scene_alloc(&set);
     const double *X = s->mesh->X;

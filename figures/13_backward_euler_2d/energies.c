@@ -16,11 +16,10 @@
 #include <math.h>
 
 enum { ROWS = 45 };
-static const struct step_control newton = {1e-10, 30, FROM_LAST, 0, 0, 0,
-                                           NEVER};
 
 static void advance(struct scene *s, int n)
 {
+    const struct step_control newton = step_method("notes");
     for (int k = 0; k < n; k++)
         if (scene_step(s, &newton).status != OK)
             die("%s fails", scene_name(s->set.reading));

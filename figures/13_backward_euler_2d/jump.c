@@ -38,8 +38,8 @@ static void shift(struct scene *s, double jump)
 static enum status jump_step(struct scene *s, double jump, int lift,
                              int *iterations)
 {
-    const struct step_control newton = {1e-10, 30, FROM_LAST, lift, 0, 0,
-                                        NEVER};
+    struct step_control newton = step_method("notes");
+    newton.lift = lift;
     shift(s, jump);
     const struct step_report report =
         step_backward_euler(s->body, &newton, s->set.dt, s->g, s->f, s->u,

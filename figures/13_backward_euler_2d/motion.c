@@ -23,7 +23,7 @@ static void print_triangles(const struct scene *s)
 
 int main(void)
 {
-    const struct step_control newton = {1e-10, 30, FROM_LAST, 0, 0, 0, NEVER};
+    const struct step_control newton = step_method("notes");
     const struct scene_setting set = scene_notes(SPIN, CUBIC, 4);
     struct scene *s = scene_alloc(&set);
     const struct scene_measures start = scene_measure(s);

@@ -20,7 +20,7 @@ enum { RUNS = 7, N_DOF = 50 };
 /* u after 0.05 s in `steps` steps. */
 static void hit_square(int steps, double u[N_DOF])
 {
-    const struct step_control newton = {1e-10, 30, FROM_LAST, 0, 0, 0, NEVER};
+    const struct step_control newton = step_method("notes");
     struct scene_setting set = scene_notes(SPIN, CUBIC, 4);
     set.E = 100.0;
     set.dt = 0.05 / steps;

@@ -16,13 +16,11 @@
 #include <math.h>
 #include <string.h>
 
-static const struct step_control newton = {1e-10, 30, FROM_LAST, 0, 0, 0,
-                                           NEVER};
-
 /* Make up to n steps; the status of the last, and all iterations added up.  A
  * step in which a matrix was indefinite is taken back: it is NOT_SPD. */
 static enum status advance(struct scene *s, int n, int *iterations)
 {
+    const struct step_control newton = step_method("notes");
     const size_t bytes = (size_t)s->n_dof * sizeof(double);
     double u[98], v[98]; /* n <= 6 */
     enum status status = OK;

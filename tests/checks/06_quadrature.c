@@ -212,8 +212,8 @@ static void loads_add_up_to_force_and_fluxes(void)
                      rule_name[r]);
     }
     for (int end = 0; end <= n_elem; end += n_elem)
-        expect_close(load_entry(end, n_elem, grid, field_zero, &MIDPOINT, flux_a,
-                                flux_b),
+        expect_close(load_entry(end, n_elem, grid, field_zero, &MIDPOINT,
+                                flux_a, flux_b),
                      end ? flux_b : flux_a, ROUND_OFF, 1.0,
                      "b[%d] without f: the flux at that end", end);
 }
