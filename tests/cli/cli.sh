@@ -48,10 +48,7 @@ done
 
 # ---- make targets, in a copy of the workbook -----------------------------------
 copy=$BUILD/test/copy.cli
-rm -rf "$copy" && mkdir -p "$copy/build" || exit 1
-cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
-cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/solutions" "$BUILD/tests" \
-    "$BUILD/data" "$copy/build"
+BUILD="$BUILD" sh tests/tools/copy.sh "$copy" || exit 1
 cd "$copy" || exit 1
 slug=$(basename "$(ls solutions/[0-9][0-9]_*.c | head -n 1)" .c)
 nn=${slug%%_*}

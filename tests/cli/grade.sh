@@ -10,17 +10,7 @@ result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
 }
 copy=$BUILD/test/copy.grade
-rm -rf "$copy" && mkdir -p "$copy/build/mistakes/$slug" \
-    "$copy/build/solutions" || exit 1
-cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
-cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$copy/build"
-cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
-    "$copy/build/solutions"
-for name in $(awk -f tests/tools/variant.awk -v list=mistake \
-    "tests/mistakes/$slug.txt"); do
-    cp -p "$BUILD/mistakes/$slug/$name" "$BUILD/mistakes/$slug/$name.why" \
-        "$BUILD/mistakes/$slug/$name.c" "$copy/build/mistakes/$slug"
-done
+BUILD="$BUILD" sh tests/tools/copy.sh "$copy" $slug || exit 1
 cd "$copy" || exit 1
 variant() {
     awk -f tests/tools/variant.awk -v name="$1" "tests/mistakes/$slug.txt" \

@@ -142,17 +142,7 @@ judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
 }
 
 prepare() { # prepare COPY
-    rm -rf "$1" && mkdir -p "$1/build/mistakes/$slug" || exit 1
-    cp -Rp Makefile common lessons solutions tests figures workbook.md "$1"
-    cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$1/build"
-    mkdir "$1/build/solutions"
-    cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
-        "$1/build/solutions"
-    for name in $(awk -f tests/tools/variant.awk -v list=mistake \
-        "tests/mistakes/$slug.txt"); do
-        cp -p "$BUILD/mistakes/$slug/$name" "$BUILD/mistakes/$slug/$name.why" \
-            "$BUILD/mistakes/$slug/$name.c" "$1/build/mistakes/$slug"
-    done
+    BUILD="$BUILD" sh tests/tools/copy.sh "$1" "$slug" || exit 1
     cd "$1" || exit 1
     "$MAKE" status BUILD=build >/dev/null
     state >../state."$(basename "$1")"

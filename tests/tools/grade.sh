@@ -99,17 +99,9 @@ one() {
     printf '  %-10s %s\n' "$word" "$name"
 }
 
-running=
-patiently() { # a command that ends when this script is told to
-    "$@" </dev/null &
-    running=$!
-    wait "$running"
-    ended=$?
-    running=
-    return $ended
-}
+. tests/tools/patiently.sh
 clean_up() {
-    [ -z "$running" ] || { kill "$running" && wait "$running"; } 2>/dev/null
+    end_running
     rm -rf "$work"
 }
 

@@ -37,18 +37,9 @@ verdict() { # the closing line; also remembered for hint and status
     echo "VERDICT $nn: $1    next: $3"
 }
 
-# A command that ends when this script is told to; its stdin is empty.
-running=
-patiently() {
-    "$@" </dev/null &
-    running=$!
-    wait "$running"
-    ended=$?
-    running=
-    return $ended
-}
+. tests/tools/patiently.sh
 clean_up() {
-    [ -z "$running" ] || { kill "$running" && wait "$running"; } 2>/dev/null
+    end_running
     chmod -R u+rwx "$folder" 2>/dev/null
     rm -rf "$folder"
 }

@@ -67,15 +67,7 @@ equivalent)
 behave)
     # the whole way of a student, in a copy of the workbook
     copy=$BUILD/test/copy.$nn
-    rm -rf "$copy" && mkdir -p "$copy/build" || exit 1
-    cp -Rp Makefile common lessons solutions tests figures workbook.md "$copy"
-    cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/solutions" \
-        "$BUILD/tests" "$copy/build"
-    mkdir -p "$copy/build/mistakes/$slug"
-    for name in $(awk -f tests/tools/variant.awk -v list=mistake "$list"); do
-        cp -p "$BUILD/mistakes/$slug/$name" "$BUILD/mistakes/$slug/$name.why" \
-            "$BUILD/mistakes/$slug/$name.c" "$copy/build/mistakes/$slug"
-    done
+    BUILD="$BUILD" sh tests/tools/copy.sh "$copy" "$slug" || exit 1
     cd "$copy" || exit 1
     mine=lessons/$slug.c
     # behave WHAT LINE VERDICT: LINE as the first line of the first slot

@@ -1,0 +1,27 @@
+#!/bin/sh
+# copy.sh FOLDER [NN_slug] - a copy of the workbook, for a test that changes it.
+#
+# What is built comes with it, so that nothing is compiled twice: the library
+# and the judge; of the lesson its solution and its known mistakes, or without
+# one all solutions and all data.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}"
+to=$1 slug=${2:-}
+rm -rf "$to" && mkdir -p "$to/build/solutions" || exit 1
+cp -Rp Makefile common lessons solutions tests figures workbook.md "$to"
+cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$to/build"
+if [ -z "$slug" ]; then
+    cp -Rp "$BUILD/solutions" "$BUILD/data" "$to/build"
+    exit
+fi
+cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
+    "$to/build/solutions"
+mkdir -p "$to/build/mistakes/$slug"
+for name in $(awk -f tests/tools/variant.awk -v list=mistake \
+    "tests/mistakes/$slug.txt"); do
+    for part in "$name" "$name.why" "$name.c"; do
+        cp -p "$BUILD/mistakes/$slug/$part" "$to/build/mistakes/$slug"
+    done
+done
