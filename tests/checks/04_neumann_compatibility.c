@@ -198,7 +198,7 @@ static void every_equation_holds(void)
     struct matrix *A = matrix_alloc(BANDED, 5, 1);
     const double load[] = {0.5, -1.25, 3.0, -0.75, -1.5};
     grid_make(0.0, 1.0, 4, 1.0, x);
-    poisson_assemble(4, x, one, one, &MIDPOINT, A, b);
+    poisson_assemble(4, x, field_one, field_one, &MIDPOINT, A, b);
     expect(solve_neumann(A, guarded_copy(5, load), u) == OK,
            "solve_neumann fails for n = 4 equal elements");
     matrix_multiply(A, u, Au);
