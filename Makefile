@@ -16,8 +16,6 @@ STD     := -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off
 GSL_CFLAGS   := $(shell gsl-config --cflags 2>/dev/null)
 GSL_LIBS     = $(or $(shell gsl-config --libs 2>/dev/null), \
                     -lgsl -lgslcblas -lm)
-CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
-CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 # A solver that may not see a NaN is told so in one line.
 ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
       $(CFLAGS) $(LDFLAGS) $(if $(filter file undefined,$(origin NATIVE)),, \

@@ -45,7 +45,6 @@ static void assemble(const struct problem *problem, enum load load, int n,
 {
     const struct quadrature *const rule[] = {&MIDPOINT, &TRAPEZOID, &GAUSS2,
                                              &MIDPOINT};
-
     poisson_assemble(n, x, problem->beta, problem->f, rule[load], A, b);
     if (load == EXACT_LOAD) bvp_exact_load(n, x, b);
 }
@@ -59,14 +58,13 @@ struct solution {
     double slope;    /* the same from the first element's slope */
 };
 
-static void print_solution(const struct problem *problem,
-                           const struct solution *s)
+static void print_solution(const struct solution *s)
 {
     if (s->n <= 12) table_matrix("A", s->A);
     table_vector("b", s->n + 1, s->b);
     table_begin("nodes", "x u exact");
     for (int j = 0; j <= s->n; j++)
-        table_row(s->x[j], s->u[j], problem->exact(s->x[j]));
+        table_row(s->x[j], s->u[j], bvp_exact(s->x[j]));
     table_end();
 }
 
@@ -180,8 +178,7 @@ static struct solution solution_of(const struct problem *problem,
 
     grid_make(0.0, 1.0, n, grading, s.x);
     const enum status status = solve_bvp(problem, load, n, s.x, s.A, s.b, s.u);
-    if (status != OK)
-        die("%d elements: the matrix is %s", n, status_name(status));
+    if (status != OK) die("n = %d: A is %s", n, status_name(status));
     s.error = measure(problem, n, s.x, s.u);
     s.reaction = matrix_get(s.A, 0, 0) * s.u[0] +
                  matrix_get(s.A, 0, 1) * s.u[1] - s.b[0];
@@ -231,7 +228,7 @@ int main(int argc, char *argv[])
     options_parse("07_poisson_bvp", options, COUNT(options), argc, argv);
 
     struct solution s = solution_of(&EXERCISE, (enum load)load, n, grading);
-    print_solution(&EXERCISE, &s);
+    print_solution(&s);
     solution_free(&s);
     for (int m = 4; m <= finest; m *= 2, grids++) {
         s = solution_of(&EXERCISE, (enum load)load, m, grading);

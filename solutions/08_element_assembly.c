@@ -28,24 +28,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* [eq:poisson-bvp]: u(0) and the flux beta u' at x = 1. */
-static const double U_LEFT = 1.0, FLUX_RIGHT = -0.5;
-
 /* A run is valid when its u solves a system that differs from A u = b by at
- * most this many eps (Cholesky without fill does, whatever the condition
- * number). */
+ * most this many eps, as that of Cholesky does whatever the condition is. */
 static const double BACKWARD_EPS = 20.0;
+
+static const double U_LEFT = 1.0; /* u(0) of [eq:poisson-bvp] */
 
 /* A system on a grid; x owns the memory of x, b and u. */
 struct system {
-    int n, *order;
+    int n;
     double *x, *b, *u;
     struct matrix *A;
 };
 
 static void system_free(struct system *s)
 {
-    free(s->order);
     free(s->x);
     matrix_free(s->A);
 }
@@ -193,14 +190,15 @@ static struct system system_make(enum storage storage, int n, double grading,
                                  const struct quadrature *rule, int reversed)
 {
     double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {
-        n, allocate((size_t)n, sizeof *s.order), x, x + n + 1, x + 2 * (n + 1),
-        matrix_alloc(storage, n + 1, 1)};
+    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
+                             matrix_alloc(storage, n + 1, 1)};
+    int *order = allocate((size_t)n, sizeof *order);
     grid_make(0.0, 1.0, n, grading, s.x);
-    for (int k = 0; k < n; k++) s.order[k] = reversed ? n - 1 - k : k;
+    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
     matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
-    assemble(n, s.x, bvp_beta, bvp_f, rule, s.order, s.A, s.b);
-    s.b[n] += FLUX_RIGHT;
+    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
+    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
+    free(order);
     return s;
 }
 
@@ -246,7 +244,6 @@ int main(int argc, char *argv[])
          .help = "quadrature rule"},
     };
     options_parse("08_element_assembly", options, COUNT(options), argc, argv);
-
     struct system s = system_make(DENSE, n, grading, rules[rule], reversed);
     print_system(&s);
     const struct point point = system_solve(&s);

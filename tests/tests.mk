@@ -114,6 +114,8 @@ $(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))
 
 UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
              $(wildcard tests/unit/*.c)))
+CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
+CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 UNIT_FLAGS = -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
 $(BUILD)/unit/unit.o: tests/unit/unit.c Makefile | $(DEPS)
