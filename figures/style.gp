@@ -20,5 +20,7 @@ set key above left vertical maxrows 3 reverse Left     # never over data
 set datafile columnheaders                             # columns by name
 set datafile separator "\t"
 
-# The machine that a table with seconds names in its note.
+# The machine that a table with seconds names in its note, and the library that
+# took part as LAPACK ("openblas"; plain "lapack" is the reference one).
+lapack(file) = system("sed -n 's/^#.*LAPACK: -l//p' '".file."' | head -n 1")
 machine(file) = system("sed -n 's/^# machine: //p' '".file."' | head -n 1")

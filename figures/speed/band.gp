@@ -7,7 +7,7 @@ load "figures/style.gp"
 set terminal svg size 860,440
 set output out
 array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
-array Name[4] = ["GSL, full matrix", "GSL, band", "LAPACK dpbtrf", \
+array Name[4] = ["GSL, full matrix", "GSL, band", "dpbtrf of ".lapack(data), \
                  "common/banded.c"]
 array Style[4] = [3, 2, 4, 1]
 has(t) = system(sprintf("grep -c '^%s\t' '%s'", t, data)) > 0

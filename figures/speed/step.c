@@ -1,8 +1,7 @@
 /*
  * step.c - what does a whole time step cost, and what does an accuracy cost?
  *
- * The ends are pulled apart by sin t / 2 each (stretch), 90 steps of 1/30 s,
- * cubic law, Newton to max|du| <= 1e-10 m, one thread.
+ * Stretch by sin t / 2, 90 steps of 1/30 s, cubic law, to max|du| <= 1e-10 m:
  *
  *     readable  readable.h, full Newton from the last u, GSL's banded Cholesky
  *     lapack    closed-form assembly, the same Newton, dpbtrf and dpbtrs
@@ -136,7 +135,8 @@ int main(void)
     for (int k = 0; k < METHODS; k++) print_method(k, m);
     table_end();
     table_begin_note("roofline", "n factor_ms read_ms assembly_ms predicted_ms",
-                     "%g flops per second; 250 for an element", 1e9 * peak);
+                     "%g flops per second; 250 for an element; LAPACK: %s",
+                     1e9 * peak, MACHINE_LAPACK);
     for (int i = 0; i < SIZES; i++) {
         const double n2 = m[i].n * m[i].n, assembly = 5e-4 * n2 / peak;
         const double factor = 8e-6 * (n2 - 1) * n2 / peak, read = m[i].read;

@@ -9,7 +9,7 @@ load "figures/style.gp"
 set terminal svg size 860,500
 set output out
 array Method[4] = ["readable", "lapack", "blocked", "best"]
-array Name[4] = ["readable, GSL banded", "LAPACK dpbtrf", \
+array Name[4] = ["readable, GSL banded", "dpbtrf of ".lapack(data), \
                  "blocked band", "blocked band, lift, chord rule"]
 array Style[4] = [2, 4, 3, 1]
 # The largest n of a method that is ready in time, 0 where there is none.
