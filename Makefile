@@ -100,7 +100,8 @@ help:
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo
-	@echo '  for teachers:     starters  workbook  verify-07  memcheck  clean'
+	@echo '  for teachers:     starters  workbook  verify-07  mutants-07  memcheck'
+	@echo '                    clean'
 	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 
 deps:
