@@ -13,11 +13,11 @@
  * Names.  A student's program may use any name and define any macro, at file
  * scope too, and no check needs to care: tests/tools/names.sh makes a header
  * that stands between the two.  It ends the program's macros, and renames what
- * tests/checks/NN_slug.c and the headers that it includes declare at file scope
- * (solved becomes checks_own_solved).  What follows for the author of checks:
- *   - program.h comes first; everything else is included after it;
- *   - a check's name at file scope is none that the solution, a header of common/
- *     or a member of their structs has: the renamed one would stand there too,
+ * NN_slug.c and the headers that it includes declare at file scope (solved
+ * becomes checks_own_solved).  Three rules are left for who writes checks:
+ *   - program.h comes first, and everything else is included after it;
+ *   - a check's name at file scope is none that the solution has, or a header of
+ *     common/, as a member of a struct too: it would be renamed there as well,
  *     and the checks would not compile;
  *   - a module of common/ that the solution does not include is included as its
  *     source, #include "bar.c": it is compiled once more, under other names.

@@ -1,4 +1,4 @@
-# names.awk - the names that C files declare at file scope.
+# names.awk - the names that a C file declares at file scope.
 #
 #     awk -f tests/tools/names.awk -v slug=NN_slug tests/checks/NN_slug.c
 #
@@ -7,7 +7,8 @@
 #
 #     awk -f tests/tools/names.awk solutions/NN_slug.c
 #
-# prints the names themselves, "macro NAME" or "name NAME" on a line.
+# prints the names themselves, "macro NAME" or "name NAME" on a line, and not
+# those of what is included.
 
 BEGIN {
     split("auto const double enum extern float int long return short signed " \
@@ -65,7 +66,7 @@ function visit(file, scan,    line, text, more, part, k, n, of) {
     }
     close(file)
     if (scan) declared(text)
-    for (k = 1; k <= n; k++) visit(found(file, of[k]), scan)
+    for (k = 1; k <= n && slug; k++) visit(found(file, of[k]), scan)
 }
 
 # At file scope a declared name stands before one of ( [ = , ;  A tag stands

@@ -20,25 +20,25 @@ macros() {
             s/^[[:space:]]*#[[:space:]]*undef[[:space:]]/#/p' "$1" |
         sed -n 's/^#[[:space:]]*\([A-Za-z_][A-Za-z_0-9]*\).*/\1/p' | sort -u
 }
-# Whether there is a function FUNCTION when the macros of PROGRAM are replaced.
-is_there() {
-    [ -n "${plain:-}" ] || plain=$($CPP -w -E "$program" 2>/dev/null)
-    echo "$plain" | grep -Eq "(^|[^A-Za-z_0-9])$1[[:space:]]*\\("
+# The lines that are in the first list, but not in the second.
+without() { printf '%s\n' "$1" "$2" "$2" | sort | uniq -u; }
+# The words of PROGRAM itself when its macros are replaced.
+words() {
+    $CPP -w -E "$program" 2>/dev/null | awk -v program="\"$program\"" '
+            /^#/ { own = index($0, program); next } own' | sed 's/"[^"]*"//g' |
+        tr -cs 'A-Za-z_0-9' '\n' | sort -u
 }
-mine=$({ macros "$program"; macros "$solution"; macros "$solution"; } |
-    sort | uniq -u)
+mine=$(without "$(macros "$program")" "$(macros "$solution")")
 {
     if [ -n "$mine" ]; then
-        system=$($CPP -w -E -dM -DPROGRAM="\"$solution\"" -DNAMES='"status.h"' \
-            "$check") || exit 1
-        ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //')
-        for name in $mine; do
-            if echo "$ours" | grep -qx "$name" && ! is_there "$name"; then
-                continue
-            fi
-            echo "#undef $name"
-            echo "$system" | grep -E "^#define $name([^A-Za-z_0-9]|\$)"
-        done
+        system=$({ cat "$solution" && grep '^#include <' "$check"; } |
+            $CPP -w -E -dM -x c -) || exit 1
+        ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //' | sort -u)
+        kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
+        [ -z "$kept" ] || kept=$(without "$kept" "$(words)" | tr '\n' ' ')
+        { echo "$mine"; echo "$system"; } | awk -v kept=" $kept " '
+            !/^#/ && !index(kept, " " $1 " ") { print "#undef " $1; ended[$1] }
+            /^#/ { name = $2; sub(/\(.*/, "", name); if (name in ended) print }'
     fi
     awk -f tests/tools/names.awk -v slug="$slug" "$check"
 } >"$part" && mv -f "$part" "$into"

@@ -99,20 +99,6 @@ behave)
             "table_row(2.385); table_end();" } { print }' \
         "solutions/$slug.c" >"$mine"
     judged 'a program with a table of its own' OK
-    awk '{ print } !done && /^#include </ && !pending { pending = 1 }
-        pending && !done && /^$/ { done = 1
-            print "#define expect(x) (x)"
-            print "struct output { int cell; }; struct claim { int word; };"
-            print "static double cell(double x) { return x; }"
-            print "static double run(struct output o) { return cell(o.cell); }"
-            print "static double column(double x) { return expect(x); }"
-            print "static double word(void) {"
-            print "    return column(run((struct output){1})); }"
-            print "static double wrong(struct claim c) { return word() + c.word; }"
-            print "extern double row_count(void);"
-            print "double row_count(void) { return wrong((struct claim){2}); }" }' \
-        "solutions/$slug.c" >"$mine"
-    judged "a program with the judge's names" OK
     cp "solutions/$slug.c" "$mine"
     judged 'the solution' OK
     said=$("$MAKE" status)
