@@ -16,9 +16,9 @@
  * NN_slug.c and the headers that it includes declare at file scope (solved
  * becomes checks_own_solved).  Three rules are left for who writes checks:
  *   - program.h comes first, and everything else is included after it;
- *   - a check's name at file scope is none that the solution has, or a header of
- *     common/, as a member of a struct too: it would be renamed there as well,
- *     and the checks would not compile;
+ *   - a check's name at file scope is none that the solution has, or a header
+ *     of common/, as a member of a struct too: it would be renamed there as
+ *     well, and the checks would not compile;
  *   - a module of common/ that the solution does not include is included as its
  *     source, #include "bar.c": it is compiled once more, under other names.
  */

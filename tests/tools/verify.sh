@@ -58,6 +58,16 @@ mistake)
         echo "$said" | grep -q "known mistake ($name)"
         result $? "$nn: $name is explained" "$said"
     fi
+    # a slot that is named is that of the first line which differs
+    slot=$(field slot)
+    [ -n "$slot" ] || slot=$(awk 'NR == FNR { line[FNR] = $0; next }
+        /\/\* SLOT / { slot = $3; sub(/\(.*/, "", slot) }
+        $0 != line[FNR] { print slot; exit }
+        /\/\* END / { slot = "" }' \
+        "$BUILD/mistakes/$slug/$name.c" "solutions/$slug.c")
+    named=$(echo "$said" | sed -n 's/^  In .* (slot \(.*\)):$/\1/p' | head -n 1)
+    [ -z "$slot" ] || [ -z "$named" ] || [ "$slot" = "$named" ]
+    result $? "$nn: the verdict on $name names slot $slot" "slot $named: $said"
     [ "$(echo "$said" | wc -l)" -le 24 ]
     result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
 equivalent)
