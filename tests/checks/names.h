@@ -1,8 +1,8 @@
 /*
- * names.h - the judge's words, in which checks are written, are the student's as
+ * names.h - the judge's words, in which checks are written, are a student's as
  * well: from here on they mean the judge's, under names that no student uses.
- * (tests/tools/lint.sh looks that none is missing.)
- * The judge's own files include it as well.
+ * The judge's own files include it too; tests/tools/lint.sh looks that no word
+ * is missing.
  */
 #ifndef TESTS_CHECKS_NAMES_H
 #define TESTS_CHECKS_NAMES_H
