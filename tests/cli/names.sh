@@ -73,6 +73,13 @@ result $? "$nn: without names of their own the checks do not compile" "$said"
 } >"$file"
 judged "with $(($(wc -l <"$dir/spoken"))) macros"
 
+# what the checks compile once more is the program's as well
+sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
+if [ -s "$dir/modules" ]; then
+    after_includes "$(cat "$dir/modules")" >"$file"
+    judged "with $(tr '\n' ' ' <"$dir/modules" | sed 's/#include //g; s/ $//')"
+fi
+
 # the function of the first slot under another name, unless a struct has it too
 slot=$(awk '/^static .*\(/ { sub(/\(.*/, ""); sub(/.*[ *]/, ""); name = $0 }
     /\/\* SLOT / { print name; exit }' "$solution")

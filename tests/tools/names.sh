@@ -8,6 +8,8 @@
 #   - gives what is declared by the checks names that no program has.
 # CPP is the compiler with its flags.
 set -u
+LC_ALL=C
+export LC_ALL
 program=$1 slug=$2 into=$3
 check=tests/checks/$slug.c solution=solutions/$slug.c
 part=$into.$$
