@@ -14,7 +14,8 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 # Starters as the solutions give them, whatever the student has in lessons/.
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
-$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
+$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
+                           $(LIB) $(NAMING)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*,-Werror)
 
@@ -40,7 +41,7 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
 	$(Q)$$(QUICK) $$< $$(PLACED)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
-        tests/checks/$(patsubst %/,%,$(dir $1)).c
+        tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
 	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1)),-O1 -g0 -w)
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
@@ -98,7 +99,7 @@ $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
 	$$(call say,test,$1 behaviour)
 	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
 $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
-        $(JUDGE) tests/cli/names.sh tests/tools/names.sh tests/tools/names.awk
+        $(JUDGE) tests/cli/names.sh $(NAMING)
 	$$(call say,test,$1 names)
 	+$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
