@@ -14,48 +14,46 @@ const char *transfer_name(enum transfer transfer)
 
 /* ---- kernels ------------------------------------------------------------- */
 
-int kernel_weights(int order, double s, double w[ORDER_MAX + 1],
-                   double dw[ORDER_MAX + 1])
+int kernel_weights(int order, double h, double x, double w[], double dw[])
 {
     assert(order >= 1 && order <= ORDER_MAX);
     /* order 2: cell is the node before the nearest one, and f - 1 = t the
-     * distance from the nearest, |t| <= 1/2; else s is f beyond the node cell
+     * distance from the nearest, |t| <= 1/2; else x is f beyond the node cell
      */
-    const double cell = floor(order == 2 ? s - 0.5 : s);
-    const double f = s - cell, g = 1.0 - f;
+    const double cell = floor(order == 2 ? x / h - 0.5 : x / h);
+    const double f = x / h - cell, g = 1.0 - f, t = f - 1.0;
     if (order == 1) {
         w[0] = g;
         w[1] = f;
-        dw[0] = -1.0;
-        dw[1] = 1.0;
+        dw[0] = -1.0 / h;
+        dw[1] = 1.0 / h;
         return (int)cell;
     }
     if (order == 2) {
-        const double t = f - 1.0; /* from the middle node */
         w[0] = 0.5 * (0.5 - t) * (0.5 - t);
         w[1] = 0.75 - t * t;
         w[2] = 0.5 * (0.5 + t) * (0.5 + t);
-        dw[0] = t - 0.5;
-        dw[1] = -2.0 * t;
-        dw[2] = t + 0.5;
+        dw[0] = (t - 0.5) / h;
+        dw[1] = -2.0 * t / h;
+        dw[2] = (t + 0.5) / h;
         return (int)cell;
     }
     w[0] = g * g * g / 6.0;
     w[1] = f * f * (0.5 * f - 1.0) + 2.0 / 3.0;
     w[2] = g * g * (0.5 * g - 1.0) + 2.0 / 3.0;
     w[3] = f * f * f / 6.0;
-    dw[0] = -0.5 * g * g;
-    dw[1] = f * (1.5 * f - 2.0);
-    dw[2] = -g * (1.5 * g - 2.0);
-    dw[3] = 0.5 * f * f;
+    dw[0] = -0.5 * g * g / h;
+    dw[1] = f * (1.5 * f - 2.0) / h;
+    dw[2] = -g * (1.5 * g - 2.0) / h;
+    dw[3] = 0.5 * f * f / h;
     return (int)cell - 1;
 }
 
-double kernel_inertia(int order, double s)
+double kernel_inertia(int order, double h, double x)
 {
-    const double f = s - floor(s);
+    const double f = x / h - floor(x / h);
     assert(order >= 1 && order <= ORDER_MAX);
-    return order == 1 ? f * (1.0 - f) : order == 2 ? 0.25 : 1.0 / 3.0;
+    return h * h * (order == 1 ? f * (1.0 - f) : order == 2 ? 0.25 : 1.0 / 3.0);
 }
 
 /* ---- grid ---------------------------------------------------------------- */
@@ -67,6 +65,7 @@ struct grid *grid_alloc(int order, const double origin[2], double h,
     assert(order >= 1 && order <= ORDER_MAX && h > 0.0);
     assert(nodes[0] > order && (nodes[1] > order || nodes[1] == 1));
     grid->order = order;
+    grid->kernel = kernel_weights;
     grid->h = h;
     for (int k = 0; k < 2; k++) {
         grid->nodes[k] = nodes[k];
@@ -97,32 +96,34 @@ void grid_place(const struct grid *grid, int a, double x[2])
 enum status grid_support(const struct grid *grid, const double x[2],
                          struct support *s)
 {
+    const double h = grid->h;
     double w[2][ORDER_MAX + 1] = {{0.0}, {1.0}}, dw[2][ORDER_MAX + 1] = {{0.0}};
-    double at[2] = {0.0, 0.0}; /* x in cells */
+    double way[2] = {0.0, 0.0}; /* from the origin, within the period */
     int first[2] = {0, 0}, width[2] = {1, 1};
+    s->n = 0;
     s->inertia[0] = s->inertia[1] = 0.0;
     for (int k = 0; k < 2 && grid->nodes[k] > 1; k++) {
-        at[k] = (x[k] - grid->origin[k]) / grid->h;
-        if (!isfinite(at[k])) return NONFINITE;
+        const double length = h * grid->nodes[k];
         const int endless = k == 0 && grid->periodic;
-        if (!endless && (at[k] < 0.0 || at[k] > grid->nodes[k])) return OUTSIDE;
-        if (endless) at[k] -= grid->nodes[k] * floor(at[k] / grid->nodes[k]);
+        way[k] = x[k] - grid->origin[k];
+        if (!isfinite(way[k])) return NONFINITE;
+        if (endless) way[k] -= length * floor(way[k] / length);
+        if (way[k] < 0.0 || way[k] > length) return OUTSIDE;
         width[k] = grid->order + 1;
-        first[k] = kernel_weights(grid->order, at[k], w[k], dw[k]);
+        first[k] = grid->kernel(grid->order, h, way[k], w[k], dw[k]);
         if (!endless && (first[k] < 0 || first[k] + width[k] > grid->nodes[k]))
             return OUTSIDE;
-        s->inertia[k] = grid->h * grid->h * kernel_inertia(grid->order, at[k]);
+        s->inertia[k] = kernel_inertia(grid->order, h, way[k]);
     }
-    s->n = 0;
     for (int r = 0; r < width[1]; r++)
         for (int q = 0; q < width[0]; q++, s->n++) {
             const int n = grid->nodes[0], i = first[0] + q, j = first[1] + r;
-            s->node[s->n] = j * n + (i + n) % n; /* n: around the period */
+            s->node[s->n] = j * n + (i % n + n) % n; /* around */
             s->w[s->n] = w[0][q] * w[1][r];
-            s->gradient[s->n][0] = dw[0][q] * w[1][r] / grid->h;
-            s->gradient[s->n][1] = w[0][q] * dw[1][r] / grid->h;
-            s->offset[s->n][0] = grid->h * (i - at[0]);
-            s->offset[s->n][1] = grid->h * (j - at[1]);
+            s->gradient[s->n][0] = dw[0][q] * w[1][r];
+            s->gradient[s->n][1] = w[0][q] * dw[1][r];
+            s->offset[s->n][0] = h * i - way[0];
+            s->offset[s->n][1] = h * j - way[1];
         }
     return OK;
 }
@@ -186,46 +187,6 @@ struct particles *particles_box(const double low[2], const double high[2],
         p->mass[q] = rho * p->volume[q];
     }
     return p;
-}
-
-struct particles *particles_disc(const double centre[2], double radius,
-                                 double spacing, double rho)
-{
-    const int reach = (int)ceil(radius / spacing) + 1;
-    const int i0 = (int)floor(centre[0] / spacing) - reach;
-    const int j0 = (int)floor(centre[1] / spacing) - reach;
-    const double low[2] = {i0 * spacing, j0 * spacing};
-    const int count[2] = {2 * reach + 2, 2 * reach + 2};
-    const double high[2] = {(i0 + count[0]) * spacing,
-                            (j0 + count[1]) * spacing};
-    struct particles *p = particles_box(low, high, count, rho);
-    int kept = 0;
-    for (int q = 0; q < p->n; q++)
-        if (hypot(p->x[2 * q] - centre[0], p->x[2 * q + 1] - centre[1]) <
-            radius) {
-            p->x[2 * kept] = p->x[2 * q];
-            p->x[2 * kept + 1] = p->x[2 * q + 1];
-            kept++;
-        }
-    p->n = kept;
-    return p;
-}
-
-enum status particles_turn(struct particles *p, const struct grid *grid,
-                           const double v[2], double omega,
-                           const double centre[2])
-{
-    for (int q = 0; q < p->n; q++) {
-        struct support s = {.inertia = {0.0, 0.0}};
-        const enum status status =
-            grid ? grid_support(grid, &p->x[2 * q], &s) : OK;
-        if (status != OK) return status;
-        p->v[2 * q] = v[0] - omega * (p->x[2 * q + 1] - centre[1]);
-        p->v[2 * q + 1] = v[1] + omega * (p->x[2 * q] - centre[0]);
-        p->B[q] =
-            (mat2){{{0.0, -omega * s.inertia[1]}, {omega * s.inertia[0], 0.0}}};
-    }
-    return OK;
 }
 
 /* ---- transfers ----------------------------------------------------------- */

@@ -35,19 +35,21 @@ const char *transfer_name(enum transfer transfer);
 enum { ORDER_MAX = 3, SUPPORT_MAX = (ORDER_MAX + 1) * (ORDER_MAX + 1) };
 
 /*
- * The B-spline of order 1, 2 or 3 (asserted) at s = (x - origin) / h, a finite
- * number: w[q] = N and dw[q] = h dN/dx of node first + q, 0 <= q <= order;
- * returns first.  On a node the linear kernel takes the cell to the right.
+ * The B-spline of order 1, 2 or 3 (asserted) for nodes at h i: w[q] = N_i(x)
+ * and dw[q] = dN_i/dx (1/m) of i = first + q, 0 <= q <= order; returns first.
+ * x is finite.  On a node the linear kernel takes the cell to the right.
  */
-int kernel_weights(int order, double s, double w[ORDER_MAX + 1],
-                   double dw[ORDER_MAX + 1]);
+typedef int kernel_function(int order, double h, double x, double w[],
+                            double dw[]);
+kernel_function kernel_weights;
 
-/* D / h^2 along one axis at s [eq:apic]: f (1 - f) for order 1, f the place of
- * s in its cell; 1/4 and 1/3, wherever s is, for orders 2 and 3. */
-double kernel_inertia(int order, double s);
+/* D along one axis at x (m^2) [eq:apic]: f (1 - f) h^2 for order 1, f the place
+ * of x in its cell; h^2 / 4 and h^2 / 3, wherever x is, for orders 2 and 3. */
+double kernel_inertia(int order, double h, double x);
 
 struct grid {
-    int order; /* of the kernel: 1, 2 or 3 */
+    int order;               /* of the kernel: 1, 2 or 3 */
+    kernel_function *kernel; /* kernel_weights(), unless you have another */
     int nodes[2];
     int periodic;        /* along axis 0, with the period nodes[0] h */
     double origin[2], h; /* (m) */
@@ -101,18 +103,6 @@ void particles_free(struct particles *p);
  */
 struct particles *particles_box(const double low[2], const double high[2],
                                 const int count[2], double rho);
-
-/* The particles of a square lattice, at (i + 1/2, j + 1/2) spacing, that are
- * within the radius of the centre. */
-struct particles *particles_disc(const double centre[2], double radius,
-                                 double spacing, double rho);
-
-/* v_p := v + omega x (x_p - centre), and B_p as a grid with that field would
- * give it, which APIC starts from; without a grid, NULL, B_p := 0 for PIC and
- * FLIP.  Statuses as grid_support(); v and B are then incomplete. */
-enum status particles_turn(struct particles *p, const struct grid *grid,
-                           const double v[2], double omega,
-                           const double centre[2]);
 
 /*
  * Particles to grid [eq:p2g]: mass, v, and next := v.  The affine term is B's;
