@@ -42,85 +42,22 @@ static void check(enum status status)
         die("the displaced particles are %s", status_name(status));
 }
 
-static double energy(const struct particle_body *body, const double u[])
-{
-    double sum = 0.0;
-    struct moved m;
-    for (int p = 0; p < body->particles->n; p++) {
-        check(move(body, p, u, &m));
-        sum += body->particles->volume[p] * material2_psi(&body->material, m.F);
-    }
-    return sum;
-}
-
-/* The other form: sigma, volumes now, and the gradients of the nodes where they
- * are now, F_hat^-T grad N. */
-static void cauchy_force(const struct particle_body *body, const double u[],
-                         double f[])
-{
-    struct moved m;
-    for (int r = 0; r < 2 * body->grid->n_node; r++) f[r] = 0.0;
-    for (int p = 0; p < body->particles->n; p++) {
-        check(move(body, p, u, &m));
-        const double J = mat2_det(m.F), now = J * body->particles->volume[p];
-        const mat2 P = material2_pk1(&body->material, m.F);
-        const mat2 sigma =
-            mat2_scale(1.0 / J, mat2_multiply(P, mat2_transpose(m.F)));
-        const mat2 push =
-            mat2_scale(now / mat2_det(m.F_hat),
-                       mat2_multiply(sigma, mat2_cofactor(m.F_hat)));
-        for (int i = 0; i < m.s.n; i++)
-            for (int r = 0; r < 4; r++)
-                f[2 * m.s.node[i] + r / 2] -=
-                    push.m[r / 2][r % 2] * m.s.gradient[i][r % 2];
-    }
-}
-
-static double dot(int n, const double a[], const double b[])
-{
-    double sum = 0.0;
-    for (int r = 0; r < n; r++) sum += a[r] * b[r];
-    return sum;
-}
-
-/* What forces on the nodes do to the body as a whole. */
-static void print_balance(const struct grid *grid, const double u[],
-                          const char *form, const double f[])
-{
-    double sum[2] = {0.0, 0.0}, before = 0.0, now = 0.0;
-    for (int a = 0; a < grid->n_node; a++) {
-        double x[2];
-        grid_place(grid, a, x);
-        for (int k = 0; k < 2; k++) sum[k] += f[2 * a + k];
-        before += x[0] * f[2 * a + 1] - x[1] * f[2 * a];
-        now +=
-            (x[0] + u[2 * a]) * f[2 * a + 1] - (x[1] + u[2 * a + 1]) * f[2 * a];
-    }
-    table_row(form, sum[0], sum[1], now, before);
-}
-
-/* What is left over of energy and force after one term of Taylor's series. */
+/* Errors of energy and force after one term of Taylor's series. */
 static void print_taylor(const struct particle_body *body, const double u[],
                          const double f[])
 {
     const int n = 2 * body->grid->n_node;
-    double *w = allocate(4 * (size_t)n, sizeof *w), before[2] = {0.0, 0.0};
-    double *Kw = w + n, *at = Kw + n, *g = at + n;
-    const double E = energy(body, u);
-    for (int r = 0; r < n; r++) w[r] = u[n - 1 - r];
+    double *w = allocate(2 * (size_t)n, sizeof *w), *Kw = w + n;
+    struct taylor error, old = {0.0, 0.0};
+    grid_shake(body->grid, 0.35 * body->grid->h, Kw);
+    for (int r = 0; r < n; r++) w[r] = Kw[n - 1 - r];
     check(product(body, u, w, Kw));
     table_begin("taylor", "t energy force energy_order force_order");
-    for (double t = 0.25; t > 0.002; t /= 2.0) {
-        double rest[2] = {0.0, 0.0}, order[2];
-        for (int r = 0; r < n; r++) at[r] = u[r] + t * w[r];
-        check(force(body, at, g));
-        rest[0] = fabs(energy(body, at) - E + t * dot(n, f, w));
-        for (int r = 0; r < n; r++)
-            rest[1] = fmax(rest[1], fabs(g[r] - f[r] + t * Kw[r]));
-        for (int k = 0; k < 2; k++) order[k] = log2(before[k] / rest[k]);
-        table_row(t, rest[0], rest[1], cell_if(before[0] > 0.0, order[0]),
-                  cell_if(before[1] > 0.0, order[1]));
-        for (int k = 0; k < 2; k++) before[k] = rest[k];
+    for (double t = 0.25; t > 0.002; t /= 2.0, old = error) {
+        check(particle_taylor(body, u, w, t, f, Kw, &error));
+        table_row(t, error.energy, error.force,
+                  cell_if(t < 0.25, log2(old.energy / error.energy)),
+                  cell_if(t < 0.25, log2(old.force / error.force)));
     }
     table_end();
     free(w);
@@ -129,43 +66,37 @@ static void print_taylor(const struct particle_body *body, const double u[],
 /* Seven particles that are strained already, on a grid that is shaken. */
 static void print_seven(int order, struct material material, double shake)
 {
-    const double h = 0.385, low[2] = {-2.0 * h, -2.0 * h}, step = 1e-5 * h;
-    struct grid *grid = grid_alloc(order, low, h, (int[]){11, 11});
-    struct particles *seven = particles_seven(NULL);
-    const struct particle_body body = {grid, seven, material, NULL};
-    const int n = 2 * grid->n_node;
-    double *u = allocate(3 * (size_t)n, sizeof *u), *f = u + n, *g = f + n;
-    grid_shake(grid, shake * h, u);
-    check(grid_p2g(grid, seven));
+    struct cloud seven = cloud_seven(order, PIC);
+    const struct particle_body body = {seven.grid, seven.p, material, NULL};
+    const int n = 2 * seven.grid->n_node;
+    const double h = seven.grid->h;
+    double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + n;
+    double *cauchy = f + n, *quotient = cauchy + n;
+    grid_shake(seven.grid, shake * h, u);
+    check(grid_p2g(seven.grid, seven.p));
     check(force(&body, u, f));
-    cauchy_force(&body, u, g);
+    check(particle_cauchy_force(&body, u, cauchy));
+    check(particle_difference_force(&body, u, 1e-5 * h, quotient));
     table_begin("force", "node component force cauchy quotient");
-    for (int r = 0; r < n; r++) {
-        const double old = u[r];
-        if (!(grid->mass[r / 2] > 0.0)) continue;
-        u[r] = old + step;
-        const double more = energy(&body, u);
-        u[r] = old - step;
-        const double less = energy(&body, u);
-        u[r] = old;
-        table_row(r / 2, r % 2, f[r], g[r], (less - more) / (2.0 * step));
-    }
+    for (int r = 0; r < n; r++)
+        if (seven.grid->mass[r / 2] > 0.0)
+            table_row(r / 2, r % 2, f[r], cauchy[r], quotient[r]);
     table_end();
     table_begin("balance", "form force_x force_y torque torque_undisplaced");
-    print_balance(grid, u, "force", f);
-    print_balance(grid, u, "cauchy", g);
+    for (int k = 0; k < 2; k++) {
+        const double *of = k ? cauchy : f;
+        const struct balance sum = grid_balance(seven.grid, u, of);
+        table_row(k ? "cauchy" : "force", sum.force[0], sum.force[1],
+                  sum.torque, grid_balance(seven.grid, NULL, of).torque);
+    }
     table_end();
     print_taylor(&body, u, f);
     free(u);
-    particles_free(seven);
-    grid_free(grid);
+    cloud_free(seven);
 }
 
-/*
- * A bar of length 1 and density 1 under one stress, that of the stretch F: the
- * particles are where it takes them and F_n is F; or, from_rest, they are where
- * they were, F_n = I, and the nodes move.  No node should feel a force that is
- * two cells or more away from both ends.
+/* A bar under the stress of the stretch F.  Its particles are where that takes
+ * them, F_n = F; or, from_rest, where they were, F_n = I, and the nodes move.
  */
 static void print_bar(const char *name, struct material material, double F,
                       int ppc, double shift, int from_rest)
@@ -175,34 +106,19 @@ static void print_bar(const char *name, struct material material, double F,
     table_begin(name, "cells ppc kernel force_over_stress acceleration");
     for (int row = 0; row < 12; row++) {
         const int order = 1 + row / 4, cells = 8 << row % 4;
-        const double h = 1.0 / cells, low[2] = {-2.0 * h, -0.5};
-        const int nodes[2] = {(int)(old * cells) + 7, 1};
-        struct grid *grid = grid_alloc(order, low, h, nodes);
-        struct particles *bar =
-            particles_box((double[]){0.0, -0.5}, (double[]){1.0, 0.5},
-                          (int[]){cells * ppc, 1}, 1.0);
-        const struct particle_body body = {grid, bar, material, NULL};
-        double *u = allocate(4 * (size_t)nodes[0], sizeof *u), worst = 0.0;
-        double *f = u + 2 * nodes[0], acceleration = 0.0;
-        for (int p = 0; p < bar->n; p++) {
-            bar->x[2 * p] = old * bar->x[2 * p] + shift * h;
-            bar->F[p].m[0][0] = old;
-        }
-        for (int a = 0; a < nodes[0]; a++)
-            u[2 * a] = (F / old - 1.0) * (low[0] + h * a);
-        check(grid_p2g(grid, bar));
+        struct cloud bar = cloud_bar(order, cells, ppc, old, shift);
+        const struct particle_body body = {bar.grid, bar.p, material, NULL};
+        const int n = bar.grid->n_node;
+        double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + 2 * n;
+        for (int a = 0; a < n; a++)
+            u[2 * a] = (F / old - 1.0) * (a - 2) / cells;
         check(force(&body, u, f));
-        for (int a = 0; a < nodes[0]; a++) {
-            const double from_end = low[0] + h * a - shift * h;
-            if (from_end < 2.0 * h || from_end > old - 2.0 * h) continue;
-            worst = fmax(worst, fabs(f[2 * a]));
-            acceleration = fmax(acceleration, fabs(f[2 * a]) / grid->mass[a]);
-        }
+        const struct inner worst = cloud_bar_inner(bar, f);
         table_row(cells, ppc, kernel[order - 1],
-                  cell_if(F != 1.0, worst / fabs(stress)), acceleration);
+                  cell_if(F != 1.0, worst.force / fabs(stress)),
+                  worst.acceleration);
         free(u);
-        particles_free(bar);
-        grid_free(grid);
+        cloud_free(bar);
     }
     table_end();
 }
@@ -240,7 +156,8 @@ static enum status force(const struct particle_body *body, const double u[],
         const enum status status = move(body, p, u, &m);
         if (status != OK) return status;
         const double volume = body->particles->volume[p];
-        /* SLOT 19b(body, volume, &m, f): what this particle adds to f. */
+        /* SLOT 19b(body, volume, &m, f): what this particle adds to f, with
+         * its stress material2_pk1(&body->material, m.F). */
         const mat2 P = material2_pk1(&body->material, m.F);
         const mat2 pull = mat2_multiply(P, mat2_transpose(m.F_n));
         for (int i = 0; i < m.s.n; i++)
@@ -263,7 +180,8 @@ static enum status product(const struct particle_body *body, const double u[],
         const enum status status = move(body, p, u, &m);
         if (status != OK) return status;
         const double volume = body->particles->volume[p];
-        /* SLOT 19c(body, volume, &m, w, out): dF, dP, and 19b once more. */
+        /* SLOT 19c(body, volume, &m, w, out): dF, its dP by material2_dpk1(),
+         * and 19b once more. */
         const mat2 dF = mat2_multiply(support_gradient(&m.s, w), m.F_n);
         const mat2 dP = material2_dpk1(&body->material, m.F, dF);
         const mat2 pull = mat2_multiply(dP, mat2_transpose(m.F_n));
