@@ -74,7 +74,7 @@ enum status particle_product(const struct particle_body *body, const double u[],
                              const double w[], double out[]);
 
 /*
- * Is f the force at u, and Kw its tangent times w?  Then both errors of Taylor's
+ * Is f the force at u, and Kw its tangent times w?  Then the errors of Taylor's
  * series at u + t w fall like t^2: |Psi(u + t w) - Psi(u) + t f.w| and
  * max|f(u + t w) - f + t Kw|, with energies and forces of this module.
  */
