@@ -17,7 +17,7 @@
  * the second components of u are 0 on a bar, those of its forces are 0 too.
  *
  * Source: Jiang, Schroeder, Teran, Stomakhin & Selle, The material point method
- * for simulating continuum materials, SIGGRAPH 2016 Courses, sec. 10.
+ * for simulating continuum materials, SIGGRAPH 2016 Courses.
  */
 #ifndef COMMON_PARTICLE_FORCE_H
 #define COMMON_PARTICLE_FORCE_H

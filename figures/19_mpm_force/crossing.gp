@@ -6,7 +6,7 @@ load "figures/style.gp"
 set terminal svg size 1000,430
 set output out
 set multiplot
-set tmargin at screen 0.86
+set tmargin at screen 0.83
 set bmargin at screen 0.14
 set logscale xy
 array Name[3] = ["linear", "quadratic", "cubic"]
