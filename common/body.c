@@ -282,7 +282,6 @@ enum status body_assemble(struct body *body, double dt, const double w[],
                           const double f[], const double u[],
                           enum tangent tangent, double q[])
 {
-    const double mu = body->material.mu, lambda = body->material.lambda;
     const double rho_aa = body->rho * mass_share(body->mass, 0, 0);
     const double rho_ab = body->rho * mass_share(body->mass, 0, 1);
     const int n_dof = 2 * body->mesh->n_vertex;
@@ -299,11 +298,11 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
         if (!material_defined(&body->material, J))
             return isnan(J) ? NONFINITE : INVERTED;
-        const struct volumetric v = material_r(&body->material, J);
-        const struct factors s = {
-            rho_aa * body->area[e], rho_ab * body->area[e], area * mu,
-            area * (lambda * v.r - mu) * v.dr,
-            area * (lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr)};
+        const struct volume v =
+            material_volume_weighted(&body->material, J, area);
+        const struct factors s = {rho_aa * body->area[e],
+                                  rho_ab * body->area[e],
+                                  area * body->material.mu, v.dG, v.ddG};
         double c[6], move[6];
 
 #pragma GCC unroll 3

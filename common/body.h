@@ -21,7 +21,8 @@
  * bandwidth 2 n - 1 with both ends prescribed.
  *
  * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
- * dpsi = mu (F:dF) + G' (cof F:dF), G' = (lambda r - mu) r', G'' its derivative
+ * dpsi = mu (F:dF) + G' (cof F:dF), G', G'' of
+ * material_volume()
  *
  *     dPsi/du_a = area (mu F g_a + G' c_a)                  [eq:element-force]
  *     K_ab      = area ((mu g_a.g_b) I + G'' c_a c_b^T
@@ -38,7 +39,7 @@ enum mass { CONSISTENT, LUMPED };
 
 struct body {
     const struct mesh *mesh;  /* borrowed */
-    struct material material; /* LOG or CUBIC */
+    struct material material; /* not LINEAR */
     double rho;               /* density (kg/m^2) */
     enum mass mass;
     int n_equation;
