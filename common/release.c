@@ -1,0 +1,103 @@
+/* release.c - see release.h. */
+#include "release.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum status release_search(const struct body *body, const double q[],
+                           const double du[], double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *trial = allocate(n_dof, sizeof *trial);
+    double start, energy, slope = 0.0, area = 0.0;
+    enum status status = body_energy(body, u, &start);
+    for (size_t r = 0; r < n_dof; r++) slope += q[r] * du[r];
+    for (int e = 0; e < body->mesh->n_triangle; e++) area += body->area[e];
+    /* round-off of Psi, whose terms have the size of the modulus */
+    const double noise = 16.0 * DBL_EPSILON *
+                         (start + area * material_modulus(&body->material));
+
+    for (double length = 1.0; status == OK; length *= 0.5) {
+        if (length < 1e-12) status = STALLED;
+        for (size_t r = 0; r < n_dof; r++) trial[r] = u[r] + length * du[r];
+        if (status == OK && body_energy(body, trial, &energy) == OK &&
+            energy <= start + 1e-4 * length * slope + noise) {
+            memcpy(u, trial, n_dof * sizeof *u);
+            break;
+        }
+    }
+    free(trial);
+    return status;
+}
+
+/* K := K + RELEASE_SHIFT I. */
+static void shift(struct body *body)
+{
+    const double modulus = material_modulus(&body->material);
+    for (int r = 0; r < body->n_equation; r++)
+        matrix_add(body->K, r, r, RELEASE_SHIFT * modulus);
+}
+
+/* One iteration; *done: the forces are small, and u is as it was. */
+static enum status descend(struct body *body, double q[], double du[],
+                           double u[], int *done)
+{
+    enum status status = body_assemble(body, 1.0, u, NULL, u, PROJECTED, q);
+    if (status != OK) return status;
+    *done = body_max_free(body, q) <=
+            RELEASE_TOLERANCE * material_modulus(&body->material);
+    if (*done) return OK;
+    shift(body);
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
+        if (body->equation[r] < 0) q[r] = 0.0; /* what holds does no work */
+    status = body_increment(body, body->K, q, du);
+    return status == OK ? release_search(body, q, du, u) : status;
+}
+
+struct release_report release_solve(struct body *body, int max_iterations,
+                                    double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *q = allocate(2 * n_dof, sizeof *q), *du = q + n_dof;
+    struct release_report report = {0};
+    int done = 0;
+    for (;;) {
+        report.status = descend(body, q, du, u, &done);
+        if (report.status != OK || done) break;
+        report.iterations++;
+        report.status = MAX_ITERATIONS;
+        if (report.iterations == max_iterations) break;
+    }
+    if (report.status == OK) {
+        body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+        shift(body);
+        if (matrix_factor(body->K) != OK) report.status = SADDLE;
+    }
+    report.min_J = body_min_J(body, u);
+    body_energy(body, u, &report.energy);
+    report.recovered = report.status == OK && report.min_J > 0.0 &&
+                       report.energy <= RELEASE_ENERGY;
+    free(q);
+    return report;
+}
+
+/* A number in [-1, 1) from the state of the generator. */
+static double draw(uint64_t *state)
+{
+    uint64_t z = *state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    return 2.0 * (double)(z >> 11) * 0x1p-53 - 1.0;
+}
+
+void release_scramble(const struct body *body, unsigned seed, double u[])
+{
+    uint64_t state = seed;
+    for (int a = 0; a < body->mesh->n_vertex; a++)
+        for (int i = 0; i < 2 && body->equation[2 * a] >= 0; i++)
+            u[2 * a + i] = draw(&state) - body->mesh->X[2 * a + i];
+}
