@@ -33,8 +33,23 @@ enum status release_search(const struct body *body, const double q[],
     return status;
 }
 
-/* K := K + RELEASE_SHIFT I. */
-static void shift(struct body *body)
+const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {
+    {"line", {{{1.0, 0.0}, {0.0, 0.0}}}},
+    {"oblique", {{{0.36, 0.48}, {0.48, 0.64}}}},
+    {"inside_out", {{{1.0, 0.0}, {0.0, -1.0}}}},
+    {"near_point", {{{1e-3, 2e-3}, {-1e-3, 5e-4}}}},
+    {"point", {{{0.0, 0.0}, {0.0, 0.0}}}}};
+
+void release_place(const struct body *body, mat2 F, double u[])
+{
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
+        const double *X = &body->mesh->X[r / 2 * 2], *row = F.m[r % 2];
+        if (body->equation[r] >= 0)
+            u[r] = row[0] * X[0] + row[1] * X[1] - X[r % 2];
+    }
+}
+
+void release_shift(struct body *body)
 {
     const double modulus = material_modulus(&body->material);
     for (int r = 0; r < body->n_equation; r++)
@@ -50,7 +65,7 @@ static enum status descend(struct body *body, double q[], double du[],
     *done = body_max_free(body, q) <=
             RELEASE_TOLERANCE * material_modulus(&body->material);
     if (*done) return OK;
-    shift(body);
+    release_shift(body);
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
         if (body->equation[r] < 0) q[r] = 0.0; /* what holds does no work */
     status = body_increment(body, body->K, q, du);
@@ -73,7 +88,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
     }
     if (report.status == OK) {
         body_assemble(body, 1.0, u, NULL, u, EXACT, q);
-        shift(body);
+        release_shift(body);
         if (matrix_factor(body->K) != OK) report.status = SADDLE;
     }
     report.min_J = body_min_J(body, u);

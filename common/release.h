@@ -28,6 +28,9 @@ struct release_report {
     int recovered;      /* OK, every J > 0, and Psi <= RELEASE_ENERGY */
 };
 
+/* K := K + RELEASE_SHIFT (2 mu + lambda) I. */
+void release_shift(struct body *body);
+
 /*
  * u := u + length du with the first length 1, 1/2, 1/4, ... at which Psi
  * decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search]; q is the force
@@ -39,6 +42,16 @@ enum status release_search(const struct body *body, const double q[],
 /* From u to where the body comes to rest, or to the last state reached. */
 struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[]);
+
+/* Ways to crush a body: x = F X with F of rank one, upside down, or (nearly)
+ * 0; u of every vertex that is not held. */
+enum { N_CRUSHED = 5 };
+extern const struct crushed {
+    const char *word; /* "line", "oblique", "inside_out", "near_point",
+                       * "point" */
+    mat2 F;
+} RELEASE_CRUSHED[N_CRUSHED];
+void release_place(const struct body *body, mat2 F, double u[]);
 
 /*
  * Every vertex that is not held to a place at random in the square (-1, 1)^2:
