@@ -47,7 +47,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
  * 0; u of every vertex that is not held. */
 enum { N_CRUSHED = 5 };
 extern const struct crushed {
-    const char *word; /* "line", "oblique", "inside_out", "near_point",
+    const char *name; /* "line", "oblique", "inside_out", "near_point",
                        * "point" */
     mat2 F;
 } RELEASE_CRUSHED[N_CRUSHED];

@@ -5,7 +5,6 @@
 #include "status.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
 #include <gsl/gsl_roots.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics.h>
@@ -43,28 +42,6 @@ double root_of(study_function *f, void *context, double low, double high)
     const double root = gsl_root_fsolver_root(solver);
     gsl_root_fsolver_free(solver);
     return root;
-}
-
-double round_trip(study_field *field, void *context, int n,
-                  const double corner[])
-{
-    enum { POINTS = 24 };
-    gsl_integration_glfixed_table *rule =
-        gsl_integration_glfixed_table_alloc(POINTS);
-    double sum = 0.0, at, weight, value[2];
-    if (!rule) die("out of memory");
-    for (int edge = 0; edge < n; edge++)
-        for (size_t k = 0; k < POINTS; k++) {
-            const double *a = &corner[2 * edge];
-            const double *b = &corner[2 * ((edge + 1) % n)];
-            const double step[2] = {b[0] - a[0], b[1] - a[1]};
-            gsl_integration_glfixed_point(0.0, 1.0, k, &at, &weight, rule);
-            field((const double[]){a[0] + at * step[0], a[1] + at * step[1]},
-                  context, value);
-            sum += weight * (value[0] * step[0] + value[1] * step[1]);
-        }
-    gsl_integration_glfixed_table_free(rule);
-    return sum;
 }
 
 double order_of(double coarse, double fine, double ratio)

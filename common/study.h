@@ -19,15 +19,6 @@ double root_of(study_function *f, void *context, double low, double high);
  * h.  NAN unless both errors are > 0. */
 double order_of(double coarse, double fine, double ratio);
 
-/* A field in the plane: out := its two components at x. */
-typedef void study_field(const double x[2], void *context, double out[2]);
-
-/* The integral of field . dx once round the polygon with the n corners (x, y),
- * by Gauss's rule with 24 points per edge: to round-off where the field is
- * smooth on each edge. */
-double round_trip(study_field *field, void *context, int n,
-                  const double corner[]);
-
 /*
  * What the caption of the picture says, as a condition; the rest is a printf
  * message that says it in words.  A study prints its tables first.  When the

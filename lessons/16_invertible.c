@@ -18,10 +18,10 @@
  * Expect    work 1010.543808 once round the loop by `stress`, 0 by the others
  * Plot: principal s2 P2
  */
+#include "circuit.h"
 #include "modes.h"
 #include "options.h"
 #include "release.h"
-#include "study.h"
 #include "table.h"
 
 #include <gsl/gsl_errno.h>
@@ -102,16 +102,16 @@ static struct release_report release(struct body *body, double u[])
     double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
     double *du = q + 2 * body->mesh->n_vertex;
     struct release_report report = {.status = MAX_ITERATIONS};
-    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u, NULL,
-     * u, PROJECTED or EXACT, q); release_shift(), body_increment(); and
-     * body_max_free(), _energy(), _min_J(), matrix_factor(). */
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
+     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
+     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
     todo("16d", body, u, small, q, du, &report);
     /* END 16d */
     free(q);
     return report;
 }
 
-/* P^ at s, for round_trip() and the first table. */
+/* P^ at s, for circuit_work() and the first table. */
 static void diagonal(const double s[2], void *law, double out[2])
 {
     const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
@@ -128,7 +128,7 @@ static void print_single(const struct mesh *mesh, enum law law, double nu)
         double u[6] = {0.0};
         release_place(body, RELEASE_CRUSHED[k].F, u);
         const struct release_report report = release(body, u);
-        table_row(RELEASE_CRUSHED[k].word, material_law(law),
+        table_row(RELEASE_CRUSHED[k].name, material_law(law),
                   status_name(report.status), report.iterations, report.energy,
                   report.min_J, report.recovered ? "yes" : "no");
     }
@@ -163,7 +163,7 @@ int main(int argc, char *argv[])
     table_end();
     table_begin("loop", "law work");
     for (int k = 0; k < N_FORM; k++)
-        table_row(form_name[k], round_trip(diagonal, &law[k], 4, loop));
+        table_row(form_name[k], circuit_work(diagonal, &law[k], 4, loop));
     table_end();
     table_begin("single", "start law status iterations energy min_J recovered");
     struct mesh *triangle =
