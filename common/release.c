@@ -2,6 +2,7 @@
 #include "release.h"
 
 #include <float.h>
+#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -31,6 +32,28 @@ enum status release_search(const struct body *body, const double q[],
     }
     free(trial);
     return status;
+}
+
+double release_winding(const struct body *body, const double u[])
+{
+    const struct mesh *mesh = body->mesh;
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle), most = 0.0;
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int a = 0; a < 3; a++) {
+            const int *t = &mesh->triangle[3 * e];
+            double edge[4]; /* to the next corner, to the one after it */
+            for (int r = 0; r < 4; r++) {
+                const int to = 2 * t[(a + 1 + r / 2) % 3] + r % 2;
+                const int from = 2 * t[a] + r % 2;
+                edge[r] = mesh->X[to] + u[to] - mesh->X[from] - u[from];
+            }
+            angle[t[a]] += atan2(edge[0] * edge[3] - edge[1] * edge[2],
+                                 edge[0] * edge[2] + edge[1] * edge[3]);
+        }
+    for (int a = 0; a < mesh->n_vertex; a++)
+        most = fmax(most, angle[a] / (2.0 * M_PI));
+    free(angle);
+    return most;
 }
 
 const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {

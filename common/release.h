@@ -43,6 +43,13 @@ enum status release_search(const struct body *body, const double q[],
 struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[]);
 
+/*
+ * How often the triangles round a vertex go round it, the largest number: 1 for
+ * an inner vertex at rest, 2 where a body is wound twice about it.  No J sees
+ * that: each triangle may be upright.  Less than 1: there is no inner vertex.
+ */
+double release_winding(const struct body *body, const double u[]);
+
 /* Ways to crush a body: x = F X with F of rank one, upside down, or (nearly)
  * 0; u of every vertex that is not held. */
 enum { N_CRUSHED = 5 };

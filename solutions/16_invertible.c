@@ -190,13 +190,15 @@ int main(int argc, char *argv[])
     for (int k = 0; k < N_FORM; k++)
         law[k] = (struct principal_law){(enum form)k, m.mu, m.lambda, eps};
 
-    table_begin("principal", "law s1 s2 P1 P2");
+    table_begin("principal", "law s1 s2 P1 P2 log"); /* log: P2, if s2 > 0 */
     for (int k = 0; k < N_FORM; k++)
-        for (int i = 0; i <= 50; i++) {
-            const double s[2] = {s1, -1.0 + 0.05 * i};
+        for (int i = 0; i <= 100; i++) {
+            const double s[2] = {s1, -1.0 + 0.025 * i};
+            const mat2 F = {{{s[0], 0.0}, {0.0, fmax(s[1], 1e-9)}}};
             double P[2];
             diagonal(s, &law[k], P);
-            table_row(form_name[k], s[0], s[1], P[0], P[1]);
+            table_row(form_name[k], s[0], s[1], P[0], P[1],
+                      cell_if(s[1] > 1e-9, material2_pk1(&m, F).m[1][1]));
         }
     table_end();
     table_begin("loop", "law work");
