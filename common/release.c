@@ -4,7 +4,6 @@
 #include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,10 +121,10 @@ struct release_report release_solve(struct body *body, int max_iterations,
     return report;
 }
 
-/* A number in [-1, 1) from the state of the generator. */
-static double draw(uint64_t *state)
+/* A number in [-1, 1) from the state of the generator, 64 bits. */
+static double draw(unsigned long long *state)
 {
-    uint64_t z = *state += 0x9E3779B97F4A7C15u;
+    unsigned long long z = *state += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     z ^= z >> 31;
@@ -134,7 +133,7 @@ static double draw(uint64_t *state)
 
 void release_scramble(const struct body *body, unsigned seed, double u[])
 {
-    uint64_t state = seed;
+    unsigned long long state = seed;
     for (int a = 0; a < body->mesh->n_vertex; a++)
         for (int i = 0; i < 2 && body->equation[2 * a] >= 0; i++)
             u[2 * a + i] = draw(&state) - body->mesh->X[2 * a + i];

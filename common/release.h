@@ -64,7 +64,7 @@ void release_place(const struct body *body, mat2 F, double u[]);
  * Every vertex that is not held to a place at random in the square (-1, 1)^2:
  * two numbers of splitmix64 per vertex, in the order of the vertices.
  *
- * Source: Steele, Lea & Flood, OOPSLA 2014, fig. 17 (splitmix64).
+ * Source: Steele, Lea & Flood, OOPSLA 2014 (splitmix64).
  */
 void release_scramble(const struct body *body, unsigned seed, double u[]);
 

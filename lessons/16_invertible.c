@@ -86,6 +86,14 @@ static mat2 stress(const struct principal_law *law, mat2 F)
     return P;
 }
 
+/* P^ at s, for circuit_work() and the first table. */
+static void diagonal(const double s[2], void *law, double out[2])
+{
+    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
+    out[0] = P.m[0][0];
+    out[1] = P.m[1][1];
+}
+
 /*
  * Let go: u goes downhill on Psi(u) to where the body rests [alg:release].
  *
@@ -111,14 +119,6 @@ static struct release_report release(struct body *body, double u[])
     return report;
 }
 
-/* P^ at s, for circuit_work() and the first table. */
-static void diagonal(const double s[2], void *law, double out[2])
-{
-    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
-    out[0] = P.m[0][0];
-    out[1] = P.m[1][1];
-}
-
 /* One triangle, its vertex 0 held. */
 static void print_single(const struct mesh *mesh, enum law law, double nu)
 {
@@ -140,8 +140,8 @@ int main(int argc, char *argv[])
     double nu = 0.3, eps = 0.25, s1 = 1.25;
     const struct option options[] = {
         {"s1", .real = &s1, .min = 0.01, .max = 10, .help = "of `principal`"},
-        {"eps", .real = &eps, .min = 1e-3, .max = 0.99,
-         .help = "where the log law is left"},
+        {"eps", .real = &eps, .min = 0.15, .max = 0.99,
+         .help = "where the log law is left", .why = "the loop lies below it"},
         {"nu", .real = &nu, .min = 0, .max = 0.49, .help = "Poisson's ratio"},
     };
     options_parse("16_invertible", options, COUNT(options), argc, argv);

@@ -495,7 +495,7 @@ static const struct claim claims[] = {
 
 static const char *const runs[] = {
     "",
-    "--s1 0.7385 --eps 0.1371",
+    "--s1 0.7385 --eps 0.1731",
     "--nu 0.2385 --s1 1.6 --eps 0.4",
 };
 
