@@ -179,6 +179,11 @@ static void the_lift_goes_through_a_column(void)
         close_to(scene->u[2 * a], -0.036 * scene->mesh->X[2 * a], 1e-15);
         close_to(scene->u[2 * a + 1], 0.0, 1e-15);
     }
+    for (int e = 0; e < scene->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(scene->body, scene->u, e);
+        const mat2 want = {{{1.0 - 0.036, 0.0}, {0.0, 1.0}}};
+        close_to(mat2_norm(mat2_subtract(F, want)), 0.0, 1e-13);
+    }
     scene_free(scene);
 }
 
