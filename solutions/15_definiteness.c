@@ -25,10 +25,8 @@
 #include "table.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* F = U diag(s1, s2) V^T, U and V rotations, s1 >= |s2| [eq:signed-svd]; any of
  * them where there are many. */
@@ -109,31 +107,23 @@ static const struct {
     {"point", {{{0.0, 0.0}, {0.0, 0.0}}}},
 };
 
-/* The signed singular values, and the factors where there are any; the matrix
- * of the pressed state, projected; the least factor of F = diag(1, s). */
+/* The factors, where the material is defined, and the projected dP for dF; the
+ * least factor of F = diag(1, s). */
 static void print_modes(const struct material *material)
 {
-    double v[4], row[4];
-    table_begin("modes", "state J s1 s2 twist flip low high");
+    const mat2 dF = {{{0.0, 1.0}, {0.3, 0.1}}};
+    double v[4];
+    table_begin("modes",
+                "state J s1 s2 twist flip low high dP11 dP12 dP21 dP22");
     for (int k = 0; k < COUNT(states); k++) {
-        const struct svd svd = signed_svd(states[k].F);
-        const double J = mat2_det(states[k].F);
-        const int valid = material_defined(material, J);
-        if (valid) eigenvalues(material, svd.s1, svd.s2, v);
-        table_row(states[k].name, J, svd.s1, svd.s2, cell_if(valid, v[TWIST]),
-                  cell_if(valid, v[FLIP]), cell_if(valid, v[SCALE_LOW]),
-                  cell_if(valid, v[SCALE_HIGH]));
-    }
-    table_end();
-    table_begin("projected", "F11 F12 F21 F22");
-    for (int r = 0; r < 4; r++) {
-        for (int c = 0; c < 4; c++) {
-            mat2 dF = {0};
-            dF.m[c / 2][c % 2] = 1.0;
-            row[c] = projected_dpk1(material, states[1].F, 0.0, dF)
-                         .m[r / 2][r % 2];
-        }
-        table_row_of(4, row);
+        const mat2 F = states[k].F;
+        const struct svd svd = signed_svd(F);
+        if (!material_defined(material, mat2_det(F))) continue;
+        eigenvalues(material, svd.s1, svd.s2, v);
+        const mat2 dP = projected_dpk1(material, F, 0.0, dF);
+        table_row(states[k].name, mat2_det(F), svd.s1, svd.s2, v[TWIST],
+                  v[FLIP], v[SCALE_LOW], v[SCALE_HIGH], dP.m[0][0], dP.m[0][1],
+                  dP.m[1][0], dP.m[1][1]);
     }
     table_end();
     table_begin("where", "law s least");
@@ -145,68 +135,60 @@ static void print_modes(const struct material *material)
     table_end();
 }
 
-static const char *const method[] = {"notes", "demand+search", "always+search"};
 static enum status direction(struct body *body, enum projection projection,
                              const double u[], double q[], double du[],
                              int *definite);
 
-/* u := the ends moved inwards by e, the rest in proportion, pushed sideways,
- * most in the middle; then at most cap linear systems. */
-static struct step_report press(struct scene *s, enum projection projection,
-                                double e, double push, int cap)
-{
-    struct step_control control = step_method(method[projection]);
-    control.max_iterations = cap;
-    s->set.reach = e;
-    scene_hold(s, M_PI_2); /* sin t = 1 */
-    memset(s->u, 0, (size_t)s->n_dof * sizeof *s->u);
-    step_boundary(s->body, s->g, 1, s->u);
-    for (int y = 1; y < s->n_dof; y += 2)
-        if (!s->held[y / 2])
-            s->u[y] += 0.5 * push * (1.0 + cos(M_PI * s->mesh->X[y - 1]));
-    return step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
-}
-
-/* descent: du.q of the three directions, downhill is negative.  column: each
- * method, straight and pushed; how far out the middle is (m); is K positive
- * definite before, and where Newton's method ends [alg:certify]? */
-static void print_column(struct scene *s, double e, double push)
+/* du.q of the three directions, downhill is negative: pulled, pressed a little,
+ * and half-way to the buckled column, after 12 systems of ON_DEMAND. */
+static void print_descent(struct scene *s, double e, double *q, double *du)
 {
     const char *const state[] = {"pulled", "pressed", "half-way"};
     const double load[] = {-e, 0.4 * e, e};
-    const int n = s->mesh->n, middle = (s->mesh->rows + 1) * (n + 1);
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
-    int start = 0, end = 0;
+    struct step_control control = step_method("demand+search");
+    control.max_iterations = 12;
     table_begin("descent", "state definite never demand always");
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0, definite = 0; k < 3; k++) {
         double slope[3] = {0.0, 0.0, 0.0};
-        press(s, ON_DEMAND, load[k], push, k == 2 ? 12 : 0);
-        for (int m = NEVER; m <= ALWAYS; m++)
-            if (direction(s->body, (enum projection)m, s->u, q, du, &start) ==
-                OK)
-                for (int r = 0; r < s->n_dof; r++) slope[m] += q[r] * du[r];
-        table_row(state[k], start ? "yes" : "no", slope[0], slope[1], slope[2]);
+        scene_press(s, load[k], 1e-3);
+        if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+        for (int m = NEVER; m <= ALWAYS; m++) {
+            direction(s->body, (enum projection)m, s->u, q, du, &definite);
+            for (int r = 0; r < s->n_dof; r++) slope[m] += q[r] * du[r];
+        }
+        table_row(state[k], definite ? "yes" : "no", slope[0], slope[1],
+                  slope[2]);
     }
     table_end();
+}
+
+/* Each method, without a push and with one: u2 of the middle (m); is K positive
+ * definite before, and where Newton's method ends [alg:certify]? */
+static void print_column(struct scene *s, double e, double *q, double *du)
+{
+    const char *const method[] = {"notes", "demand+search", "always+search"};
+    const int middle = (s->mesh->rows + 1) * (s->mesh->n + 1);
     table_begin("column",
                 "load method push systems deflection energy start end status");
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0, start = 0, end = 0; k < 6; k++) {
         const enum projection m = (enum projection)(k / 2);
-        const double sideways = k % 2 ? push : 0.0;
+        const double push = k % 2 ? 1e-3 : 0.0;
+        struct step_control control = step_method(method[m]);
         double energy;
-        press(s, m, e, sideways, 0);
+        control.max_iterations = 400;
+        scene_press(s, e, push);
         direction(s->body, m, s->u, q, du, &start);
-        const struct step_report report = press(s, m, e, sideways, 400);
+        const struct step_report report =
+            step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
         const int valid = body_energy(s->body, s->u, &energy) == OK;
         direction(s->body, m, s->u, q, du, &end);
-        table_row(e, method[m], sideways, report.iterations,
-                  fabs(s->u[middle]), cell_if(valid, energy),
-                  start ? "yes" : "no", end ? "yes" : "no",
+        table_row(e, method[m], push, report.iterations, fabs(s->u[middle]),
+                  cell_if(valid, energy), start ? "yes" : "no",
+                  end ? "yes" : "no",
                   status_name(report.status == OK && !end ? SADDLE
                                                           : report.status));
     }
     table_end();
-    free(q);
 }
 
 /* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
@@ -246,15 +228,13 @@ static enum status direction(struct body *body, enum projection projection,
 int main(int argc, char *argv[])
 {
     int law = 1, half = 2;
-    double e = 0.05, push = 1e-3;
+    double e = 0.05;
     const struct option options[] = {
         {"law", .choice = &law, .choices = "log cubic", .help = "r"},
         {"half", .integer = &half, .min = 1, .max = 8,
          .help = "cells between axis and side; 20 times as many along it"},
         {"e", .real = &e, .min = 1e-4, .max = 0.2, .unit = "m",
          .help = "how far each end moves inwards"},
-        {"push", .real = &push, .min = 1e-6, .max = 0.1, .unit = "m",
-         .help = "sideways, where there is one"},
     };
     options_parse("15_definiteness", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
@@ -263,7 +243,10 @@ int main(int argc, char *argv[])
     print_modes(&material);
     const struct scene_setting set = scene_column(material.law, 20 * half, e);
     struct scene *s = scene_alloc(&set);
-    print_column(s, e, push);
+    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q);
+    print_descent(s, e, q, q + s->n_dof);
+    print_column(s, e, q, q + s->n_dof);
+    free(q);
     scene_free(s);
     return table_finish();
 }
