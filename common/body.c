@@ -133,6 +133,11 @@ static inline mat2 deformation(const struct body *body, const double u[], int e)
     return F;
 }
 
+mat2 body_deformation(const struct body *body, const double u[], int e)
+{
+    return deformation(body, u, e);
+}
+
 /* int N_a N_b / area of a triangle, or its row sums [eq:mass]. */
 static double mass_share(enum mass mass, int a, int b)
 {
