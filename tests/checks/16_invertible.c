@@ -133,7 +133,7 @@ static void only_one_of_them_has_an_energy(void)
 
 /* ---- 16c ----------------------------------------------------------------- */
 
-static void volume(const struct principal_law *law, double J, double G[3])
+static void volume_at(const struct principal_law *law, double J, double G[3])
 {
     double *out = guarded_alloc(3);
     extended(law, J, out);
@@ -150,7 +150,7 @@ static void volume_is_the_logs_above_eps(void)
                                (lambda * r - mu) / J[k],
                                (lambda + mu - lambda * r) / (J[k] * J[k])};
         double G[3];
-        volume(&law, J[k], G);
+        volume_at(&law, J[k], G);
         for (int i = 0; i < 3; i++)
             expect_close(G[i], want[i], ROUND_OFF, 100.0 * mu,
                          "eps = 0.2: derivative %d of G at J = %g, which is "
@@ -164,8 +164,8 @@ static void volume_is_smooth_at_eps(void)
     static const char *const what[] = {"G", "G'", "G''"};
     const struct principal_law law = odd(BY_J, 0.2);
     double below[3], above[3];
-    volume(&law, 0.2 - 1e-9, below);
-    volume(&law, 0.2 + 1e-9, above);
+    volume_at(&law, 0.2 - 1e-9, below);
+    volume_at(&law, 0.2 + 1e-9, above);
     for (int i = 0; i < 3; i++)
         expect_close(below[i], above[i], 1e-6, 100.0 * law.mu,
                      "eps = 0.2: %s just below eps, against just above",
@@ -179,9 +179,9 @@ static void volume_is_a_parabola_below_eps(void)
     const double h = 0.01, J[] = {0.1, 0.0, -0.7385, -2.0};
     for (int k = 0; k < COUNT(J); k++) {
         double at[3], plus[3], minus[3];
-        volume(&law, J[k], at);
-        volume(&law, J[k] + h, plus);
-        volume(&law, J[k] - h, minus);
+        volume_at(&law, J[k], at);
+        volume_at(&law, J[k] + h, plus);
+        volume_at(&law, J[k] - h, minus);
         expect_close((plus[0] - minus[0]) / (2.0 * h), at[1], 1e-9,
                      1e4 * law.mu, "J = %g: G' against differences of G",
                      J[k]);
@@ -200,7 +200,7 @@ static void volume_is_that_of_common(void)
         const mat2 F = {{{1.0, 0.0}, {0.0, J[k]}}};
         const struct volume want = material_volume(&m, J[k]);
         double G[3];
-        volume(&law, J[k], G);
+        volume_at(&law, J[k], G);
         const double psi = 0.5 * law.mu * (J[k] * J[k] - 1.0) + G[0];
         expect_close(G[1], want.dG, ROUND_OFF, 100.0 * law.mu,
                      "J = %g: G' against EXTENDED of material.h", J[k]);
@@ -450,7 +450,7 @@ static void numbers_are_the_oracles(void)
             const struct principal_law law = notes(BY_J, fine ? 0.0625 : 0.25);
             const double want = fine ? at->psi_extended_16 : at->psi_extended;
             double G[3];
-            volume(&law, at->s[0] * at->s[1], G);
+            volume_at(&law, at->s[0] * at->s[1], G);
             expect_close(0.5 * law.mu * (gsl_hypot(at->s[0], at->s[1]) *
                                              gsl_hypot(at->s[0], at->s[1]) -
                                          2.0) + G[0],
