@@ -231,6 +231,7 @@ static void add_projected(struct factors s, const double g[6],
         add_exact(s, g, c, place, stride, entries);
         return;
     }
+    static const enum mode order[4] = {TWIST, FLIP, SCALE_HIGH, SCALE_LOW};
     const struct modes modes = modes_of(F, s.mu, s.dG, s.ddG);
     double d[4][6]; /* dF/du_a in direction m */
     for (int m = 0; m < 4; m++)
@@ -241,11 +242,13 @@ static void add_projected(struct factors s, const double g[6],
         for (int b = 0; b <= a; b++, k++) {
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
-            for (int m = 0; m < 4; m++)
-                for (int i = 0; i < 4 && modes.value[m] > 0.0; i++)
-                    block.m[i / 2][i % 2] += modes.value[m] *
-                                             d[m][2 * a + i / 2] *
-                                             d[m][2 * b + i % 2];
+            for (int i = 0; i < 16; i++) {
+                const enum mode m = order[i / 4];
+                if (modes.value[m] > 0.0)
+                    block.m[i / 2 % 2][i % 2] += modes.value[m] *
+                                                 d[m][2 * a + i / 2 % 2] *
+                                                 d[m][2 * b + i % 2];
+            }
             add_block(block, a, b, place[k], stride, entries);
         }
 }
