@@ -29,14 +29,15 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
-/* The Taylor polynomial of the log law's G = -mu r + lambda/2 r^2 about eps, of
- * second order; out: its value and first two derivatives at J. */
-static void extended(const struct material *material, double J, double G[3])
+/* G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
+ * order about eps, or about J itself. */
+static inline void extended(const struct material *material, double J,
+                            double G[3])
 {
     const double mu = material->mu, lambda = material->lambda;
-    const double eps = EXTENDED_BELOW, r = log(eps), t = J - eps;
-    const double dG = (lambda * r - mu) / eps;
-    G[2] = (lambda + mu - lambda * r) / (eps * eps);
+    const double at = J < EXTENDED_BELOW ? EXTENDED_BELOW : J, t = J - at;
+    const double r = log(at), over = 1.0 / at, dG = (lambda * r - mu) * over;
+    G[2] = (lambda + mu - lambda * r) * over * over;
     G[1] = dG + G[2] * t;
     G[0] = -mu * r + 0.5 * lambda * r * r + dG * t + 0.5 * G[2] * t * t;
 }
@@ -47,14 +48,9 @@ struct volume material_volume_beyond(const struct material *material, double J,
     const double mu = material->mu, l = material->lambda + mu;
     if (material->law == STABLE)
         return (struct volume){weight * (l * (J - 1.0) - mu), weight * l};
-    if (J < EXTENDED_BELOW) {
-        double G[3];
-        extended(material, J, G);
-        return (struct volume){weight * G[1], weight * G[2]};
-    }
-    struct material like = *material;
-    like.law = LOG;
-    return material_volume_weighted(&like, J, weight);
+    double G[3];
+    extended(material, J, G);
+    return (struct volume){weight * G[1], weight * G[2]};
 }
 
 /* shape + mu s + G(J) with s = J - 1.  s - r is s^2/2 - ... : no digits are
