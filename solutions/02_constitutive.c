@@ -216,6 +216,8 @@ int main(int argc, char *argv[])
     struct material m[CUBIC + 1];
     for (int k = LINEAR; k <= CUBIC; k++) m[k] = lame((enum law)k, E, nu);
     for (int k = LINEAR; k <= CUBIC; k++) print_curve(&m[k], n);
+    if (mat2_det(F) > 0.0 && mat2_det(F) < 1e-140)
+        die("NONFINITE: J = %g is too small for 1/J^2", mat2_det(F));
     table_begin("state", "law J r dr ddr psi P11 P12 P21 P22");
     for (int k = LINEAR; k <= CUBIC; k++) print_state(&m[k], F);
     table_end();
