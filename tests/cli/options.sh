@@ -19,7 +19,7 @@ random_lines() { # allowed or refused|what the message says|words...
             if (k = split(words[o], word, " ")) return word[1 + random(k)]
             # many elements and many steps take their time
             if (whole[o]) return min[o] + random(max[o] < min[o] + 9 ? 2 : 9)
-            v = random(2) ? exp(random(60) - 40) : \
+            v = random(2) ? exp(20 - (random(86) / 10) ^ 3) : \
                 min[o] + (max[o] - min[o]) * random(999) / 999
             if (random(9) == 0) v = 0
             return sprintf("%.9g", v < min[o] ? min[o] : v > max[o] ? max[o] : v)
