@@ -28,7 +28,7 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
-/* s - r(J) with s = J - 1, which is s^2/2 - ... : no digits are lost near J = 1,
+/* s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near J = 1,
  * where the series begins, nor of a small J, which s does not know. */
 static double s_minus_r(const struct material *material, double s, double J)
 {
