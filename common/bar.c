@@ -86,9 +86,7 @@ static enum status increment(const struct bar *bar, struct matrix *K,
     matrix_dirichlet(K, du, n_held, &ends[!bar->held[0]], zero,
                      UNIT_DIAGONAL);
     if (matrix_solve_indefinite(K, du, negative) != OK) return NOT_SPD;
-    for (int i = 0; i <= bar->n; i++)
-        if (!isfinite(du[i])) return NONFINITE;
-    return OK;
+    return isfinite(bar_max_free(bar, du)) ? OK : NONFINITE;
 }
 
 /* u := u + length du with the first length 1, 1/2, 1/4, ... at which the
