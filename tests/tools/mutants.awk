@@ -88,7 +88,7 @@ function operators(code,    i, n, c, two, rest, word, before, other) {
             word = substr(rest, 1, n)
             if (substr(code, 1, i - 1) !~ /allocate\($/)
                 constant(i, n, word)
-            else if (word > 0)
+            else if (word > 1)
                 mutant(i, n, word - 1)
             i += n - 1
             before = "0"
