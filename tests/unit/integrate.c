@@ -363,9 +363,12 @@ static void a_failed_step_leaves_the_state(void)
         ck_assert_int_ne(
             integrate_step(model, (enum method)m, 1.0 / 30.0, g, &s).status,
             OK);
-    bad[s.n - 1] = NAN;
-    ck_assert_int_eq(state_accept(&s, g, bad), NONFINITE);
-    ck_assert_int_eq(state_accept(&s, bad, g), NONFINITE);
+    for (int i = 0; i < s.n; i++) {
+        bad[i] = i % 2 ? NAN : INFINITY;
+        ck_assert_int_eq(state_accept(&s, g, bad), NONFINITE);
+        ck_assert_int_eq(state_accept(&s, bad, g), NONFINITE);
+        bad[i] = 0.0;
+    }
     ck_assert_int_eq(s.steps, 0);
     for (int i = 0; i < s.n; i++)
         ck_assert(s.u[i] == start.u[i] && s.v[i] == start.v[i] &&
@@ -392,6 +395,38 @@ static void starts_are_at_rest_where_it_is_held(void)
     close_to(start[1].u[2 * 13], 0.4 * 0.3, 1e-15); /* X1 = 1/2 */
     for (int k = 0; k < 2; k++) state_free(&start[k]);
     forget(model);
+}
+
+/* [eq:bar-modes]: sin((2 k - 1) pi X / 2) at the nodes, orthogonal with half a
+ * weight at the free end. */
+static void a_ripple_has_all_modes_and_is_small(void)
+{
+    enum { n = 9 };
+    struct model *model = model_bar(n, LUMPED);
+    struct state s = state_ripple(model);
+    double all = 0.0, largest = 0.0;
+    for (int j = 0; j < n; j++) {
+        all += (j < n - 1 ? 1.0 : 0.5) * s.u[j] * s.u[j];
+        largest = fmax(largest, fabs(s.u[j]));
+    }
+    close_to(largest, 1e-7, 1e-8);
+    for (int k = 1; k <= n; k++) {
+        double part = 0.0;
+        for (int j = 1; j <= n; j++)
+            part += (j < n ? 1.0 : 0.5) * s.u[j - 1] *
+                    sin((2 * k - 1) * M_PI_2 * j / n);
+        ck_assert_double_ge(part * part / (0.5 * n), 1e-4 * all);
+    }
+    state_free(&s);
+    forget(model);
+}
+
+static void every_method_has_its_word(void)
+{
+    ck_assert_str_eq(method_name(SYMPLECTIC_EULER), "symplectic");
+    ck_assert_str_eq(method_name(BACKWARD_EULER), "backward");
+    ck_assert_str_eq(method_name(IMPLICIT_MIDPOINT), "midpoint");
+    ck_assert_str_eq(method_name(BDF2), "bdf2");
 }
 
 /* ---- a frame ------------------------------------------------------------- */
@@ -521,6 +556,9 @@ static const struct unit_law laws[] = {
     {"a_failed_step_leaves_the_state", a_failed_step_leaves_the_state},
     {"starts_are_at_rest_where_it_is_held",
      starts_are_at_rest_where_it_is_held},
+    {"a_ripple_has_all_modes_and_is_small",
+     a_ripple_has_all_modes_and_is_small},
+    {"every_method_has_its_word", every_method_has_its_word},
     {"frames_fall_back_or_keep_the_state", frames_fall_back_or_keep_the_state},
     {"the_script_is_gone_through", the_script_is_gone_through},
 };

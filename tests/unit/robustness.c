@@ -239,6 +239,41 @@ static void rest_is_not_the_only_answer(void)
     ck_assert(other > 5 && other < 35);
 }
 
+/* What a method does is in its name; caps as the comment of step.h says. */
+static void methods_are_what_their_names_say(void)
+{
+    static const struct {
+        const char *name;
+        int cap;
+    } method[] = {{"notes", 40}, {"search", 40}, {"demand", 100},
+                  {"demand+search", 2000}, {"always+search", 2000},
+                  {"lift", 40}, {"lift+search", 40}, {"all", 300}};
+    for (int k = 0; k < COUNT(method); k++) {
+        const char *name = method[k].name;
+        const struct step_control c = step_method(name);
+        const int all = strcmp(name, "all") == 0;
+        const int lift = all || strstr(name, "lift");
+        ck_assert_double_eq(c.tolerance, 1e-10);
+        ck_assert_int_eq(c.max_iterations, method[k].cap);
+        ck_assert_int_eq(c.guess, lift ? EXTRAPOLATED : FROM_LAST);
+        ck_assert_int_eq(c.lift, lift);
+        ck_assert_int_eq(c.chord, 0);
+        ck_assert_int_eq(c.line_search, all || strstr(name, "search"));
+        ck_assert_int_eq(c.projection, strstr(name, "always")          ? ALWAYS
+                                       : all || strstr(name, "demand") ? ON_DEMAND
+                                                                       : NEVER);
+    }
+}
+
+static void ask_for_no_method(void) { step_method("noted"); }
+
+static void an_unknown_method_is_an_error(void)
+{
+    const struct outcome end = outcome_of(ask_for_no_method);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.err, "error: there is no method noted\n");
+}
+
 /* What a blow-up ends as is round-off, what a line search meets is not. */
 static void reasons_are_words(void)
 {
@@ -267,6 +302,8 @@ static const struct unit_law laws[] = {
      first_increment_is_linear_elasticity},
     {"any_scramble_comes_to_rest", any_scramble_comes_to_rest},
     {"rest_is_not_the_only_answer", rest_is_not_the_only_answer},
+    {"methods_are_what_their_names_say", methods_are_what_their_names_say},
+    {"an_unknown_method_is_an_error", an_unknown_method_is_an_error},
     {"reasons_are_words", reasons_are_words},
 };
 UNIT_MAIN("robustness", laws)

@@ -362,6 +362,37 @@ static void the_readable_step_finds_the_same_u(void)
     scene_free(s);
 }
 
+/* Its band ends where its entries end, and of what is held it has the identity,
+ * which is its own Cholesky factor. */
+static void the_readable_system_is_banded_and_corrected(void)
+{
+    struct scene *s = scene_of(STRETCH, CUBIC, 3);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.01), *du = vector(s, 1.0);
+    const int width = r->width;
+    int widest = 0;
+    readable_assemble(r, s->v, s->u); /* at rest */
+    for (int i = 0; i < s->n_dof; i++) ck_assert(r->q[i] == 0.0);
+    readable_assemble(r, s->v, u);
+    for (int k = 0; k < s->n_dof * width; k++)
+        if (r->K[k] != 0.0 && k % width > widest) widest = k % width;
+    ck_assert_int_eq(widest, width - 1);
+    for (int d = 1; d < width; d++) /* below the last row */
+        ck_assert(r->K[(s->n_dof - d) * width + d] == 0.0);
+    ck_assert(readable_gsl(r, s->v, u, du));
+    for (int i = 0; i < s->n_dof; i++) {
+        if (!s->held[i / 2]) continue;
+        ck_assert(du[i] == 0.0 && r->K[i * width] == 1.0);
+        for (int d = 1; d < width; d++) {
+            if (i + d < s->n_dof) ck_assert(r->K[i * width + d] == 0.0);
+            if (d <= i) ck_assert(r->K[(i - d) * width + d] == 0.0);
+        }
+    }
+    readable_free(r);
+    free(u), free(du);
+    scene_free(s);
+}
+
 /* It stops where K is not positive definite, and leaves the state alone. */
 static void the_readable_step_stops_at_an_indefinite_K(void)
 {
@@ -399,6 +430,8 @@ static const struct unit_law laws[] = {
      the_largest_free_component_is_found},
     {"doors_report_states_outside", doors_report_states_outside},
     {"the_readable_step_finds_the_same_u", the_readable_step_finds_the_same_u},
+    {"the_readable_system_is_banded_and_corrected",
+     the_readable_system_is_banded_and_corrected},
     {"the_readable_step_stops_at_an_indefinite_K",
      the_readable_step_stops_at_an_indefinite_K},
 };
