@@ -532,6 +532,7 @@ static void the_script_is_gone_through(void)
     ck_assert(!user_next(user));
     /* smoothly: half-way at half the time */
     struct user *other = user_alloc(2, CUBIC, 1.0);
+    ck_assert(other->scene[0]->mesh->X[other->side + 1] == 0.0);
     while (other->t < 0.45 - 1e-9) user_next(other);
     const double s = (other->t - 0.2) / 0.5;
     close_to(other->g[other->side], 0.9 * s * s * (3.0 - 2.0 * s), 1e-12);

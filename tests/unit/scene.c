@@ -100,6 +100,32 @@ static void a_spin_starts_with_its_energy_and_momenta(void)
     scene_free(scene);
 }
 
+/* x = F X + c turning as it is, v = 6 (-x2, x1): int |x|^2 = 4/3 F:F + 4 |c|^2
+ * on the square, and int f.u = f.c, both exactly. */
+static void measures_are_the_integrals(void)
+{
+    const double F[2][2] = {{0.8714, 0.2385}, {-0.1371, 1.1238}};
+    const double c[2] = {0.37, -0.731};
+    struct scene *scene = scene_of(GRAVITY, CUBIC, 3);
+    double squares = 4.0 * (c[0] * c[0] + c[1] * c[1]);
+    for (int r = 0; r < 4; r++)
+        squares += 4.0 / 3.0 * F[r / 2][r % 2] * F[r / 2][r % 2];
+    for (int r = 0; r < scene->n_dof; r++) {
+        const double *X = &scene->mesh->X[r / 2 * 2];
+        const double x = F[r % 2][0] * X[0] + F[r % 2][1] * X[1] + c[r % 2];
+        scene->u[r] = x - X[r % 2];
+        scene->v[r % 2 ? r - 1 : r + 1] = r % 2 ? -6.0 * x : 6.0 * x;
+    }
+    const struct scene_measures m = scene_measure(scene);
+    close_to(m.angular, 6.0 * squares, 1e-12);
+    close_to(m.kinetic, 18.0 * squares, 1e-12);
+    close_to(m.momentum[0], -24.0 * c[1], 1e-12);
+    close_to(m.momentum[1], 24.0 * c[0], 1e-12);
+    close_to(m.external, 200.0 * c[1], 1e-11);
+    close_to(m.min_J, F[0][0] * F[1][1] - F[0][1] * F[1][0], 1e-14);
+    scene_free(scene);
+}
+
 /* Dead load f: the external energy is -f.u and does not forget the sign. */
 static void gravity_pulls_downwards(void)
 {
@@ -413,6 +439,7 @@ static const struct unit_law laws[] = {
     {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
     {"a_spin_starts_with_its_energy_and_momenta",
      a_spin_starts_with_its_energy_and_momenta},
+    {"measures_are_the_integrals", measures_are_the_integrals},
     {"gravity_pulls_downwards", gravity_pulls_downwards},
     {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
     {"scattered_vertices_stay_within_reach",
