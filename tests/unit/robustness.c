@@ -259,9 +259,10 @@ static void methods_are_what_their_names_say(void)
         ck_assert_int_eq(c.lift, lift);
         ck_assert_int_eq(c.chord, 0);
         ck_assert_int_eq(c.line_search, all || strstr(name, "search"));
-        ck_assert_int_eq(c.projection, strstr(name, "always")          ? ALWAYS
-                                       : all || strstr(name, "demand") ? ON_DEMAND
-                                                                       : NEVER);
+        const int demand = all || strstr(name, "demand");
+        ck_assert_int_eq(c.projection, strstr(name, "always") ? ALWAYS
+                                       : demand               ? ON_DEMAND
+                                                              : NEVER);
     }
 }
 
