@@ -97,7 +97,6 @@ static enum status line_search(const struct bar *bar, const double q[],
 {
     double slope = 0.0;
     for (int i = 0; i <= bar->n; i++) slope += q[i] * du[i];
-    if (!(slope < 0.0)) return slope == 0.0 ? OK : NOT_SPD;
 
     /* close to the minimum the energy has no digits left to compare */
     const double noise = 16.0 * DBL_EPSILON * fabs(energy);

@@ -111,12 +111,15 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
     *du_m = 0.0;
     const int open = m < n || !bar->held[1]; /* node m may move */
     const double minus_q = open ? R.P - L.P + b[m] : 0.0;
-    const double y = L.y + R.y + minus_q, s = (L.held ? 1.0 / L.c : 0.0) +
-                                              (R.held ? 1.0 / R.c : 0.0);
+    const double y = L.y + R.y + minus_q;
+    const double k_L = L.held ? 1.0 / L.c : 0.0, k_R = R.held ? 1.0 / R.c : 0.0;
+    const double zero = DBL_EPSILON * (fabs(k_L) + fabs(k_R));
+    const double pivot = k_L + k_R;
     if (!isfinite(y) || !isfinite(L.c) || !isfinite(R.c)) return NONFINITE;
     if (fabs(minus_q) > *max_q) *max_q = fabs(minus_q);
-    if (L.singular || R.singular || (open && s == 0.0)) return NOT_SPD;
-    if (open) *du_m = y / s;
+    if (L.singular || R.singular || (open && fabs(pivot) <= zero))
+        return NOT_SPD;
+    if (open) *du_m = y / pivot;
     return OK;
 }
 

@@ -350,6 +350,39 @@ static void no_tolerance_is_too_small(void)
     }
 }
 
+/* nu = 0, P' = 2 mu (1 - e): two elements with e = 1/2 and 3/2 between ends that
+ * are held, and in the middle k - k, but for the last digit of the one e. */
+static void a_pivot_of_round_off_is_reported(void)
+{
+    for (int s = NEWTON; s < GSL; s++)
+        for (int digit = -1; digit <= 1; digit += 2) {
+            const double b[3] = {0.0, 1.0, 0.0};
+            const struct bar bar = {2, 1.0, {1, 1}, b,
+                                    material_make(CUBIC, 1000.0, 0.0)};
+            const struct newton_control control = {1e-10, 9, 0, 0};
+            double u[3] = {-0.5 - digit * 0x1p-53, 0.0, 1.5};
+            const struct newton_report report = solve(s, &bar, &control, u);
+            ck_assert_int_eq(report.status, NOT_SPD);
+            ck_assert_int_eq(report.iterations, 0);
+        }
+}
+
+static void the_largest_free_entry_is_found(void)
+{
+    enum { n = 4 };
+    for (int ends = 0; ends < 4; ends++) {
+        const struct bar bar = {.n = n, .held = {ends & 1, ends >> 1}};
+        for (int i = 0; i <= n; i++) {
+            const int held = (i == 0 && bar.held[0]) || (i == n && bar.held[1]);
+            double v[n + 1] = {0.5, -0.5, 0.5, -0.5, 0.5};
+            v[i] = -2.385;
+            ck_assert(bar_max_free(&bar, v) == (held ? 0.5 : 2.385));
+            v[i] = NAN;
+            ck_assert(bar_max_free(&bar, v) == (held ? 0.5 : INFINITY));
+        }
+    }
+}
+
 /* A step that is not finite is not made. */
 static void an_infinite_step_is_not_made(void)
 {
@@ -389,6 +422,8 @@ static const struct unit_law laws[] = {
     {"what_round_off_cannot_move_is_stalled",
      what_round_off_cannot_move_is_stalled},
     {"no_tolerance_is_too_small", no_tolerance_is_too_small},
+    {"a_pivot_of_round_off_is_reported", a_pivot_of_round_off_is_reported},
+    {"the_largest_free_entry_is_found", the_largest_free_entry_is_found},
     {"an_infinite_step_is_not_made", an_infinite_step_is_not_made},
     {"a_load_that_is_no_number_is_reported",
      a_load_that_is_no_number_is_reported},
