@@ -1,5 +1,6 @@
 /* body.c - laws of common/mesh.h, body.h and step.h. */
 #include "step.h"
+#include "study.h"
 
 #include "unit.h"
 
@@ -549,6 +550,61 @@ static void a_residual_is_measured_in_metres(void)
     }
 }
 
+/* A square of n = 2 with nu = 0, held on the left and stretched by s, is let go
+ * without inertia: one iteration with or without a line search. */
+enum { SMALL = 2 * 9 };
+static void let_go(struct body *body, double s, int line_search, double u[])
+{
+    const struct step_control once = {1e-10, 1, FROM_LAST, 0, 0,
+                                      line_search, NEVER};
+    const double w[SMALL] = {0.0};
+    for (int r = 0; r < SMALL; r++)
+        u[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+    ck_assert_int_eq(step_solve(body, &once, 1.0, w, NULL, u).status,
+                     MAX_ITERATIONS);
+}
+
+/* Of what the slope promises for the whole step, the part that the energy
+ * falls, less part. */
+struct promise {
+    struct body *body;
+    double part;
+};
+static double fall(double s, void *context)
+{
+    const struct promise *promise = context;
+    struct body *body = promise->body;
+    double u0[SMALL], u[SMALL], q[SMALL], before, after, slope = 0.0;
+    let_go(body, s, 0, u);
+    for (int r = 0; r < SMALL; r++)
+        u0[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+    body_energy(body, u0, &before);
+    body_energy(body, u, &after);
+    body_force(body, u0, q);
+    for (int r = 0; r < SMALL; r++) slope += q[r] * (u[r] - u0[r]);
+    return (after - before) / slope - promise->part;
+}
+
+/* The whole step is taken if and only if the energy falls by 1e-4 of it. */
+static void a_line_search_is_armijos(void)
+{
+    struct body *body = body_of(mesh_square(2), CUBIC, LUMPED, 1);
+    body->rho = 0.0;
+    body->material = material_make(CUBIC, 1000.0, 0.0);
+    for (int enough = 0; enough < 2; enough++) {
+        struct promise promise = {body, enough ? 1.5e-4 : 0.75e-4};
+        const double s = root_of(fall, &promise, 0.4, 0.5);
+        double u[SMALL], searched[SMALL];
+        let_go(body, s, 0, u);
+        let_go(body, s, 1, searched);
+        for (int r = 0; r < SMALL; r++) {
+            const double u0 = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+            close_to(searched[r], enough ? u[r] : 0.5 * (u0 + u[r]), 1e-14);
+        }
+    }
+    free_body(body);
+}
+
 static void the_best_guess_needs_one_factorisation_a_step(void)
 {
     for (int n = 8; n <= 32; n *= 4) {
@@ -703,6 +759,7 @@ static const struct unit_law laws[] = {
     {"projection_clamps_the_eigenvalues", projection_clamps_the_eigenvalues},
     {"states_outside_are_reported", states_outside_are_reported},
     {"dynamics_equal_the_oracle", dynamics_equal_the_oracle},
+    {"a_line_search_is_armijos", a_line_search_is_armijos},
     {"a_residual_is_measured_in_metres", a_residual_is_measured_in_metres},
     {"the_best_guess_needs_one_factorisation_a_step",
      the_best_guess_needs_one_factorisation_a_step},
