@@ -101,6 +101,12 @@ static void stepping_stops_at_the_limit_load(void)
     ck_assert_int_eq(got.status, STALLED);
     close_to(material1_pk1(&m, got.F), 500.0, 1.0);
     ck_assert(got.F < 2.0);
+    for (double p = 503.7; p < 1000.0; p += 37.1) { /* to 2^-10 of the way */
+        const struct stretch_report end =
+            stretch_stepping(&m, p, 0.0, &plain);
+        ck_assert_int_eq(end.status, STALLED);
+        close_to(material1_pk1(&m, end.F), 500.0, p / 1024.0);
+    }
     const struct newton_control short_of = {1e-10, 7, 0, 0};
     const struct stretch_report cut =
         stretch_stepping(&m, 613.7, 0.0, &short_of);
@@ -230,6 +236,10 @@ static void cures_start_where_they_say(void)
             [CURE_SEARCH] = stretch_newton(&log_, p, 1.0 - jump, &search),
             [CURE_START] = stretch_newton(&log_, p, good, &plain),
             [CURE_CUBIC] = stretch_newton(&cubic, p, 1.0 - jump, &plain)};
+        /* where plain Newton arrives one step of the load will do */
+        ck_assert_int_eq(want[CURE_PLAIN].status, OK);
+        ck_assert_int_eq(want[CURE_STEPPING].iterations,
+                         want[CURE_PLAIN].iterations);
         for (int c = 0; c < N_CURE; c++) {
             const struct stretch_report got =
                 stretch_cured((enum cure)c, log_, p, jump, 7, plain);
