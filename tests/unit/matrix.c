@@ -508,6 +508,12 @@ static void backward_error_is_that_of_a_nearby_system(void)
         e * fabs(u[0]) / (DBL_EPSILON * (norm_A * norm_u + norm_b));
     close_to(matrix_backward_error(A, u, b), want, 10.0); /* round-off: eps */
     ck_assert_double_lt(matrix_backward_error(near, u, b), 10.0);
+    /* in other units, powers of 2, the same number */
+    const double error = matrix_backward_error(A, u, b);
+    matrix_zero(near);
+    matrix_combine(near, 0x1p-30, A, near);
+    for (int i = 0; i < n; i++) u[i] *= 0x1p-20, b[i] *= 0x1p-50;
+    ck_assert_double_eq(matrix_backward_error(near, u, b), error);
     u[3] = NAN;
     ck_assert(isnan(matrix_backward_error(A, u, b)));
     matrix_free(A), matrix_free(near);

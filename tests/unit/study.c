@@ -14,6 +14,12 @@ static double cubic(double x, void *shift)
     return x * x * x - *(double *)shift;
 }
 
+/* Of values whose product is no number but 0; falling or rising. */
+static double tiny(double x, void *size)
+{
+    return (x * x * x - 2.385) * *(double *)size;
+}
+
 static double never(double x, void *unused)
 {
     (void)unused;
@@ -34,6 +40,9 @@ static void a_root_is_found_to_the_last_digit(void)
     shift = 8.0; /* at an end */
     ck_assert_double_eq(root_of(cubic, &shift, 1.0, 2.0), 2.0);
     ck_assert_double_eq(root_of(cubic, &shift, 2.0, 3.0), 2.0);
+    ck_assert_double_eq(root_of(cubic, &shift, 2.0, 2.0), 2.0);
+    for (double size = -1e-200; size < 2e-200; size += 2e-200)
+        close_to(root_of(tiny, &size, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
 }
 
 static void ask_without_a_root(void) { root_of(never, NULL, -1.0, 1.0); }
