@@ -126,6 +126,7 @@ score() {
     awk -F '\t' -v file="$file" -v name="$name" -v \
         tried="$(($(cat "$work/0.tried") + $(cat "$work/1.tried")))" \
         -v out="$BUILD/mutants/$name.txt" '
+        BEGIN { printf "" > out }
         function bare(text) { sub(/^ +/, "", text); return text }
         FILENAME == ARGV[1] {
             if (/^why: /) why = substr($0, 6)
@@ -158,7 +159,6 @@ score() {
                 $1, $1, $2, line[$1], indent bare($4) > out
         }
         END {
-            if (!lived && !equivalent) printf "" > out
             real = compiled - equivalent
             printf "  %-26s %6d %8d %10d %6d %5d %6.1f %%\n", name, tried,
                 compiled, equivalent, killed, lived,
