@@ -106,6 +106,11 @@ static void seconds_are_sorted_and_need_a_valid_answer(void)
     ck_assert(isnan(times_best(&t)) && isnan(times_median(&t)));
     for (int i = 0; i < 2 * STUDY_SAMPLES; i++) times_record(&t, 1.0, 1);
     ck_assert_int_eq(t.runs, STUDY_SAMPLES);
+    static struct times full; /* the fastest come last, but for one too many */
+    for (int i = 0; i <= STUDY_SAMPLES; i++)
+        times_record(&full, STUDY_SAMPLES - i, 1);
+    ck_assert_double_eq(times_best(&full), 1.0);
+    ck_assert_double_eq(times_median(&full), (STUDY_SAMPLES + 1) / 2.0);
 }
 
 static void a_machine_is_a_note(void)
