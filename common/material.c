@@ -29,6 +29,14 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
+/* s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near J = 1,
+ * where the series begins, nor of a small J, which s does not know. */
+static double s_minus_r(const struct material *material, double s, double J)
+{
+    if (material->law != LOG) return s * s / 2.0 - s * s * s / 3.0;
+    return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s);
+}
+
 /* G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
  * order about eps, or about J itself. */
 static inline void extended(const struct material *material, double J,
@@ -53,8 +61,7 @@ struct volume material_volume_beyond(const struct material *material, double J,
     return (struct volume){weight * G[1], weight * G[2]};
 }
 
-/* shape + mu s + G(J) with s = J - 1.  s - r is s^2/2 - ... : no digits are
- * lost near rest. */
+/* shape + mu s + G(J) with s = J - 1; see s_minus_r. */
 static double add_volume(const struct material *material, double shape,
                          double J, double s)
 {
@@ -68,9 +75,7 @@ static double add_volume(const struct material *material, double shape,
     struct material like = *material;
     if (material->law == EXTENDED) like.law = LOG;
     const double r = material_r(&like, J).r;
-    const double difference = like.law == LOG ? -gsl_sf_log_1plusx_mx(s)
-                                              : s * s / 2.0 - s * s * s / 3.0;
-    return shape + mu * difference + 0.5 * lambda * r * r;
+    return shape + mu * s_minus_r(&like, s, J) + 0.5 * lambda * r * r;
 }
 
 /* mu/2 (F^2 - 1) = mu e^2/2 + mu e with e = F - 1; see add_volume. */
@@ -110,8 +115,9 @@ double material2_psi(const struct material *material, mat2 F)
         return mu * mat2_dot(eps, eps) + 0.5 * lambda * trace * trace;
     }
     const double s = mat2_trace(H) + mat2_det(H);
-    return add_volume(material, 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H),
-                      1.0 + s, s);
+    const double J = s < -0.5 ? mat2_det(F) : 1.0 + s;
+    return add_volume(material, 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H), J,
+                      s);
 }
 
 mat2 material2_pk1(const struct material *material, mat2 F)

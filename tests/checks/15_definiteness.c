@@ -505,11 +505,11 @@ static void numbers_are_the_oracles(void)
         const char *want = oracle_column[k].stable ? "OK" : "SADDLE";
         expect(strcmp(word(out, "column", "status", 0), want) == 0,
                "80 x 8, e = %g, notes: %s", oracle_column[k].e, want);
-        expect_close(cell(out, "column", "energy", 0), oracle_column[k].straight,
-                     1e-11, 1.0, "80 x 8, e = %g, straight: energy",
+        expect_close(cell(out, "column", "energy", 0),
+                     oracle_column[k].straight, 1e-11, 1.0, "80 x 8, e = %g, straight: energy",
                      oracle_column[k].e);
-        expect_close(cell(out, "column", "energy", 3), oracle_column[k].buckled,
-                     1e-11, 1.0, "80 x 8, e = %g, pushed: energy",
+        expect_close(cell(out, "column", "energy", 3),
+                     oracle_column[k].buckled, 1e-11, 1.0, "80 x 8, e = %g, pushed: energy",
                      oracle_column[k].e);
         if (oracle_column[k].out >= 0.0)
             expect_close(cell(out, "column", "deflection", 3),
