@@ -88,8 +88,6 @@ static enum status descend(struct body *body, double q[], double du[],
             RELEASE_TOLERANCE * material_modulus(&body->material);
     if (*done) return OK;
     release_shift(body);
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        if (body->equation[r] < 0) q[r] = 0.0; /* what holds does no work */
     status = body_increment(body, body->K, q, du);
     return status == OK ? release_search(body, q, du, u) : status;
 }
