@@ -1,10 +1,10 @@
 /*
  * walks.c - what does each Newton's method end in when the column is pressed?
  *
- * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while it
- * is straight.  Table: linear systems (400 at most), deflection of the middle,
- * energy, elements with a negative eigenvalue; SADDLE: converged, and K there is
- * not positive definite.
+ * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while
+ * it is straight.  Table: linear systems (400 at most), deflection of the
+ * middle, energy, elements with a negative eigenvalue; SADDLE: converged, and K
+ * there is not positive definite.
  */
 #include "modes.h"
 #include "scene.h"
