@@ -398,6 +398,7 @@ static void projected_directions_lead_downhill(void)
         expect_solved(s, m == NEVER ? EXACT : PROJECTED, &found, how[m]);
         expect(found.definite == 0, "%s: K of the straight column at e = 0.05 "
                "is not positive definite, *definite says it is", how[m]);
+        expect(step_certify(s->body, 1.0, s->u) == SADDLE, "step.h disagrees");
         expect((found.slope > 0.0) == (m == NEVER), "%s: du.q = %g", how[m],
                found.slope);
     }
@@ -427,6 +428,8 @@ static void newton_leaves_the_saddle(void)
            "ON_DEMAND from a bent column: %d systems, K was not positive "
            "definite %d times, at the end it is %s", systems, passed,
            definite ? "so" : "not so");
+    expect(step_certify(s->body, 1.0, s->u) == OK, "step.h does not call the "
+           "buckled column a minimum");
     body_energy(s->body, s->u, &energy);
     expect_close(energy, at_start[1], 1e-9, 1.0, "energy of the buckled column "
                  "(straight: %g)", at_start[0]);
