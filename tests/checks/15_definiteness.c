@@ -509,11 +509,11 @@ static void numbers_are_the_oracles(void)
         expect(strcmp(word(out, "column", "status", 0), want) == 0,
                "80 x 8, e = %g, notes: %s", oracle_column[k].e, want);
         expect_close(cell(out, "column", "energy", 0),
-                     oracle_column[k].straight, 1e-11, 1.0, "80 x 8, e = %g, straight: energy",
-                     oracle_column[k].e);
+                     oracle_column[k].straight, 1e-11, 1.0,
+                     "80 x 8, e = %g, straight: energy", oracle_column[k].e);
         expect_close(cell(out, "column", "energy", 3),
-                     oracle_column[k].buckled, 1e-11, 1.0, "80 x 8, e = %g, pushed: energy",
-                     oracle_column[k].e);
+                     oracle_column[k].buckled, 1e-11, 1.0,
+                     "80 x 8, e = %g, pushed: energy", oracle_column[k].e);
         if (oracle_column[k].out >= 0.0)
             expect_close(cell(out, "column", "deflection", 3),
                          oracle_column[k].out, 1e-6, 1.0,
@@ -577,8 +577,8 @@ static const struct lesson lesson = {
     "K of the body is positive definite up to the load at which it buckles "
     "(figures/15_definiteness/bifurcation.svg). And where it is not, Newton's "
     "method converges all the same, and says nothing.",
-    "Let direction() say that K is positive definite whenever the projected one "
-    "is. Which rows of table `column` change, and which of them would you have "
+    "Let direction() say that K is positive definite whenever the projected "
+    "one is. Which rows of table `column` change, and which of them would you have "
     "believed?"};
 
 int main(int argc, char *argv[])
