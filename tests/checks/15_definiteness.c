@@ -578,8 +578,8 @@ static const struct lesson lesson = {
     "(figures/15_definiteness/bifurcation.svg). And where it is not, Newton's "
     "method converges all the same, and says nothing.",
     "Let direction() say that K is positive definite whenever the projected "
-    "one is. Which rows of table `column` change, and which of them would you have "
-    "believed?"};
+    "one is. Which rows of table `column` change, and which of them would you "
+    "have believed?"};
 
 int main(int argc, char *argv[])
 {
