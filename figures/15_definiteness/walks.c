@@ -1,10 +1,10 @@
 /*
  * walks.c - what does each Newton's method end in when the column is pressed?
  *
- * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while it
- * is straight.  Table: linear systems (400 at most), deflection of the middle,
- * energy, elements with a negative eigenvalue; SADDLE: converged, and K there is
- * not positive definite.
+ * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while
+ * it is straight.  Table: linear systems (400 at most), deflection of the
+ * middle, energy, elements with a negative eigenvalue; SADDLE: converged, and K
+ * there is not positive definite.
  */
 #include "modes.h"
 #include "scene.h"
@@ -41,8 +41,8 @@ static int negative_elements(const struct scene *s)
 {
     int count = 0;
     for (int t = 0; t < s->mesh->n_triangle; t++)
-        count += modes_at(&s->body->material,
-                          body_deformation(s->body, s->u, t)).value[TWIST] < 0.0;
+        count += modes_at(&s->body->material, body_deformation(
+                              s->body, s->u, t)).value[TWIST] < 0.0;
     return count;
 }
 

@@ -1,5 +1,5 @@
-/* modes.c - laws of common/modes.h, and of what Lecture 3 has in mesh.h, body.h,
- * scene.h, step.h: the column, and balance that is no minimum. */
+/* modes.c - laws of common/modes.h, and of what Lecture 3 has in mesh.h,
+ * body.h, scene.h, step.h: the column, and balance that is no minimum. */
 #include "modes.h"
 #include "scene.h"
 
