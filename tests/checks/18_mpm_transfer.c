@@ -488,6 +488,39 @@ static void angular_counts_points_and_their_turning(void)
     }
 }
 
+/* What the later lessons use, with your kernel in your half: all nodes, all
+ * particles, after a kick. */
+static void all_agrees_with_the_library(void)
+{
+    for (int order = 1; order <= 3; order++)
+        for (int how = PIC; how <= APIC; how++) {
+            const char *name = transfer_name((enum transfer)how);
+            struct pair s = seven(order, how == APIC);
+            struct pair want = seven(order, how == APIC);
+            s.grid->kernel = weights;
+            library_p2g(want, 1);
+            expect(p2g(s.p, s.grid) == OK, "P2G must return OK");
+            grid_kick(s.grid, oracle_kick, oracle_kick_w);
+            for (int r = 0; r < 2 * s.grid->n_node; r++)
+                expect_close(s.grid->v[r], want.grid->v[r], 1e-10, 1.0,
+                             "order %d, %s: velocity of node %d", order, name,
+                             r / 2);
+            expect(g2p(s.grid, (enum transfer)how, 0.1, s.p) == OK &&
+                       grid_g2p(want.grid, (enum transfer)how, 0.1, want.p) ==
+                           OK, "G2P must return OK");
+            for (int r = 0; r < 2 * SEVEN; r++) {
+                expect_close(s.p->x[r], want.p->x[r], ORACLE, 1.0,
+                             "order %d, %s: x of particle %d", order, name,
+                             r / 2);
+                expect_close(s.p->v[r], want.p->v[r], ORACLE, 1.0,
+                             "order %d, %s: v of particle %d", order, name,
+                             r / 2);
+            }
+            pair_free(s);
+            pair_free(want);
+        }
+}
+
 static void spin_is_the_oracles(void)
 {
     for (int k = 2; k < 4; k++) {
@@ -529,6 +562,7 @@ static const struct claim claims[] = {
     {"transfers_are_the_oracles", transfers_are_the_oracles, "18c"},
     {"angular_counts_points_and_their_turning",
      angular_counts_points_and_their_turning, "18d"},
+    {"all_agrees_with_the_library", all_agrees_with_the_library, NULL},
     {"spin_is_the_oracles", spin_is_the_oracles, NULL},
 };
 
