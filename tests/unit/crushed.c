@@ -136,7 +136,8 @@ static void a_body_takes_every_law(void)
         ck_assert(body_force(body, u, q) == OK);
         for (int r = 0; r < 6; r++)
             close_to(q[r], area * (P.m[r % 2][0] * g[r / 2 * 2] +
-                                   P.m[r % 2][1] * g[r / 2 * 2 + 1]), 1e-11 * E);
+                                   P.m[r % 2][1] * g[r / 2 * 2 + 1]),
+                     1e-11 * E);
         struct matrix *K = body_matrix(body);
         ck_assert(body_stiffness(body, u, K) == OK);
         for (int r = 2; r < 6; r++) {
