@@ -193,8 +193,8 @@ static void work_tells_a_gradient(void)
         area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
     }
     close_to(circuit_work(turning, NULL, 4, corner), area, 1e-14);
-    close_to(circuit_work(turning, NULL, 3, corner), 0.5 * (2.0 * 1.7385 - 0.75),
-             1e-14);
+    close_to(circuit_work(turning, NULL, 3, corner),
+             0.5 * (2.0 * 1.7385 - 0.75), 1e-14);
     close_to(circuit_work(gradient, &scale, 4, corner), 0.0, 1e-12);
 }
 
@@ -311,7 +311,7 @@ static void random_places_are_splitmix64(void)
     mesh_free(mesh);
 }
 
-/* The six triangles round the middle with angles of 120 degrees: twice round. */
+/* Six triangles round the middle with angles of 120 degrees: twice round. */
 static void a_winding_is_counted(void)
 {
     struct mesh *mesh = mesh_square(2);
