@@ -130,6 +130,11 @@ static inline mat2 deformation(const struct body *body, const double u[], int e)
     return F;
 }
 
+mat2 body_deformation(const struct body *body, const double u[], int e)
+{
+    return deformation(body, u, e);
+}
+
 /* int N_a N_b / area of a triangle, or its row sums [eq:mass]. */
 static double mass_share(enum mass mass, int a, int b)
 {
@@ -148,6 +153,7 @@ enum status body_energy(const struct body *body, const double u[],
             return isnan(J) ? NONFINITE : INVERTED;
         *energy += body->area[e] * material2_psi(&body->material, F);
     }
+    if (body->add) body->add(body, 1.0, u, NO_TANGENT, energy, NULL);
     return isfinite(*energy) ? OK : NONFINITE;
 }
 
@@ -328,6 +334,7 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         else
             add_projected(s, g, c, F, &body->place[6 * e], stride, entries);
     }
+    if (body->add) body->add(body, dt, u, tangent, NULL, q);
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;
     return OK;
