@@ -89,12 +89,13 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
 static void print_law(const struct fibre *fibre)
 {
     const struct fibre passive = {MUSCLE, fibre->k, 0.0, fibre->width, 0.0};
+    const struct fibre cord = {CORD, 2000.0, fibre->sigma, 0.5, 0.0};
     const mat2 F = {{{1.17, 0.23}, {-0.31, 0.88}}};
-    table_begin("force_length", "l passive active T dT W");
+    table_begin("force_length", "l passive active T dT W cord_T");
     for (int i = 8; i <= 32; i++) {
-        const struct tension t = tension(fibre, i / 20.0);
-        const double taut = tension(&passive, i / 20.0).T;
-        table_row(i / 20.0, taut, t.T - taut, t.T, t.dT, t.W);
+        const double l = i / 20.0, taut = tension(&passive, l).T;
+        const struct tension t = tension(fibre, l);
+        table_row(l, taut, t.T - taut, t.T, t.dT, t.W, tension(&cord, l).T);
     }
     table_end();
     table_begin("law", "angle activation l T dT T_l P11 P12 P21 P22");
@@ -214,7 +215,6 @@ int main(int argc, char *argv[])
 {
     int law = 1;
     double load = 0.0, bend = -45.0;
-    struct scene_setting set = scene_notes(GRAVITY, CUBIC, 8);
     struct fibre muscle = fibre_muscle(1.0);
     const struct option options[] = {
         {"law", .choice = &law, .choices = "log cubic", .help = "r"},
@@ -229,7 +229,7 @@ int main(int argc, char *argv[])
     };
     options_parse("17_fibres", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
-    set.law = law ? CUBIC : LOG;
+    struct scene_setting set = scene_notes(GRAVITY, law ? CUBIC : LOG, 8);
     set.rho = set.force = 0.0;
     struct scene *s = scene_alloc(&set);
     double *angle = fibres_bent(s->mesh, 0.0, bend);
