@@ -1,7 +1,7 @@
 /*
  * body.h - a two-dimensional elastic body: energy, residual, tangent, fast.
  *
- * Linear triangles on the square of mesh.h; u and v are flat, component i of
+ * Linear triangles on a rectangle of mesh.h; u and v are flat, component i of
  * vertex a at [2a + i].  With f the nodal forces (body force and tractions
  * integrated against N_a), rho the density, F_e = I + sum_a u_a (x) grad N_a:
  *
@@ -18,7 +18,8 @@
  *
  * Only free vertices have equations.  They are numbered row by row from right
  * to left, so that the diagonals of the mesh do not widen the band: half
- * bandwidth 2 n - 1 with both ends prescribed.
+ * bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer than
+ * the columns it is by columns from the top down: 2 rows + 3.
  *
  * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
  * dpsi = mu (F:dF) + G' (cof F:dF), G' = (lambda r - mu) r', G'' its derivative

@@ -1,5 +1,5 @@
 /*
- * fibre.h - one preferred direction: what a fibre pulls, and a body full of them.
+ * fibre.h - one preferred direction: what fibres pull, and a body full of them.
  *
  * At rest a fibre lies along the unit vector g.  In the deformed body it lies
  * along n = F g / l, and l = |F g| is its stretch.  Its energy W(l) gives

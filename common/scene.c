@@ -1,6 +1,7 @@
 /* scene.c - see scene.h. */
 #include "scene.h"
 
+#include <assert.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +19,17 @@ struct scene_setting scene_notes(enum reading reading, enum law law, int n)
     return (struct scene_setting){.reading = reading, .n = n, .law = law,
                                   .mass = CONSISTENT, .E = 1000.0, .nu = 0.3,
                                   .rho = 1.0, .dt = 1.0 / 30.0, .reach = 1.0,
-                                  .force = 50.0, .spin = 6.0};
+                                  .force = 50.0, .spin = 6.0, .slender = 1};
+}
+
+struct scene_setting scene_column(enum law law, int n, double e)
+{
+    struct scene_setting set = scene_notes(COMPRESS, law, n);
+    set.slender = 10;
+    set.rho = 0.0;
+    set.dt = 1.0;
+    set.reach = e;
+    return set;
 }
 
 /* f_a = int density N_a + int over the right end of traction N_a: a third of
@@ -35,7 +46,7 @@ static void nodal_forces(struct scene *scene)
                 scene->f[2 * mesh->triangle[3 * e + a] + i] +=
                     area / 3.0 * scene->density[i];
     }
-    for (int j = 0; j < n; j++) /* edges of length 2/n */
+    for (int j = 0; j < mesh->rows; j++) /* edges of length 2/n */
         for (int end = 0; end < 2; end++)
             for (int i = 0; i < 2; i++)
                 scene->f[2 * ((j + end) * (n + 1) + n) + i] +=
@@ -45,7 +56,9 @@ static void nodal_forces(struct scene *scene)
 struct scene *scene_alloc(const struct scene_setting *set)
 {
     struct scene *scene = allocate(1, sizeof *scene);
-    struct mesh *mesh = mesh_square(set->n);
+    assert(set->n % set->slender == 0);
+    struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,
+                                       1.0 / set->slender);
     const size_t n_dof = 2 * (size_t)mesh->n_vertex;
     const int n = set->n;
 

@@ -208,11 +208,20 @@ struct step_report step_solve(struct body *body,
     return report;
 }
 
+enum status step_certify(struct body *body, double dt, const double u[])
+{
+    double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
+    enum status status = body_assemble(body, dt, u, NULL, u, EXACT, q);
+    if (status == OK && matrix_factor(body->K) != OK) status = SADDLE;
+    free(q);
+    return status;
+}
+
 void step_boundary(const struct body *body, const double g[], int lift,
                    double u[])
 {
     const int n = body->mesh->n;
-    for (int j = 0; j <= n; j++)
+    for (int j = 0; j <= body->mesh->rows; j++)
         for (int k = 0; k < 2; k++) {
             const int left = 2 * j * (n + 1) + k, right = left + 2 * n;
             const int held[2] = {body->equation[left] < 0,

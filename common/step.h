@@ -78,6 +78,13 @@ struct step_report step_solve(struct body *body,
                               const double w[], const double f[], double u[]);
 
 /*
+ * Converged is not stable.  At the u that step_solve() ends in, K is factored
+ * once more [alg:certify]: OK when it is positive definite, so that Phi has a
+ * minimum there, else SADDLE; statuses of body_energy() where u has no K.
+ */
+enum status step_certify(struct body *body, double dt, const double u[]);
+
+/*
  * Write the boundary values g (read at prescribed vertices only) into the guess
  * u.  With lift the jump g - u is carried on into the body, linearly in X1
  * between the prescribed ends of each row, constant beyond one [eq:lift-2d]:

@@ -123,6 +123,7 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(NOT_SPD), "NOT_SPD");
     ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
+    ck_assert_str_eq(status_name(SADDLE), "SADDLE");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
 }
 
