@@ -16,8 +16,9 @@
  *     CORD    T = k (l - 1) + a sigma               the linear model of both
  *                                                   [eq:force-length]
  *
- * Source: for the force-length curve Zajac, Crit. Rev. Biomed. Eng. 17 (1989);
- * the parabola is the least curve that has its limbs.
+ * Source: Holzapfel, Nonlinear Solid Mechanics, sec. 6.7, for P and dP; Gordon,
+ * Huxley & Julian, J. Physiol. 184 (1966), for the curve, of which the parabola
+ * is the least one that has its limbs.
  */
 #ifndef COMMON_FIBRE_H
 #define COMMON_FIBRE_H
