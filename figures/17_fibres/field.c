@@ -2,10 +2,9 @@
  * field.c - what does a bent muscle do when it is activated?
  *
  * A block (-1, 1) x (-1/2, 1/2) m of the cubic law, its fibres bent along X1 by
- * -45 degrees per metre, activated from 0 to 1 in ten steps; the left end held,
- * or both.  Tables: history (root mean square of the angle; force on the right
- * end, u of its middle), fibres (pieces in place, their stretch), outline; the
- * block is at rest, or fully activated with both ends held, or the left one.
+ * -45 degrees per metre, activated from 0 to 1 in ten steps; both ends held, or
+ * the left one.  Tables: history (root mean square of the angle; force on the
+ * right end, u of its middle), fibres (pieces in place, stretch), outline.
  */
 #include "fibre.h"
 #include "scene.h"
@@ -104,7 +103,8 @@ int main(void)
     table_begin("outline", "block x y");
     for (int b = 0; b < 3; b++) print_outline(name[b], block[b]);
     table_end();
-
+    for (int b = 0; b < 3; b++) scene_free(block[b]);
+    free((void *)fibres.angle);
     claim(stable == 2, "both states are stable");
     claim(fabs(bend[1][0] - 26.0) < 0.1 && fabs(bend[1][STEPS] - 18.5) < 0.1 &&
               fabs(bend[2][STEPS] - 21.0) < 0.1,

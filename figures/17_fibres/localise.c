@@ -106,6 +106,8 @@ int main(void)
     }
     table_end();
     measure(s[0], &fibres, &share[0]);
+    for (int m = 0; m < 2; m++) scene_free(s[m]);
+    free((void *)fibres.angle);
 
     claim(fabs(fails - peak) < 0.03, "the line search ends with NOT_SPD at %g, "
           "near the peak of the uniform strip, %g", fails, peak);
