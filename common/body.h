@@ -81,10 +81,8 @@ enum status body_energy(const struct body *body, const double u[],
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);
 
-/* F = I + sum_a u_a (x) grad N_a of triangle e [eq:deformation-gradient]. */
+/* F of triangle e; the least det F of all triangles. */
 mat2 body_deformation(const struct body *body, const double u[], int e);
-
-/* The least det F of all triangles. */
 double body_min_J(const struct body *body, const double u[]);
 
 /* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as

@@ -2,9 +2,11 @@
 #include "scene.h"
 
 #include <assert.h>
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *scene_name(enum reading reading)
 {
@@ -114,6 +116,18 @@ void scene_hold(struct scene *scene, double t)
         if (reading == COMPRESS) g[0] = -X1 * s;
         if (reading == STEADY) g[0] = scene->set.reach * t * sin(1.0);
     }
+}
+
+void scene_press(struct scene *scene, double e, double push)
+{
+    scene->set.reach = e;
+    scene_hold(scene, M_PI_2); /* sin t = 1 */
+    memset(scene->u, 0, (size_t)scene->n_dof * sizeof *scene->u);
+    step_boundary(scene->body, scene->g, 1, scene->u);
+    for (int y = 1; y < scene->n_dof; y += 2)
+        if (!scene->held[y / 2])
+            scene->u[y] +=
+                0.5 * push * (1.0 + cos(M_PI * scene->mesh->X[y - 1]));
 }
 
 struct step_report scene_step(struct scene *scene,

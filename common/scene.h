@@ -72,6 +72,10 @@ void scene_free(struct scene *scene);
 /* g := the prescribed values at time t (0 where nothing is held). */
 void scene_hold(struct scene *scene, double t);
 
+/* u := the ends of a column moved inwards by e, the rest in proportion, and
+ * pushed sideways, by `push` in the middle (m). */
+void scene_press(struct scene *scene, double e, double push);
+
 /* The next step of backward Euler of step.h.  u, v and steps stay as they are
  * when the status is not OK. */
 struct step_report scene_step(struct scene *scene,

@@ -101,6 +101,23 @@ static enum status line_search(const struct body *body, double dt,
     return STALLED;
 }
 
+enum status step_search(const struct body *body, double dt, const double w[],
+                        const double f[], const double q[], const double du[],
+                        double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *memory = allocate(5 * n_dof, sizeof *memory);
+    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+                              memory + 3 * n_dof};
+    int halved;
+    memcpy(work.q, q, n_dof * sizeof *q);
+    memcpy(work.du, du, n_dof * sizeof *du);
+    const enum status status =
+        line_search(body, dt, w, f, work, u, &halved);
+    free(memory);
+    return status;
+}
+
 /*
  * Factor K, which has been assembled at u.  When it is not SPD: project it, or
  * (*as_it_is) leave it assembled for matrix_solve_indefinite(), or give up.

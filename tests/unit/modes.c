@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_eigen.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const mat2 states[] = {
@@ -179,6 +180,24 @@ static void the_lift_goes_through_a_column(void)
         close_to(scene->u[2 * a], -0.036 * scene->mesh->X[2 * a], 1e-15);
         close_to(scene->u[2 * a + 1], 0.0, 1e-15);
     }
+    for (int e = 0; e < scene->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(scene->body, scene->u, e);
+        const mat2 want = {{{1.0 - 0.036, 0.0}, {0.0, 1.0}}};
+        close_to(mat2_norm(mat2_subtract(F, want)), 0.0, 1e-13);
+    }
+    scene_free(scene);
+}
+
+static void a_column_is_pressed_and_pushed(void)
+{
+    struct scene *scene = column(0.0);
+    for (int r = 0; r < scene->n_dof; r++) scene->u[r] = sin(r);
+    scene_press(scene, 0.036, 0.007);
+    for (int a = 0; a < scene->mesh->n_vertex; a++) {
+        const double X = scene->mesh->X[2 * a], half = cos(acos(0.0) * X);
+        close_to(scene->u[2 * a], -0.036 * X, 1e-15);
+        close_to(scene->u[2 * a + 1], 0.007 * half * half, 1e-15);
+    }
     scene_free(scene);
 }
 
@@ -197,6 +216,32 @@ static void traction_pulls_a_column_by_its_end(void)
 
 /* Straight columns: energies and definiteness of an independent computation
  * (double precision, scipy). */
+/* With a direction that is ten times too long the length is an eighth, or
+ * less; the energy is lower; uphill nothing is found. */
+static void a_search_goes_down_the_line(void)
+{
+    struct scene *scene = column(0.02);
+    double *q = allocate(2 * (size_t)scene->n_dof, sizeof *q), before, after;
+    double *du = q + scene->n_dof;
+    scene_press(scene, 0.02, 1e-3);
+    body_assemble(scene->body, 1.0, scene->u, NULL, scene->u, PROJECTED, q);
+    ck_assert_int_eq(body_increment(scene->body, scene->body->K, q, du), OK);
+    for (int r = 0; r < scene->n_dof; r++) du[r] *= 10.0;
+    body_energy(scene->body, scene->u, &before);
+    ck_assert_int_eq(step_search(scene->body, 1.0, scene->u, NULL, q, du,
+                                 scene->u), OK);
+    body_energy(scene->body, scene->u, &after);
+    ck_assert(after < before - 1e-6);
+    body_assemble(scene->body, 1.0, scene->u, NULL, scene->u, NO_TANGENT, q);
+    for (int r = 0; r < scene->n_dof; r++) du[r] = 1e-3 * q[r];
+    for (int a = 0; a < scene->mesh->n_vertex; a++)
+        if (scene->held[a]) du[2 * a] = du[2 * a + 1] = 0.0;
+    ck_assert_int_eq(step_search(scene->body, 1.0, scene->u, NULL, q, du,
+                                 scene->u), STALLED);
+    free(q);
+    scene_free(scene);
+}
+
 static void converged_is_not_stable(void)
 {
     const struct {
@@ -233,7 +278,9 @@ static const struct unit_law laws[] = {
     {"a_rectangle_fills_its_box", a_rectangle_fills_its_box},
     {"a_column_is_numbered_across", a_column_is_numbered_across},
     {"the_lift_goes_through_a_column", the_lift_goes_through_a_column},
+    {"a_column_is_pressed_and_pushed", a_column_is_pressed_and_pushed},
     {"traction_pulls_a_column_by_its_end", traction_pulls_a_column_by_its_end},
+    {"a_search_goes_down_the_line", a_search_goes_down_the_line},
     {"converged_is_not_stable", converged_is_not_stable},
 };
 
