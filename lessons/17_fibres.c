@@ -105,11 +105,11 @@ static void add_fibres(const struct body *body, double dt, const double u[],
     /* END 17c */
 }
 
+enum { CAP = 40 }; /* linear systems of two equations, at most */
 /* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
  * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
  * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
  * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
-enum { CAP = 40 };
 static enum status strip(const struct material *material,
                          const struct fibre *fibre, double load, double x[2])
 {

@@ -157,11 +157,11 @@ static void add_fibres(const struct body *body, double dt, const double u[],
     /* END 17c */
 }
 
+enum { CAP = 40 }; /* linear systems of two equations, at most */
 /* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
  * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
  * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
  * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
-enum { CAP = 40 };
 static enum status strip(const struct material *material,
                          const struct fibre *fibre, double load, double x[2])
 {
@@ -171,20 +171,19 @@ static enum status strip(const struct material *material,
     /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
      * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
     for (int k = 0; k <= CAP; k++) {
-        const mat2 d[2] = {{{{1.0, 0.0}, {0.0, 0.0}}},
-                           {{{0.0, 0.0}, {0.0, 1.0}}}};
+        const mat2 dl = {{{1.0}}}, dw = {{{0.0}, {0.0, 1.0}}};
         const mat2 F = {{{x[0], 0.0}, {0.0, x[1]}}};
         mat2 P, dP;
         if (!material_defined(material, mat2_det(F))) return INVERTED;
-        stress(fibre, g, F, d[0], EXACT, &P, &dP);
+        stress(fibre, g, F, dl, EXACT, &P, &dP);
         P = mat2_add(material2_pk1(material, F), P);
-        dP = mat2_add(material2_dpk1(material, F, d[0]), dP);
+        dP = mat2_add(material2_dpk1(material, F, dl), dP);
         const double q[2] = {P.m[0][0] - load, P.m[1][1]};
         if (!isfinite(q[0]) || !isfinite(q[1])) return NONFINITE;
         if (fmax(fabs(q[0]), fabs(q[1])) <= enough) return OK;
         if (k == CAP) break;
         const double a = dP.m[0][0], b = dP.m[1][1];
-        const double c = material2_dpk1(material, F, d[1]).m[1][1];
+        const double c = material2_dpk1(material, F, dw).m[1][1];
         if (!(a > 0.0) || !(a * c > b * b)) return NOT_SPD;
         x[0] -= (c * q[0] - b * q[1]) / (a * c - b * b);
         x[1] -= (a * q[1] - b * q[0]) / (a * c - b * b);
