@@ -183,6 +183,7 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
     ck_assert_str_eq(status_name(INVERTED), "INVERTED");
     ck_assert_str_eq(status_name(STALLED), "STALLED");
+    ck_assert_str_eq(status_name(SADDLE), "SADDLE");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
     ck_assert_str_eq(status_name(OUTSIDE), "OUTSIDE");
 }
