@@ -9,7 +9,8 @@ const char *status_name(enum status status)
 {
     static const char *const name[] = {
         "OK",       "NOT_SPD", "INCOMPATIBLE", "NONFINITE",
-        "INVERTED", "STALLED", "SADDLE",       "MAX_ITERATIONS"};
+        "INVERTED", "STALLED", "SADDLE",       "MAX_ITERATIONS",
+        "OUTSIDE"};
     return name[status];
 }
 

@@ -19,7 +19,8 @@ enum status {
     INVERTED,     /* det F left the domain of the material */
     STALLED,      /* no step makes progress, and the residual is not small */
     SADDLE,       /* in balance, but not a minimum: K is not SPD there */
-    MAX_ITERATIONS
+    MAX_ITERATIONS,
+    OUTSIDE       /* a particle is where the grid has no nodes for it */
 };
 
 /* The status as the word that programs print: "OK", "NOT_SPD", ... */

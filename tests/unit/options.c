@@ -187,6 +187,7 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(INVERTED), "INVERTED");
     ck_assert_str_eq(status_name(STALLED), "STALLED");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
+    ck_assert_str_eq(status_name(OUTSIDE), "OUTSIDE");
 }
 
 static void clock_moves_and_machine_has_a_name(void)
