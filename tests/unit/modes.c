@@ -129,7 +129,7 @@ static void projected_stress_clamps_the_eigenvalues(void)
         }
 }
 
-/* ---- the column ----------------------------------------------------------- */
+/* ---- the column ---------------------------------------------------------- */
 
 static void a_rectangle_fills_its_box(void)
 {
