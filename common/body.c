@@ -156,6 +156,7 @@ enum status body_energy(const struct body *body, const double u[],
             return isnan(J) ? NONFINITE : INVERTED;
         *energy += body->area[e] * material2_psi(&body->material, F);
     }
+    if (body->add) body->add(body, 1.0, u, NO_TANGENT, energy, NULL);
     return isfinite(*energy) ? OK : NONFINITE;
 }
 
@@ -299,6 +300,7 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         else
             add_projected(s, g, c, F, &body->place[6 * e], stride, entries);
     }
+    if (body->add) body->add(body, dt, u, tangent, NULL, q);
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;
     return OK;

@@ -36,6 +36,17 @@
 #include "mesh.h"
 
 enum mass { CONSISTENT, LUMPED };
+enum tangent { NO_TANGENT, EXACT, PROJECTED };
+
+/*
+ * What a body has besides its material, fibres for example (fibre.h), adds its
+ * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
+ * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.
+ */
+struct body;
+typedef void body_addition(const struct body *body, double dt,
+                           const double u[], enum tangent tangent,
+                           double *energy, double q[]);
 
 struct body {
     const struct mesh *mesh;  /* borrowed */
@@ -51,6 +62,8 @@ struct body {
                        * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
                        * element begin; -1: a vertex is prescribed */
     struct matrix *K; /* tangent of the free unknowns, banded */
+    body_addition *add; /* NULL, from body_alloc(): nothing besides */
+    const void *added;  /* what add needs; borrowed */
 };
 
 /*
@@ -102,8 +115,6 @@ double body_max_free(const struct body *body, const double v[]);
  */
 enum status body_increment(const struct body *body, struct matrix *A,
                            const double q[], double du[]);
-
-enum tangent { NO_TANGENT, EXACT, PROJECTED };
 
 /*
  * q at u, of all vertices (at prescribed ones it is what holds them), and K of
