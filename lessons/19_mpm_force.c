@@ -27,7 +27,7 @@
 /* A particle whose nodes have moved. */
 struct moved {
     struct support s;
-    mat2 F_n, F_hat, F; /* F_n is its own, as at t^n */
+    mat2 F_hat, F_n, F; /* F_n is its own, as at t^n */
 };
 static enum status move(const struct particle_body *body, int p,
                         const double u[], struct moved *m);
