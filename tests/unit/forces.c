@@ -55,6 +55,18 @@ static int node_at(const int cell[2])
     return (cell[1] + 2) * 11 + cell[0] + 2;
 }
 
+/* The oracle's places of the node (2, 2), and no node goes far. */
+static void nodes_are_shaken_as_the_oracles(void)
+{
+    struct scene s = seven(2, CUBIC);
+    const int a = node_at((int[]){2, 2});
+    close_to(2 * H + s.u[2 * a], 0.7117062685827552, 1e-15);
+    close_to(2 * H + s.u[2 * a + 1], 0.7273313924677899, 1e-15);
+    for (int r = 0; r < DOF; r++)
+        ck_assert_double_le(fabs(s.u[r]), 0.5 * 0.35 * H);
+    scene_free(&s);
+}
+
 /* Relative to forces of size 50 and entries of K of size 500; the oracle has 16
  * digits, and sums of ten terms lose two of them. */
 static void forces_are_the_oracles(void)
@@ -104,6 +116,8 @@ static void forces_balance(void)
             close_to(one.force[0], 0.0, 1e-300);
             close_to(one.force[1], 2.0, 1e-300);
             close_to(one.torque, 2.0 * (x[0] + s.u[100]), 1e-14);
+            for (int r = 0; r < DOF; r++) f[r] = r == DOF - 1 ? 2.0 : 0.0;
+            close_to(grid_balance(s.grid, s.u, f).force[1], 2.0, 1e-300);
             scene_free(&s);
         }
 }
@@ -141,6 +155,7 @@ static void three_forms_are_one_force(void)
         for (enum law law = LOG; law <= CUBIC; law++) {
             struct scene s = seven(order, law);
             double f[DOF], cauchy[DOF], slope[DOF];
+            for (int r = 0; r < DOF; r++) f[r] = cauchy[r] = slope[r] = NAN;
             ck_assert(particle_force(&s.body, s.u, f) == OK);
             ck_assert(particle_cauchy_force(&s.body, s.u, cauchy) == OK);
             ck_assert(
@@ -375,6 +390,14 @@ static void failures_are_named(void)
     s.u[2 * 11 * 5 + 11] = NAN;
     EXPECT(NONFINITE);
     s.u[2 * 11 * 5 + 11] = 0.0;
+    for (int r = 0; r < DOF; r++) { /* J = 1e120 is finite, r^2 is not */
+        double x[2];
+        grid_place(s.grid, r / 2, x);
+        s.u[r] = 1e60 * x[r % 2];
+    }
+    ck_assert(particle_energy(&s.body, s.u, &energy) == NONFINITE);
+    ck_assert(particle_force(&s.body, s.u, f) == NONFINITE);
+    for (int r = 0; r < DOF; r++) s.u[r] = 0.0;
     s.particles->x[5] = -2.5 * H;
     EXPECT(OUTSIDE);
     ck_assert_int_eq(particle_band(&s.body, equation), INT_MAX);
@@ -384,6 +407,7 @@ static void failures_are_named(void)
 }
 
 static const struct unit_law laws[] = {
+    {"nodes_are_shaken_as_the_oracles", nodes_are_shaken_as_the_oracles},
     {"forces_are_the_oracles", forces_are_the_oracles},
     {"forces_balance", forces_balance},
     {"slopes_agree", slopes_agree},
