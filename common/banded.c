@@ -39,7 +39,9 @@ enum { V = 2 };
 #endif
 enum { W = V, Q = 3, H = Q * V };
 typedef double vec __attribute__((vector_size(8 * V), aligned(8)));
+typedef double two __attribute__((vector_size(16), aligned(8)));
 #define VEC(x) (*(vec *)&(x)) /* the vec that begins with x */
+#define TWO(x) (*(two *)&(x))
 #define INLINE __attribute__((always_inline)) static inline
 #ifdef __clang__ /* a loop left as it is costs time, it is no error */
 #pragma clang diagnostic ignored "-Wpass-failed"
@@ -53,7 +55,8 @@ size_t band_stride(int p)
     return (((size_t)p + 15) / 8 | 1) * 8 + 1;
 }
 
-/* t -= x y for n columns of L, next apart; of q vecs, a constant, down apart. */
+/* t -= x y for n columns of L, next apart; of q vecs (a constant), down apart.
+ */
 INLINE void columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
                     const double *x, const double *y, vec t[W][Q])
 {
@@ -270,17 +273,19 @@ double *front_entry(const struct front *f, int i, int j)
 void front_extend(const struct front *child, const int row[],
                   const struct front *parent)
 {
-    const int n = child->rest, skip = front_row(child->pivots, 0);
-    for (int j = 0; j < n; j++) {
+    const unsigned n = (unsigned)child->rest / 2;
+    const int skip = front_row(child->pivots, 0);
+    for (unsigned j = 0; j < n; j++) { /* two columns at a time */
         ptrdiff_t down, ignored;
-        double *to = front_column(parent, row[j / 2] + j % 2, &down);
-        const double *from = front_column(child, skip + j, &ignored);
+        double *to = front_column(parent, row[j], &down);
+        const double *from = front_column(child, skip + 2 * (int)j, &ignored);
         from += skip * V;
-        for (int i = j / 2 * 2; i < n; i += 2) {
-            double *sum = &to[row[i / 2] / V * down + row[i / 2] % V];
-            const double *add = &from[i / V * V * V + i % V];
-            sum[0] += add[0];
-            sum[1] += add[1];
+        for (unsigned i = j; i < n; i++) {
+            const unsigned at = (unsigned)row[i];
+            double *sum = &to[at / V * down + at % V];
+            const double *add = &from[2 * i / V * V * V + 2 * i % V];
+            TWO(sum[0]) += TWO(add[0]);
+            TWO(sum[V]) += TWO(add[V]);
         }
     }
 }
@@ -312,7 +317,8 @@ INLINE enum status front_tile(const int q, const struct front *f, int n, int K,
     vec t[W][Q] = {{{0.0}}};
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
-            if (c < w) t[c][r] = VEC(corner[c * V + r * V * w]);
+            if (c < w && (K < first || !f->fresh))
+                t[c][r] = VEC(corner[c * V + r * V * w]);
     subtract_panels(q, f, at_most(K * W, f->pivots), i, K, t);
     if (K < first && i == K) {
         if (eliminate(q, n, w, &diagonal[K * W], 1, t, l, inverse) != OK)

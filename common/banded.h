@@ -1,5 +1,6 @@
 /*
- * banded.h - Cholesky factorisation of a wide band, when seconds count.
+ * banded.h - Cholesky factorisation of a wide band or a front, when seconds
+ * count.
  *
  * The lower triangle by columns, every column with room to spare:
  *
@@ -17,7 +18,7 @@
 #include <stddef.h>
 
 /* From this half bandwidth on the routines below may be used. */
-enum { BAND_WIDE = 16 };
+enum { BAND_WIDE = 15 };
 
 /* Numbers a column: one more than an odd multiple of 8.  A row then keeps its
  * place in a line of the cache from column to column, columns do not compete
@@ -42,7 +43,8 @@ void band_solve(int n, int p, size_t stride, const double l[], double b[]);
  */
 struct front {
     int pivots, rest; /* numbers of unknowns, even */
-    double *l, *u;    /* [front_size()], [front_size(rest, 0)]; borrowed */
+    double *l, *u;    /* [front_size()], [front_size(front_row(rest, 0), 0)] */
+    int fresh;        /* u counts as zero, whatever it holds */
 };
 
 /* How many numbers l holds, and in which row unknown k of the rest is; that of

@@ -56,7 +56,7 @@ struct body {
 
 /* From so many squares per side on, dissection is faster than the band, and
  * body_alloc() makes K sparse; measured, then fixed. */
-enum { BODY_SPARSE_FROM = 48 };
+enum { BODY_SPARSE_FROM = 44 };
 
 /*
  * held[a] != 0: both components of vertex a are prescribed; not all may be.

@@ -10,6 +10,7 @@
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_sort_vector.h>
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -117,6 +118,13 @@ double matrix_get(const struct matrix *A, int i, int j)
     const double *A_ij = A->storage != DENSE && i < j ? entry(A, j, i)
                                                       : entry(A, i, j);
     return A_ij ? *A_ij : 0.0;
+}
+
+int matrix_place(const struct matrix *A, int i, int j)
+{
+    const double *A_ij = entry(A, i, j);
+    assert(i >= j && A_ij && A_ij - A->a < INT_MAX);
+    return (int)(A_ij - A->a);
 }
 
 static void set(struct matrix *A, int i, int j, double value)

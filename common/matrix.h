@@ -76,6 +76,10 @@ void matrix_zero(struct matrix *A);
  */
 void matrix_add(struct matrix *A, int i, int j, double value);
 
+/* Where in a entry (i, j), i >= j, is, for an element loop that adds to a by
+ * itself; of even i and j when sparse. */
+int matrix_place(const struct matrix *A, int i, int j);
+
 /* A[i][j]; 0 outside the band or the pattern. */
 double matrix_get(const struct matrix *A, int i, int j);
 
