@@ -45,7 +45,7 @@ static int number(const struct state *s, struct box b, int depth, int child0,
 }
 
 /* Cut the box in two and a line between them, which is numbered last
- * [alg:dissection].  Returns the last piece, -1: no vertex of the box is free. */
+ * [alg:dissection].  Returns the last piece, -1: no vertex of it is free. */
 static int dissect(const struct state *s, struct box b, int depth)
 {
     const int count = count_free(s, b);

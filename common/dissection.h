@@ -31,12 +31,12 @@ struct dissection {
     int *place;   /* [vertices of the mesh] place in the order, -1: held */
     int n_piece;
     struct piece *piece; /* in the order: children before their line */
-    int *start, *row;    /* row[start[v]] is place v, and up to start[v + 1] come
-                          * its later neighbours, in no order */
+    int *start, *row;    /* row[start[v]] is place v; from there to start[v + 1]
+                          * come its later neighbours, in no order */
 };
 
 /* held[a] != 0: vertex a is left out; not all may be.  At most `leaf` >= 1
- * vertices are not cut any further.  The caller frees it. */
+ * vertices are not cut.  The caller frees it. */
 struct dissection *dissection_alloc(const struct mesh *mesh, const int held[],
                                     int leaf);
 void dissection_free(struct dissection *dissection);
