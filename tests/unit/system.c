@@ -77,6 +77,8 @@ static void matrix_is_K_in_any_order(void)
             place[v] = o->place[s->vertex[v]];
         ck_assert_int_eq(s->n_vertex, (n - 1) * (n + 1));
         fill(s->scene->n_dof, u); /* of all vertices */
+        system_store(s, n % 2 ? SPARSE : BANDED);
+        ck_assert_int_eq(s->scene->body->K->storage, n % 2 ? SPARSE : BANDED);
         struct csr *A[2] = {system_matrix(s, NULL), system_matrix(s, place)};
         for (int k = 0; k < 2; k++) {
             for (int i = 0; i < unknowns; i++) {
