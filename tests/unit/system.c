@@ -36,6 +36,10 @@ static void rows_multiply(void)
     close_to(y[2], 7.0 * 2.385 + 26.0 * 0.7, 1e-14 * 10);
     const double r = hypot(hypot(b[0] - y[0], b[1] - y[1]), b[2] - y[2]);
     close_to(csr_residual(A, x, b), r / hypot(hypot(3.0, 0.5), 9.0), 1e-14);
+    const double most = fmax(fabs(b[0] - y[0]), fabs(b[2] - y[2]));
+    const double nan[] = {1.0, NAN, 2.0};
+    close_to(csr_backward_error(A, x, b), most / (33.0 * 2.385 + 9.0), 1e-15);
+    ck_assert(isnan(csr_backward_error(A, nan, b)));
     csr_free(A);
     csr_free(NULL);
 }
