@@ -5,8 +5,8 @@
  * pivots; its rest are the later vertices next to what has been numbered inside
  * it [eq:fill].
  *
- * The analysis knows the mesh and what is held.  It is made once, and any number
- * of matrices may use it.  Their entries are 2x2 blocks by columns, a vertex and
+ * The analysis knows the mesh and what is held.  It is made once, and any
+ * number of matrices may use it.  Their entries are 2x2 blocks by columns, a vertex and
  * one of its neighbours; for each vertex, in the order of elimination, its own
  * block and then those of its later neighbours:
  *
