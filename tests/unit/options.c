@@ -6,6 +6,7 @@
 #include "unit.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +29,7 @@ static void parse(const char *line)
     got.beta = 2.385;
     const struct option table[] = {
         {"n", .integer = &got.n, .min = 1, .max = 1000, .help = "elements"},
-        {"beta", .real = &got.beta, .min = 1e-9, .max = 1e9, .unit = "N",
+        {"beta", .real = &got.beta, .min = 0, .max = 1e9, .unit = "N",
          .help = "coefficient", .why = "negative is unstable"},
         {"way", .choice = &got.way, .choices = "keep one", .help = "way"},
     };
@@ -43,6 +44,12 @@ static void values_are_set(void)
     ck_assert(got.n == 8 && got.way == 0 && got.beta == 371.4);
     parse("--n 8 --n 9");
     ck_assert(got.n == 9);
+    parse("--beta 1e-310"); /* strtod() says ERANGE; the range has it */
+    ck_assert(got.beta == 1e-310);
+    parse("--n 1000 --beta 0");
+    ck_assert(got.n == 1000 && got.beta == 0.0);
+    parse("--n 1 --beta 1e9");
+    ck_assert(got.n == 1 && got.beta == 1e9);
 }
 
 static const char *line_given;
@@ -54,15 +61,20 @@ static void parse_given_line(void)
 
 static void bad_input_is_one_line_and_status_2(void)
 {
-    static const char *const bad[] = {
+    char long_word[230];
+    memset(long_word, '7', sizeof long_word);
+    memcpy(long_word, "--n=", 4);
+    long_word[sizeof long_word - 1] = '\0';
+    const char *const bad[] = {
         "--n 0",        "--n -3",     "--n 1e9",
         "--n abc",      "--n 4x",     "--n nan",
         "--n",          "--n=",       "--n 1001",
-        "--beta nan",   "--beta 0",   "--beta inf",
+        "--beta nan",   "--beta -0.1", "--beta inf",
         "--beta 1e10",  "--beta 2,5", "--way two",
         "--way ke",     "--way",      "--what 3",
         "-n 3",         "stray",      "--n 99999999999999999999",
-        "--beta 1e999",
+        "--beta 1e999", "--n 4\n5",   "--a\nb 3",
+        "a\nb",        "--way=keep\r", long_word,
     };
     for (int i = 0; i < COUNT(bad); i++) {
         line_given = bad[i];
@@ -72,6 +84,8 @@ static void bad_input_is_one_line_and_status_2(void)
         ck_assert_msg(strchr(end.err, '\n') == end.err + strlen(end.err) - 1,
                       "%s: not one line: %s", bad[i], end.err);
         ck_assert_msg(strncmp(end.err, "prog: ", 6) == 0, "%s", end.err);
+        ck_assert_msg(strstr(end.err, ": must be ") ||
+                      strstr(end.err, "; -h lists them"), "%s", end.err);
     }
 }
 
@@ -83,7 +97,7 @@ static void message_names_option_value_and_range(void)
     line_given = "--beta -1";
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
-        "prog: --beta -1: must be a number from 1e-09 to 1000000000 N; "
+        "prog: --beta -1: must be a number from 0 to 1000000000 N; "
         "negative is unstable\n");
     line_given = "--way two";
     ck_assert_str_eq(outcome_of(parse_given_line).err,
@@ -92,6 +106,12 @@ static void message_names_option_value_and_range(void)
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
         "prog: --n has no value: must be a whole number from 1 to 1000\n");
+    line_given = "--what=3";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: no option --what; -h lists them\n");
+    line_given = "stray";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: 'stray' is not an option; -h lists them\n");
 }
 
 static void help_lists_the_options(void)
@@ -99,10 +119,17 @@ static void help_lists_the_options(void)
     line_given = "-h";
     const struct outcome end = outcome_of(parse_given_line);
     ck_assert_int_eq(end.status, 0);
-    ck_assert_ptr_nonnull(strstr(end.out, "--beta"));
-    ck_assert_ptr_nonnull(strstr(end.out, "[2.385]"));
-    ck_assert_ptr_nonnull(strstr(end.out, "[one]"));
-    ck_assert_ptr_null(strstr(end.out, "went on"));
+    ck_assert_str_eq(
+        end.out,
+        "usage: prog [--option value] ...\n"
+        "  --n          elements [4]; a whole number from 1 to 1000\n"
+        "  --beta       coefficient [2.385]; a number from 0 to 1000000000"
+        " N; negative is unstable\n"
+        "  --way        way [one]; one of: keep one\n");
+    ck_assert_str_eq(end.err, "");
+    line_given = "--n 7 --help";
+    ck_assert_int_eq(outcome_of(parse_given_line).status, 0);
+    ck_assert_ptr_nonnull(strstr(outcome_of(parse_given_line).out, "[7]"));
 }
 
 static void call_todo(void)
@@ -117,13 +144,48 @@ static void todo_names_its_slot(void)
     ck_assert_str_eq(end.err, "unfinished: slot 7a is not written yet\n");
 }
 
+static void call_die(void) { die("%d is not %s", 7, "eight"); }
+
+static void death_is_one_line_and_status_1(void)
+{
+    const struct outcome end = outcome_of(call_die);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.out, "");
+    ck_assert_str_eq(end.err, "error: 7 is not eight\n");
+}
+
+static void ask_for_too_much(void)
+{
+    volatile size_t n = SIZE_MAX / 8;
+    allocate(n, 16);
+}
+
+static void no_memory_is_said(void)
+{
+    char want[80];
+    const struct outcome end = outcome_of(ask_for_too_much);
+    snprintf(want, sizeof want, "error: out of memory: %zu x 16 bytes\n",
+             SIZE_MAX / 8);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.err, want);
+    double *some = allocate(3, sizeof *some), *none = allocate(0, sizeof *none);
+    ck_assert(some[0] == 0.0 && some[1] == 0.0 && some[2] == 0.0);
+    ck_assert_ptr_nonnull(none);
+    free(some);
+    free(none);
+}
+
 static void statuses_have_names(void)
 {
     ck_assert_str_eq(status_name(OK), "OK");
     ck_assert_str_eq(status_name(NOT_SPD), "NOT_SPD");
     ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
+    ck_assert_str_eq(status_name(INVERTED), "INVERTED");
+    ck_assert_str_eq(status_name(STALLED), "STALLED");
+    ck_assert_str_eq(status_name(SADDLE), "SADDLE");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
+    ck_assert_str_eq(status_name(OUTSIDE), "OUTSIDE");
 }
 
 static void clock_moves_and_machine_has_a_name(void)
@@ -143,6 +205,8 @@ static const struct unit_law laws[] = {
      message_names_option_value_and_range},
     {"help_lists_the_options", help_lists_the_options},
     {"todo_names_its_slot", todo_names_its_slot},
+    {"death_is_one_line_and_status_1", death_is_one_line_and_status_1},
+    {"no_memory_is_said", no_memory_is_said},
     {"statuses_have_names", statuses_have_names},
     {"clock_moves_and_machine_has_a_name", clock_moves_and_machine_has_a_name},
 };
