@@ -100,7 +100,8 @@ void system_right_side(const struct system *system, const int place[],
 {
     for (int v = 0; v < system->n_vertex; v++)
         for (int k = 0; k < 2; k++)
-            b[2 * place_of(place, v) + k] = system->b[2 * system->vertex[v] + k];
+            b[2 * place_of(place, v) + k] =
+                system->b[2 * system->vertex[v] + k];
 }
 
 void system_back(const struct system *system, const int place[],
