@@ -310,8 +310,8 @@ static void the_pivot_is_compared_with_its_own_entry(void)
     for (int i = 0; i < K->n; i++)
         for (int p = K->start[i]; p < K->start[i + 1]; p++)
             K->value[p] *= pow(10.0, 9.0 * (sin(i) + sin(K->index[p])));
-    expect(factor_of(K, &L) == OK, "scales from 1e-18 to 1e18: NOT_SPD, although "
-           "it is positive definite");
+    expect(factor_of(K, &L) == OK, "scales from 1e-18 to 1e18: NOT_SPD, "
+           "although it is positive definite");
     factor_free(L);
     csr_free(K);
 }
