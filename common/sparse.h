@@ -51,8 +51,8 @@ void sparse_free(struct sparse *s);
 /* The block of places i >= j, -1: it is zero. */
 int sparse_block(const struct sparse *s, int i, int j);
 
-/* l := the factor of a; l is [s->factor], work [s->work].  Both start at a line
- * of the cache.  Statuses as matrix_factor() of matrix.h. */
+/* l := the factor of a; l is [s->factor], work [s->work]; it is faster when l
+ * starts at a line of the cache.  Statuses as matrix_factor() of matrix.h. */
 enum status sparse_factor(const struct sparse *s, const double a[], double l[],
                           double work[]);
 
