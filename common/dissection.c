@@ -102,7 +102,7 @@ struct dissection *dissection_alloc(const struct mesh *mesh, const int held[],
                                     int leaf)
 {
     const int row = mesh->n + 1;
-    const struct box all = {{0, 0}, {row, row}};
+    const struct box all = {{0, 0}, {row, mesh->rows + 1}};
     struct dissection *d = allocate(1, sizeof *d);
     const struct state state = {d, held, row, leaf};
     d->place = allocate((size_t)mesh->n_vertex, sizeof *d->place);

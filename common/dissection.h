@@ -1,7 +1,7 @@
 /*
  * dissection.h - nested dissection: an order in which elimination fills little.
  *
- * A line of vertices cuts the square of mesh.h in two that have no edge in
+ * A line of vertices cuts a mesh of mesh.h in two that have no edge in
  * common.  They are numbered first, each cut in its turn, and the line last
  * [alg:dissection]:
  *

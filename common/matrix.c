@@ -234,7 +234,7 @@ void matrix_solve(const struct matrix *L, double b[])
     }
 }
 
-/* The same for a sparse A: its vertices as the mesh numbers them make a band. */
+/* For a sparse A: its vertices, as the mesh numbers them, make a band. */
 static enum status solve_in_a_band(const struct matrix *A, double b[],
                                    int *negative)
 {

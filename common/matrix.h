@@ -115,9 +115,9 @@ void matrix_solve(const struct matrix *L, double b[]);
 
 /*
  * b := A^{-1} b for an A that is not factored, not dense, and need not be
- * positive definite, by GSL's L D L^T without pivoting, in a band.  *negative (or NULL) is the
- * number of negative pivots D_jj, which is the number of negative eigenvalues
- * of A (Sylvester's law of inertia).
+ * positive definite, by GSL's L D L^T without pivoting, in a band.  *negative
+ * (or NULL) is the number of negative pivots D_jj, which is the number of
+ * negative eigenvalues of A (Sylvester's law of inertia).
  *
  * NOT_SPD: a pivot is 0 to round-off, |D_jj| <= eps |A_jj|; b and *negative are
  * then meaningless.

@@ -5,10 +5,10 @@
  * pivots; its rest are the later vertices next to what has been numbered inside
  * it [eq:fill].
  *
- * The analysis knows the mesh and what is held.  It is made once, and any number
- * of matrices may use it.  Their entries are 2x2 blocks by columns, a vertex and
- * one of its neighbours; for each vertex, in the order of elimination, its own
- * block and then those of its later neighbours:
+ * The analysis knows the mesh and what is held.  It is made once, and any
+ * number of matrices may use it.  Their entries are 2x2 blocks, of a vertex and one of
+ * its neighbours, by columns: for each vertex, in the order of elimination, its
+ * own block and then those of its later neighbours:
  *
  *     a[4 b] a[4 b + 2]      block b, start[v] <= b < start[v+1], is that of
  *     a[4 b + 1] a[4 b + 3]  row row[b] and column v (above the diagonal: 0)

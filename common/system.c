@@ -4,6 +4,16 @@
 #include <assert.h>
 #include <stdlib.h>
 
+void system_store(struct system *system, enum storage storage)
+{
+    struct scene *s = system->scene;
+    if (s->body->K->storage != storage) body_store(s->body, storage);
+    if (body_assemble(s->body, s->set.dt, system->w, NULL, system->guess, EXACT,
+                      system->b) != OK)
+        die("the guess is not defined");
+    for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
+}
+
 struct system *system_alloc(int n)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
@@ -15,20 +25,16 @@ struct system *system_alloc(int n)
     struct scene *s = system->scene = scene_alloc(&set);
     for (int k = 0; k < 2; k++)
         if (scene_step(s, &control).status != OK) die("the stretch fails");
-    double *w = allocate(2 * (size_t)s->n_dof, sizeof *w);
-    double *guess = w + s->n_dof;
+    system->b = allocate(3 * (size_t)s->n_dof, sizeof *system->b);
+    double *w = system->w = system->b + s->n_dof;
+    double *guess = system->guess = w + s->n_dof;
     for (int r = 0; r < s->n_dof; r++) {
         w[r] = s->u[r] + set.dt * s->v[r];
         guess[r] = w[r] + set.dt * (s->v[r] - s->v_before[r]);
     }
     scene_hold(s, 3 * set.dt);
     step_boundary(s->body, s->g, 1, guess);
-    system->b = allocate((size_t)s->n_dof, sizeof *system->b);
-    if (body_assemble(s->body, set.dt, w, NULL, guess, EXACT, system->b) != OK)
-        die("the guess is not defined");
-    for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
-    free(w);
-
+    system_store(system, s->body->K->storage);
     system->vertex = allocate((size_t)s->mesh->n_vertex, sizeof(int));
     for (int a = 0; a < s->mesh->n_vertex; a++)
         if (!s->held[a]) system->vertex[system->n_vertex++] = a;
@@ -40,7 +46,7 @@ void system_free(struct system *system)
     if (!system) return;
     scene_free(system->scene);
     free(system->vertex);
-    free(system->b);
+    free(system->b); /* and w, guess */
     free(system);
 }
 

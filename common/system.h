@@ -22,10 +22,14 @@ struct system {
     int n_vertex;        /* free ones, (n - 1) (n + 1) */
     int *vertex;         /* [n_vertex] which one of the mesh; owned */
     double *b;           /* -q of all vertices of the mesh; owned */
+    double *w, *guess;   /* of the step, all vertices; owned */
 };
 
 /* n >= 2 squares per side.  The caller frees it. */
 struct system *system_alloc(int n);
+
+/* K in this storage, BANDED or SPARSE, assembled anew. */
+void system_store(struct system *system, enum storage storage);
 void system_free(struct system *system);
 
 /* K in an order, NULL: that of the vertices.  The caller frees it. */

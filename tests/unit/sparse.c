@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A mesh with some vertices held: both ends, the left one, none, or any, each
- * with the chance 1/4, by the seed. */
+/* A square with some vertices held: both ends, the left one, none; or a
+ * rectangle with any, each with the chance 1/4, by the seed. */
 enum hold { ENDS, LEFT, NONE, ANY, HOLDS };
 struct pattern {
     struct mesh *mesh;
@@ -24,7 +24,9 @@ struct pattern {
 static struct pattern pattern_alloc(int n, int hold, unsigned long seed,
                                     int leaf)
 {
-    struct pattern p = {.mesh = mesh_square(n)};
+    struct pattern p = {.mesh = hold == ANY
+                                    ? mesh_rectangle(n, 1 + 2 * n / 3, 2.0, 1.0)
+                                    : mesh_square(n)};
     gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(rng, seed);
     p.held = calloc((size_t)p.mesh->n_vertex, sizeof *p.held);

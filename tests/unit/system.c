@@ -36,6 +36,10 @@ static void rows_multiply(void)
     close_to(y[2], 7.0 * 2.385 + 26.0 * 0.7, 1e-14 * 10);
     const double r = hypot(hypot(b[0] - y[0], b[1] - y[1]), b[2] - y[2]);
     close_to(csr_residual(A, x, b), r / hypot(hypot(3.0, 0.5), 9.0), 1e-14);
+    const double most = fmax(fabs(b[0] - y[0]), fabs(b[2] - y[2]));
+    const double nan[] = {1.0, NAN, 2.0};
+    close_to(csr_backward_error(A, x, b), most / (33.0 * 2.385 + 9.0), 1e-15);
+    ck_assert(isnan(csr_backward_error(A, nan, b)));
     csr_free(A);
     csr_free(NULL);
 }
@@ -77,6 +81,8 @@ static void matrix_is_K_in_any_order(void)
             place[v] = o->place[s->vertex[v]];
         ck_assert_int_eq(s->n_vertex, (n - 1) * (n + 1));
         fill(s->scene->n_dof, u); /* of all vertices */
+        system_store(s, n % 2 ? SPARSE : BANDED);
+        ck_assert_int_eq(s->scene->body->K->storage, n % 2 ? SPARSE : BANDED);
         struct csr *A[2] = {system_matrix(s, NULL), system_matrix(s, place)};
         for (int k = 0; k < 2; k++) {
             for (int i = 0; i < unknowns; i++) {
