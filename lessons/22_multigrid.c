@@ -10,7 +10,7 @@
  *
  *     o---.---o---.---o     vertices of both grids are o, of the fine one only
  *     |   |   |   |   |     are . ; vertex (i, j), 0 < i < n, 0 <= j <= n, is
- *     .---.---.---.---.     v = j (n - 1) + i - 1, its component k is x[2v + k];
+ *     .---.---.---.---.     v = j (n - 1) + i - 1, its component k x[2v + k];
  *     |   |   |   |   |     columns i = 0 and i = n are held and have none
  *     o---.---o---.---o
  *
@@ -101,8 +101,8 @@ static void cg(const struct csr *K, preconditioner *precondition,
     double *r = allocate(4 * (size_t)n, sizeof *r), *z = r + n;
     double *p = z + n, *Kp = p + n;
     memset(report, 0, sizeof *report);
-    /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n, bytes,
-     * r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
+    /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n,
+     * bytes, r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
     todo("22a", K, precondition, context, tolerance, cap, b, x, report, n,
          bytes, r, z, p, Kp, dot);
     /* END 22a */
@@ -144,7 +144,7 @@ static void v_cycle(const void *context, const double r[], double z[])
     memcpy(z, m->x[0], bytes);
 }
 
-/* NOT_SPD also where there is no preconditioner: what it needs does not exist. */
+/* NOT_SPD also where a factor that the preconditioner needs does not exist. */
 static void solve(const struct csr *K, int with, const struct multigrid *m,
                   double tolerance, int cap, const double b[], double x[],
                   struct report *report)

@@ -77,7 +77,7 @@ static void three_eigenvalues_take_three_iterations(void)
     double *x = guarded_alloc(SIZE);
     struct report *o = go(D, times_number, 1.0, 1e-10, 20, b, x);
     expect(o->status == OK && o->iterations == 3,
-           "three different eigenvalues: OK after 3 iterations, not %s after %d",
+           "three eigenvalues: OK after 3 iterations, not %s after %d",
            status_name(o->status), o->iterations);
     for (int i = 0; i < SIZE; i++)
         expect_close(x[i], b[i] / entry[i], 1e-9, 1.0, "x[%d]", i);
@@ -215,7 +215,7 @@ static double hat(double x)
     return fmax(0.0, 1.0 - fabs(x));
 }
 
-/* P times a unit vector is a product of two hats, and added to what is there. */
+/* P times a unit vector: a product of two hats, added to what is there. */
 static void a_coarse_vertex_is_a_product_of_hats(void)
 {
     for (int n = 4; n <= 12; n += 4) {
@@ -273,7 +273,8 @@ static void transfer_agrees_with_the_fast_one(void)
         multigrid_prolong(n, c[1], f[1]);
         for (int r = 0; r < many; r++)
             expect_close(f[0][r], f[1][r], ROUND_OFF, 1.0,
-                         "n = %d: P c of unknown %d, against multigrid.h", n, r);
+                         "n = %d: P c of unknown %d, against multigrid.h", n,
+                         r);
         transfer(n, 1, c[0], f[0]);
         multigrid_restrict(n, f[1], c[1]);
         for (int r = 0; r < few; r++)
@@ -460,6 +461,9 @@ static const char *const runs[] = {
     "--n 20 --with jacobi --tolerance 1e-4",
     "--n 20 --with incomplete --tolerance 1e-6",
     "--n 16 --squeeze 0.2",
+    "--n 16 --squeeze 0.5",
+    "--n 8 --squeeze 0.65 --with jacobi",
+    "--n 12 --with jacobi --cap 5",
 };
 
 static const struct column_rule rules[] = {
