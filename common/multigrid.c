@@ -86,7 +86,7 @@ struct multigrid *multigrid_alloc(const struct csr *K, int n)
         n /= 2;
     }
     const struct csr *last = m->K[m->grids - 1];
-    m->coarsest = matrix_alloc(DENSE, last->n, 0);
+    m->coarsest = matrix_alloc(BANDED, last->n, 2 * n + 1);
     for (int i = 0; i < last->n; i++)
         for (int k = last->start[i]; k < last->start[i + 1]; k++)
             matrix_add(m->coarsest, i, last->index[k], last->value[k]);

@@ -7,8 +7,7 @@
  * that is held counts with 0.  The matrix of the coarser grid is P^T K P
  * [eq:galerkin]; it couples a vertex with the eight around it.
  *
- * Source: Briggs, Henson & McCormick, A Multigrid Tutorial, 2nd ed., chapter 3;
- *         Trottenberg, Oosterlee & Schueller, Multigrid, sec. 2.3, 7.8 (CG).
+ * Source: Trottenberg, Oosterlee & Schueller, Multigrid, sec. 2.3, 7.8.
  */
 #ifndef COMMON_MULTIGRID_H
 #define COMMON_MULTIGRID_H

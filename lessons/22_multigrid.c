@@ -165,7 +165,7 @@ int main(int argc, char *argv[])
     int n = 32, with = MULTIGRID, cap = CAP;
     double tolerance = 1e-10, squeeze = 0.0;
     const struct option options[] = {
-        {"n", .integer = &n, .min = 4, .max = 256, .help = "n x n squares"},
+        {"n", .integer = &n, .min = 4, .max = 128, .help = "n x n squares"},
         {"with", .choice = &with, .choices = words, .help = "preconditioner"},
         {"tolerance", .real = &tolerance, .min = 1e-13, .max = 0.9,
          .help = "of |r| / |b|"},

@@ -25,12 +25,11 @@ static double worth(enum way way, const struct multigrid *m)
 {
     double entries = 0.0;
     const double all = m->K[0]->start[m->K[0]->n];
-    if (way == JACOBI) return m->K[0]->n / all;
-    if (way == INCOMPLETE) return 1.0;
+    if (way != MULTIGRID) return way == JACOBI ? m->K[0]->n / all : 1.0;
     for (int g = 0; g < m->grids - 1; g++)
         entries += (2.0 * SWEEPS + 1.0) * m->K[g]->start[m->K[g]->n];
-    const double coarsest = m->K[m->grids - 1]->n;
-    return (entries + coarsest * coarsest) / all;
+    const struct matrix *L = m->coarsest;
+    return (entries + 0.5 * matrix_cost(L->storage, L->n, L->p).solve) / all;
 }
 
 struct bench {

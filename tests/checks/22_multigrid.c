@@ -480,9 +480,9 @@ static const struct column_rule rules[] = {
 static const struct lesson lesson = {
     "22_multigrid", claims, COUNT(claims), runs, COUNT(runs), rules,
     COUNT(rules),
-    "Each sweep costs as much as a product with K, on every grid, and all the "
-    "coarser grids together cost a third of the finest. So a V-cycle is worth "
-    "about six products, and it does not care how large n is.",
+    "A sweep costs as much as a product with K, and all the coarser grids "
+    "together less than half of the finest. So a V-cycle is worth about seven "
+    "products, and its iterations do not care how large n is.",
     "Run with --squeeze 0.4 and --n 16, then --n 32. For which of them is K "
     "positive definite, and which preconditioner says so first?"};
 
