@@ -6,9 +6,9 @@
  * it [eq:fill].
  *
  * The analysis knows the mesh and what is held.  It is made once, and any
- * number of matrices may use it.  Their entries are 2x2 blocks, of a vertex and one of
- * its neighbours, by columns: for each vertex, in the order of elimination, its
- * own block and then those of its later neighbours:
+ * number of matrices may use it.  Their entries are 2x2 blocks, of a vertex and
+ * one of its neighbours, by columns: for each vertex, in the order of
+ * elimination, its own block and then those of its later neighbours:
  *
  *     a[4 b] a[4 b + 2]      block b, start[v] <= b < start[v+1], is that of
  *     a[4 b + 1] a[4 b + 3]  row row[b] and column v (above the diagonal: 0)
@@ -51,8 +51,8 @@ void sparse_free(struct sparse *s);
 /* The block of places i >= j, -1: it is zero. */
 int sparse_block(const struct sparse *s, int i, int j);
 
-/* l := the factor of a; l is [s->factor], work [s->work].  Both start at a line
- * of the cache.  Statuses as matrix_factor() of matrix.h. */
+/* l := the factor of a; l is [s->factor], work [s->work]; it is faster when l
+ * starts at a line of the cache.  Statuses as matrix_factor() of matrix.h. */
 enum status sparse_factor(const struct sparse *s, const double a[], double l[],
                           double work[]);
 

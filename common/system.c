@@ -100,12 +100,14 @@ void system_right_side(const struct system *system, const int place[],
 {
     for (int v = 0; v < system->n_vertex; v++)
         for (int k = 0; k < 2; k++)
-            b[2 * place_of(place, v) + k] = system->b[2 * system->vertex[v] + k];
+            b[2 * place_of(place, v) + k] =
+                system->b[2 * system->vertex[v] + k];
 }
 
 void system_back(const struct system *system, const int place[],
                  const double x[], double du[])
 {
     for (int v = 0; v < system->n_vertex; v++)
-        for (int k = 0; k < 2; k++) du[2 * v + k] = x[2 * place_of(place, v) + k];
+        for (int k = 0; k < 2; k++)
+            du[2 * v + k] = x[2 * place_of(place, v) + k];
 }

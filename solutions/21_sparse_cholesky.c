@@ -5,13 +5,13 @@
  * Notes: beyond them; the system is that of Lecture 2, 3.3.5.
  *
  * Problem.  K du = -q, Newton's first increment in the third step of the
- * stretch (system.h), by K = L L^T twice: with the vertices numbered row by row,
- * and by nested dissection [alg:dissection].  L has entries where K has none
+ * stretch (system.h), by K = L L^T twice: the vertices numbered row by row, and
+ * by nested dissection [alg:dissection].  L has entries where K has none
  * [eq:fill]; the elimination tree [eq:elimination-tree] tells where before any
  * number is computed.
  *
- *     K by compressed rows (csr.h): row k is columns K->index[p], ascending, and
- *         values K->value[p], K->start[k] <= p < K->start[k + 1]
+ *     K by compressed rows (csr.h): row k is columns K->index[p], ascending,
+ *         and values K->value[p], K->start[k] <= p < K->start[k + 1]
  *     L by compressed columns: column j is rows L->row[p], ascending, L_jj
  *         first, and values L->value[p], L->start[j] <= p < L->end[j]
  *
@@ -61,7 +61,8 @@ static void print_vertices(const struct system *s, const int place[],
                            const double du[])
 {
     const int width = s->scene->mesh->n - 1;
-    table_begin("vertices", "i j place rows_x rows_y dissection_x dissection_y");
+    table_begin("vertices",
+                "i j place rows_x rows_y dissection_x dissection_y");
     for (int v = 0; v < s->n_vertex; v++) {
         const double *rows = &du[2 * v], *other = &rows[2 * s->n_vertex];
         table_row(v % width, v / width, place[v], rows[0], rows[1], other[0],

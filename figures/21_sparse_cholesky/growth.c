@@ -104,7 +104,8 @@ int main(void)
 
     const struct matrix_cost *end = cost[SIZES - 1], *half = cost[SIZES - 2];
     const double flops = log2(end[DISSECTION].flops / half[DISSECTION].flops);
-    const double fill = log2(end[DISSECTION].numbers / half[DISSECTION].numbers);
+    const double fill =
+        log2(end[DISSECTION].numbers / half[DISSECTION].numbers);
     claim(fabs(log2(end[FULL].flops / half[FULL].flops) - 6.0) < 0.05 &&
               fabs(log2(end[BAND].flops / half[BAND].flops) - 4.0) < 0.05,
           "full n^6, band n^4");

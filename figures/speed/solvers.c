@@ -2,8 +2,8 @@
  * solvers.c - which solver does a step need, and when does the answer change?
  *
  * K of system.h: analysis, factorisation and solve by the band, by nested
- * dissection, and by CHOLMOD, where there is one, in the same order (supernodal,
- * analysed once); and whole steps of the stretch, chord rule and lift, with each.
+ * dissection, and by CHOLMOD, where there is one, in the same order (by
+ * supernodes, analysed once); and whole steps of the stretch with each.
  * They take turns.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"

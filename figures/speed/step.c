@@ -9,8 +9,8 @@
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
  *     sparse    the same with common/sparse.c
  *
- * They take turns; the first three do a few steps where they were twice too slow
- * for 30 pictures per second.  A run off the path of `best` ends the study.
+ * They take turns; of the first three, one that was twice too slow for 30
+ * pictures per second does a few steps.  A run off the path of `best` ends it.
  */
 #include "machine.h"
 #include "readable.h"

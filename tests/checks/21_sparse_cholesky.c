@@ -225,7 +225,7 @@ static void tree_is_that_of_elimination(void)
 /* ---- 21c ----------------------------------------------------------------- */
 
 /* L of K, with a tree and counts that are not the program's. */
-static enum status factor(const struct csr *K, struct factor **L)
+static enum status factor_of(const struct csr *K, struct factor **L)
 {
     int parent[MOST] = {0}, count[MOST];
     int *mark = guarded_indices(K->n, parent);
@@ -266,7 +266,7 @@ static void expect_factor(const struct csr *K, const char *what)
 {
     double product[MOST][MOST] = {{0.0}}, largest = 0.0;
     struct factor *L;
-    const enum status status = factor(K, &L);
+    const enum status status = factor_of(K, &L);
     expect(status == OK, "%s: %s, although it is positive definite", what,
            status_name(status));
     for (int j = 0; j < K->n; j++)
@@ -310,8 +310,8 @@ static void the_pivot_is_compared_with_its_own_entry(void)
     for (int i = 0; i < K->n; i++)
         for (int p = K->start[i]; p < K->start[i + 1]; p++)
             K->value[p] *= pow(10.0, 9.0 * (sin(i) + sin(K->index[p])));
-    expect(factor(K, &L) == OK, "scales from 1e-18 to 1e18: NOT_SPD, although "
-           "it is positive definite");
+    expect(factor_of(K, &L) == OK, "scales from 1e-18 to 1e18: NOT_SPD, "
+           "although it is positive definite");
     factor_free(L);
     csr_free(K);
 }
@@ -332,7 +332,7 @@ static void what_is_not_spd_is_named(void)
                 if (K->index[p] < k && bad == 3) K->value[p] = NAN;
             }
             const int spoilt = bad < 3 || K->index[K->start[k]] < k;
-            const enum status status = factor(K, &L);
+            const enum status status = factor_of(K, &L);
             expect(status == (spoilt ? NOT_SPD : OK), "%s in row %d: %s",
                    what[bad], k, status_name(status));
             factor_free(L);

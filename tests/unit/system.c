@@ -129,7 +129,8 @@ static void system_is_that_of_the_third_step(void)
     double du[98], b[70], next[98], one[98];
     for (int r = 0; r < t->n_dof; r++) {
         du[r] = -s->b[r];
-        next[r] = one[r] = t->u[r] + t->set.dt * (2.0 * t->v[r] - t->v_before[r]);
+        next[r] = one[r] =
+            t->u[r] + t->set.dt * (2.0 * t->v[r] - t->v_before[r]);
     }
     ck_assert_int_eq(t->steps, 2);
     system_right_side(s, NULL, b);
