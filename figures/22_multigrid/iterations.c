@@ -2,9 +2,9 @@
  * iterations.c - how many iterations does a solve take on a finer mesh?
  *
  * K and b of system.h, conjugate gradients with three preconditioners.  Tables:
- * history (the residual after each iteration, n = 32), iterations (to 1e-10 and,
- * rough, to 1e-4; and the products with K that the former are worth: a sweep
- * counts one, on a coarser grid as much as it has entries).
+ * history (the residual after each iteration, n = 32), iterations (to 1e-10,
+ * and, rough, to 1e-4; and the products with K that the former are worth: a
+ * sweep counts one, on a coarser grid as much as it has entries).
  */
 #include "cg.h"
 #include "multigrid.h"
