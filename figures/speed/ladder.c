@@ -159,7 +159,8 @@ int main(void)
     for (int k = 0; k < MULTIGRID; k++) {
         int i = 0;
         while (8 << i < largest[k] && mg[i].flops >= m[k][i].flops) i++;
-        table_row(name[k], cell_if(mg[i].flops < m[k][i].flops, 8 << i));
+        const int less = mg[i].flops < m[k][i].flops;
+        table_row(name[k], cell_if(less, 8 << i));
     }
     table_end();
     claim(order_of(mg[5].flops, mg[3].flops, 4.0) <= 2.2,
