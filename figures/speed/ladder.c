@@ -155,7 +155,7 @@ int main(void)
     }
     table_end();
     const struct measured *mg = m[MULTIGRID];
-    table_begin("crossover", "solver flops_n"); /* multigrid is less work from */
+    table_begin("crossover", "solver flops_n"); /* least work from */
     for (int k = 0; k < MULTIGRID; k++) {
         int i = 0;
         while (8 << i < largest[k] && mg[i].flops >= m[k][i].flops) i++;
