@@ -30,8 +30,6 @@
 #include <string.h>
 
 enum { CAP = 4000 }; /* iterations */
-enum { JACOBI, INCOMPLETE, MULTIGRID };
-static const char words[] = "jacobi incomplete multigrid";
 
 /* How a solve went; residual[k] is |r| / |b| before iteration k, and
  * curvature[k] p.Kp / p.p in it. */
@@ -66,17 +64,6 @@ static void print_solution(const struct system *s, const double x[])
     for (int v = 0; v < s->n_vertex; v++)
         table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
     table_end();
-}
-
-/* K of the body that is pressed evenly, u = (-squeeze X1, 0); b stays. */
-static void press(struct system *system, double squeeze)
-{
-    struct scene *s = system->scene;
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *u = q + s->n_dof;
-    for (int r = 0; r < s->n_dof; r += 2) u[r] = -squeeze * s->mesh->X[r];
-    if (body_assemble(s->body, s->set.dt, u, NULL, u, EXACT, q) != OK)
-        die("the pressed body is not defined");
-    free(q);
 }
 
 static double dot(int n, const double x[], const double y[])
@@ -144,29 +131,14 @@ static void v_cycle(const void *context, const double r[], double z[])
     memcpy(z, m->x[0], bytes);
 }
 
-/* NOT_SPD also where a factor that the preconditioner needs does not exist. */
-static void solve(const struct csr *K, int with, const struct multigrid *m,
-                  double tolerance, int cap, const double b[], double x[],
-                  struct report *report)
-{
-    struct factor *L = with == INCOMPLETE ? incomplete(K) : NULL;
-    *report = (struct report){.status = NOT_SPD, .residual[0] = 1.0};
-    if (with == JACOBI)
-        cg(K, cg_jacobi, K, tolerance, cap, b, x, report);
-    else if (L)
-        cg(K, cg_incomplete, L, tolerance, cap, b, x, report);
-    else if (with == MULTIGRID && m->status == OK)
-        cg(K, v_cycle, m, tolerance, cap, b, x, report);
-    factor_free(L);
-}
-
 int main(int argc, char *argv[])
 {
-    int n = 32, with = MULTIGRID, cap = CAP;
+    int n = 32, with = 2, cap = CAP;
     double tolerance = 1e-10, squeeze = 0.0;
     const struct option options[] = {
         {"n", .integer = &n, .min = 4, .max = 128, .help = "n x n squares"},
-        {"with", .choice = &with, .choices = words, .help = "preconditioner"},
+        {"with", .choice = &with,
+         .choices = "jacobi incomplete multigrid", .help = "preconditioner"},
         {"tolerance", .real = &tolerance, .min = 1e-13, .max = 0.9,
          .help = "of |r| / |b|"},
         {"cap", .integer = &cap, .min = 0, .max = CAP, .help = "iterations"},
@@ -176,15 +148,20 @@ int main(int argc, char *argv[])
     options_parse("22_multigrid", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
     struct system *s = system_alloc(n);
-    if (squeeze > 0.0) press(s, squeeze);
+    if (squeeze > 0.0) system_press(s, squeeze);
     struct csr *K = system_matrix(s, NULL);
     struct multigrid *m = multigrid_alloc(K, n);
+    struct factor *L = incomplete(K);
     struct report *report = allocate(1, sizeof *report);
     double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
 
     system_right_side(s, NULL, b);
     print_grids(m);
-    solve(K, with, m, tolerance, cap, b, x, report);
+    *report = (struct report){.status = NOT_SPD, .residual[0] = 1.0};
+    preconditioner *const way[] = {cg_jacobi, cg_incomplete, v_cycle};
+    const void *context[] = {K, L, m->status == OK ? m : NULL};
+    if (context[with]) /* else what it needs does not exist */
+        cg(K, way[with], context[with], tolerance, cap, b, x, report);
     print_history(report);
     if (report->status == OK) print_solution(s, x);
     if (report->status != OK)
@@ -192,6 +169,7 @@ int main(int argc, char *argv[])
             report->iterations);
     free(report);
     free(b);
+    factor_free(L);
     multigrid_free(m);
     csr_free(K);
     system_free(s);
