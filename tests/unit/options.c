@@ -124,6 +124,7 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
+    ck_assert_str_eq(status_name(OUTSIDE), "OUTSIDE");
 }
 
 static void clock_moves_and_machine_has_a_name(void)
