@@ -153,6 +153,49 @@ double particles_wave_part(const struct particles *p, double k)
     return part / whole;
 }
 
+struct cloud cloud_seven(int order, enum transfer transfer)
+{
+    const double h = 0.385, low[2] = {-2.0 * h, -2.0 * h};
+    const int nodes[2] = {11, 11};
+    struct cloud cloud = {.grid = grid_alloc(order, low, h, nodes)};
+    cloud.p = particles_seven(transfer == APIC ? cloud.grid : NULL);
+    return cloud;
+}
+
+struct cloud cloud_disc(int order, int cells, enum transfer transfer)
+{
+    const double h = 1.0 / cells, low[2] = {-0.5, -0.5}, zero[2] = {0.0, 0.0};
+    const int nodes[2] = {cells + 1, cells + 1};
+    struct cloud cloud = {grid_alloc(order, low, h, nodes),
+                          particles_disc(zero, 0.3, 0.5 * h, 1.0)};
+    const enum status status = particles_turn(
+        cloud.p, transfer == APIC ? cloud.grid : NULL, zero, 1.0, zero);
+    assert(status == OK);
+    (void)status;
+    return cloud;
+}
+
+struct cloud cloud_wave(int order, int cells, int ppc, double k,
+                        enum transfer transfer)
+{
+    const double low[2] = {0.0, -0.5}, high[2] = {cells, 0.5};
+    const int nodes[2] = {cells, 1}, count[2] = {cells * ppc, 1};
+    struct cloud cloud = {grid_alloc(order, low, 1.0, nodes),
+                          particles_box(low, high, count, 1.0)};
+    cloud.grid->periodic = 1;
+    const enum status status =
+        particles_wave(cloud.p, transfer == APIC ? cloud.grid : NULL, k);
+    assert(status == OK);
+    (void)status;
+    return cloud;
+}
+
+void cloud_free(struct cloud cloud)
+{
+    grid_free(cloud.grid);
+    particles_free(cloud.p);
+}
+
 double transfer_factor(int order, enum transfer transfer, double z)
 {
     const double half = 0.5 * z, S = pow(sin(half) / half, order + 1);

@@ -40,6 +40,22 @@ enum status particles_wave(struct particles *p, const struct grid *grid,
 double particles_wave_part(const struct particles *p, double k);
 
 /*
+ * Particles with their first motion and a grid with room for them: the seven
+ * (h = 0.385 m); a disc of radius 0.3 m that turns by 1 rad/s about 0, four
+ * particles per cell of 1 / cells; the wave cos kx on a periodic bar of unit
+ * cells, ppc particles in each.  With B for APIC.
+ */
+struct cloud {
+    struct grid *grid; /* owned, both */
+    struct particles *p;
+};
+struct cloud cloud_seven(int order, enum transfer transfer);
+struct cloud cloud_disc(int order, int cells, enum transfer transfer);
+struct cloud cloud_wave(int order, int cells, int ppc, double k,
+                        enum transfer transfer);
+void cloud_free(struct cloud cloud);
+
+/*
  * What one transfer leaves of the wave in the limit of many particles per cell
  * [eq:pic-filter]: with z = k h and S = (sin(z/2) / (z/2))^(order + 1),
  * S^2 for PIC, 1 for FLIP, S (S - z S'(z)) for APIC.

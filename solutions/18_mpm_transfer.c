@@ -1,6 +1,5 @@
 /*
  * 18_mpm_transfer.c - what survives the way from particles to a grid and back.
- *
  * Notes: the material point method, interpolating functions, P2G and G2P.
  *
  * Problem.  Particles carry a body's mass and motion, a grid finds the forces:
@@ -28,12 +27,12 @@ static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
 static double angular(const struct particles *p);
 
 /* There and back; `kick` times a rigid motion is added to the nodes between. */
-static void there_and_back(struct grid *grid, enum transfer scheme, double dt,
-                           double kick, struct particles *p)
+static void transfer(struct cloud c, enum transfer how, double dt, double kick)
 {
-    enum status status = p2g(p, grid);
-    grid_kick(grid, (double[]){0.31 * kick, -0.47 * kick}, 1.7 * kick);
-    if (status == OK) status = g2p(grid, scheme, dt, p);
+    c.grid->kernel = weights;
+    enum status status = p2g(c.p, c.grid);
+    grid_kick(c.grid, (double[]){0.31 * kick, -0.47 * kick}, 1.7 * kick);
+    if (status == OK) status = g2p(c.grid, how, dt, c.p);
     if (status != OK) die("the place of a particle is %s", status_name(status));
 }
 
@@ -57,79 +56,66 @@ static void print_weights(int order, double h, double x)
     table_end();
 }
 
-/* Seven particles go there and back by each scheme; the nodes are APIC's. */
+/* Seven particles go there and back by each scheme; then the nodes by APIC. */
 static void print_transfer(int order, double dt, double kick)
 {
-    const double low[2] = {-0.77, -0.77};
-    struct grid *grid = grid_alloc(order, low, 0.385, (int[]){11, 11});
-    grid->kernel = weights;
+    struct cloud c = {NULL, NULL};
     table_begin("transfer", "scheme momentum_x momentum_y L_before L_grid "
                 "L_kicked L_after E_before E_grid E_kicked E_after");
     for (int s = PIC; s <= APIC; s++) {
-        struct particles *p = particles_seven(s == APIC ? grid : NULL);
-        const double L = angular(p), E = particles_moments(p).kinetic;
-        there_and_back(grid, (enum transfer)s, dt, kick, p);
-        const struct moments on = grid_moments(grid, grid->v);
-        const struct moments kicked = grid_moments(grid, grid->next);
-        const struct moments end = particles_moments(p);
+        cloud_free(c);
+        c = cloud_seven(order, (enum transfer)s);
+        const double L = angular(c.p), E = particles_moments(c.p).kinetic;
+        transfer(c, (enum transfer)s, dt, kick);
+        const struct moments on = grid_moments(c.grid, c.grid->v);
+        const struct moments kicked = grid_moments(c.grid, c.grid->next);
+        const struct moments end = particles_moments(c.p);
         table_row(transfer_name((enum transfer)s), end.momentum[0],
-                  end.momentum[1], L, on.angular, kicked.angular, angular(p), E,
-                  on.kinetic, kicked.kinetic, end.kinetic);
-        particles_free(p);
+                  end.momentum[1], L, on.angular, kicked.angular, angular(c.p),
+                  E, on.kinetic, kicked.kinetic, end.kinetic);
     }
     table_end();
     table_begin("grid", "node mass v_x v_y");
-    for (int a = 0; a < grid->n_node; a++)
-        if (grid->mass[a] > 0.0)
-            table_row(a, grid->mass[a], grid->v[2 * a], grid->v[2 * a + 1]);
+    const double *v = c.grid->v;
+    for (int a = 0; a < c.grid->n_node; a++)
+        if (c.grid->mass[a] > 0.0)
+            table_row(a, c.grid->mass[a], v[2 * a], v[2 * a + 1]);
     table_end();
-    grid_free(grid);
+    cloud_free(c);
 }
 
-/* A turning disc, four particles per cell, goes there and back in its place. */
+/* A turning disc goes there and back in its place; what is left of its L. */
 static void print_spin(int order, enum transfer scheme, int steps)
 {
-    const double low[2] = {-0.5, -0.5}, none[2] = {0.0, 0.0};
-    struct grid *grid = grid_alloc(order, low, 1.0 / 32.0, (int[]){33, 33});
-    struct particles *p = particles_disc(none, 0.3, 1.0 / 64.0, 1.0);
-    grid->kernel = weights;
-    particles_turn(p, scheme == APIC ? grid : NULL, none, 1.0, none);
-    const double L = angular(p);
+    struct cloud c = cloud_disc(order, 32, scheme);
+    const double L = angular(c.p);
     table_begin("spin", "transfers ratio");
     for (int step = 0; step <= steps; step++) {
-        if (step > 0) there_and_back(grid, scheme, 0.0, 0.0, p);
-        table_row(step, angular(p) / L);
+        if (step > 0) transfer(c, scheme, 0.0, 0.0);
+        table_row(step, angular(c.p) / L);
     }
     table_end();
-    particles_free(p);
-    grid_free(grid);
+    cloud_free(c);
 }
 
 /* One transfer of cos kx on a periodic bar; wavelengths in cells. */
 static void print_filter(int order, int ppc)
 {
-    const double low[2] = {0.0, -0.5}, high[2] = {16.0, 0.5};
-    struct grid *grid = grid_alloc(order, low, 1.0, (int[]){16, 1});
-    struct particles *p = particles_box(low, high, (int[]){16 * ppc, 1}, 1.0);
-    grid->kernel = weights;
-    grid->periodic = 1;
     table_begin("filter", "wavelength scheme factor predicted");
     for (int row = 0; row < 9; row++) {
         const enum transfer scheme = (enum transfer)(row % 3);
         const double cells = 16 >> row / 3, k = 2.0 * acos(-1.0) / cells;
-        particles_wave(p, scheme == APIC ? grid : NULL, k);
-        there_and_back(grid, scheme, 0.0, 0.0, p);
-        table_row(cells, transfer_name(scheme), particles_wave_part(p, k),
+        struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
+        transfer(c, scheme, 0.0, 0.0);
+        table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
                   transfer_factor(order, scheme, k));
+        cloud_free(c);
     }
     table_end();
-    particles_free(p);
-    grid_free(grid);
 }
 
-/* One axis: w[q] = N_i(x) and dw[q] = dN_i/dx (1/m) of the nodes i = first + q,
- * 0 <= q <= order, which lie at h i; returns first [eq:bspline].  On a node the
- * linear kernel takes the cell to the right. */
+/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
+ * h i; returns first [eq:bspline].  On a node order 1 takes the next cell. */
 static int weights(int order, double h, double x, double w[], double dw[])
 {
     int first = 0;
@@ -157,12 +143,12 @@ static int weights(int order, double h, double x, double w[], double dw[])
  * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
 static enum status p2g(const struct particles *p, struct grid *grid)
 {
+    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
+     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
+     * and D = diag(s.inertia); where that is 0, so are the ways. */
     struct support s;
     for (int a = 0; a < grid->n_node; a++)
         grid->mass[a] = grid->v[2 * a] = grid->v[2 * a + 1] = 0.0;
-    /* SLOT 18b(p, grid, &s): each particle in turn.  grid_support() gives s.n
-     * nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p, and D =
-     * diag(s.inertia); where that is 0, so are the ways. */
     for (int q = 0; q < p->n; q++) {
         const enum status status = grid_support(grid, &p->x[2 * q], &s);
         if (status != OK) return status;
@@ -189,8 +175,8 @@ static enum status p2g(const struct particles *p, struct grid *grid)
 static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
                        struct particles *p)
 {
+    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
     struct support s;
-    /* SLOT 18c(grid, scheme, dt, p, &s): all three schemes in one loop. */
     for (int q = 0; q < p->n; q++) {
         const enum status status = grid_support(grid, &p->x[2 * q], &s);
         double after[2] = {0.0, 0.0}, change[2] = {0.0, 0.0};

@@ -35,24 +35,19 @@ static void transfer(struct grid *grid, enum transfer how, double share,
 static double spin(int order, int cells, enum transfer how, double share,
                    const char *name, int *n)
 {
-    const double low[2] = {-0.5, -0.5}, none[2] = {0.0, 0.0}, h = 1.0 / cells;
-    const int nodes[2] = {cells + 1, cells + 1};
-    struct grid *grid = grid_alloc(order, low, h, nodes);
-    struct particles *p = particles_disc(none, 0.3, 0.5 * h, 1.0);
-    claim(particles_turn(p, how == APIC ? grid : NULL, none, 1.0, none) == OK,
-          "the disc is on the grid");
-    const double L = particles_moments(p).angular;
-    for (int k = 0; k < TRANSFERS_MADE; k++) transfer(grid, how, share, p);
-    const double left = particles_moments(p).angular / L;
-    for (int q = 0; q < p->n && name; q++) {
-        const double *x = &p->x[2 * q], *v = &p->v[2 * q];
-        const int i = (int)floor(2.0 * x[0] / h), j = (int)floor(2.0 * x[1] / h);
+    struct cloud c = cloud_disc(order, cells, how);
+    const double L = particles_moments(c.p).angular;
+    for (int k = 0; k < TRANSFERS_MADE; k++) transfer(c.grid, how, share, c.p);
+    const double left = particles_moments(c.p).angular / L;
+    for (int q = 0; q < c.p->n && name; q++) {
+        const double *x = &c.p->x[2 * q], *v = &c.p->v[2 * q];
+        const int i = (int)floor(2.0 * x[0] * cells);
+        const int j = (int)floor(2.0 * x[1] * cells);
         if (i % SHOWN == 0 && j % SHOWN == 0)
             table_row(name, x[0], x[1], v[0], v[1], hypot(v[0], v[1]));
     }
-    *n = p->n;
-    particles_free(p);
-    grid_free(grid);
+    *n = c.p->n;
+    cloud_free(c);
     return left;
 }
 

@@ -17,19 +17,14 @@ enum { CELLS = 48, PPC = 4 };
 /* What is left of the wave with so many periods after `transfers`. */
 static double left(int order, enum transfer how, int periods, int transfers)
 {
-    const double low[2] = {0.0, -0.5}, high[2] = {CELLS, 0.5};
     const double k = 2.0 * acos(-1.0) * periods / CELLS;
-    struct grid *grid = grid_alloc(order, low, 1.0, (int[]){CELLS, 1});
-    const int count[2] = {CELLS * PPC, 1};
-    struct particles *p = particles_box(low, high, count, 1.0);
-    grid->periodic = 1;
-    claim(particles_wave(p, how == APIC ? grid : NULL, k) == OK, "on the grid");
+    struct cloud c = cloud_wave(order, CELLS, PPC, k, how);
     for (int i = 0; i < transfers; i++)
-        claim(grid_p2g(grid, p) == OK && grid_g2p(grid, how, 0.0, p) == OK,
+        claim(grid_p2g(c.grid, c.p) == OK &&
+                  grid_g2p(c.grid, how, 0.0, c.p) == OK,
               "particles stay on the grid");
-    const double part = particles_wave_part(p, k);
-    particles_free(p);
-    grid_free(grid);
+    const double part = particles_wave_part(c.p, k);
+    cloud_free(c);
     return part;
 }
 

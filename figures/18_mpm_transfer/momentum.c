@@ -18,21 +18,18 @@ struct way {
 };
 static struct way transfer(int order, enum transfer how, int kick)
 {
-    const double h = 0.385, low[2] = {-2.0 * h, -2.0 * h};
     const double push[2] = {0.31, -0.47};
-    struct grid *grid = grid_alloc(order, low, h, (int[]){11, 11});
-    struct particles *p = particles_seven(how == APIC ? grid : NULL);
-    struct way way = {.before = particles_moments(p).angular,
-                      .kinetic = particles_moments(p).kinetic};
-    claim(grid_p2g(grid, p) == OK, "all particles are on the grid");
-    if (kick) grid_kick(grid, push, 1.7);
-    way.grid = grid_moments(grid, grid->v).angular;
-    way.kinetic_grid = grid_moments(grid, grid->v).kinetic;
-    way.kicked = grid_moments(grid, grid->next).angular;
-    claim(grid_g2p(grid, how, 0.013, p) == OK, "and stay there");
-    way.after = particles_moments(p).angular;
-    particles_free(p);
-    grid_free(grid);
+    struct cloud c = cloud_seven(order, how);
+    struct way way = {.before = particles_moments(c.p).angular,
+                      .kinetic = particles_moments(c.p).kinetic};
+    claim(grid_p2g(c.grid, c.p) == OK, "all particles are on the grid");
+    if (kick) grid_kick(c.grid, push, 1.7);
+    way.grid = grid_moments(c.grid, c.grid->v).angular;
+    way.kinetic_grid = grid_moments(c.grid, c.grid->v).kinetic;
+    way.kicked = grid_moments(c.grid, c.grid->next).angular;
+    claim(grid_g2p(c.grid, how, 0.013, c.p) == OK, "and stay there");
+    way.after = particles_moments(c.p).angular;
+    cloud_free(c);
     return way;
 }
 

@@ -328,7 +328,7 @@ static void with_all(void (*back)(struct pair s, int order, enum transfer how))
 }
 
 /* All schemes: by the velocity of the grid and not by their own. */
-static void moves(struct pair s, int order, enum transfer how)
+static void check_places(struct pair s, int order, enum transfer how)
 {
     const double dt = 0.2385;
     double want[SEVEN][2];
@@ -348,10 +348,10 @@ static void moves(struct pair s, int order, enum transfer how)
 
 static void places_move_with_the_grid(void)
 {
-    with_all(moves);
+    with_all(check_places);
 }
 
-static void momentum(struct pair s, int order, enum transfer how)
+static void check_momentum(struct pair s, int order, enum transfer how)
 {
     const struct moments want = grid_moments(s.grid, s.grid->next);
     g2p(s.grid, how, oracle_dt, s.p);
@@ -363,10 +363,10 @@ static void momentum(struct pair s, int order, enum transfer how)
 
 static void g2p_keeps_momentum(void)
 {
-    with_all(momentum);
+    with_all(check_momentum);
 }
 
-static void turn(struct pair s, int order, enum transfer how)
+static void check_turning(struct pair s, int order, enum transfer how)
 {
     const double want = grid_moments(s.grid, s.grid->next).angular;
     g2p(s.grid, how, oracle_dt, s.p);
@@ -383,7 +383,7 @@ static void turn(struct pair s, int order, enum transfer how)
 
 static void apic_keeps_angular_momentum(void)
 {
-    with_all(turn);
+    with_all(check_turning);
 }
 
 /* APIC hands a + G x on; PIC does not, unless the particles lie evenly. */
@@ -505,8 +505,7 @@ static const char *const runs[] = {
     "",
     "--order 1 --x 4 --kick 1 --scheme FLIP --steps 3",
     "--order 3 --x 5.0713 --kick 1 --scheme APIC --steps 7 --ppc 2",
-    "--order 1 --x 2.71 --dt 0.2385 --kick -1.3 --scheme APIC --steps 5 "
-    "--ppc 3",
+    "--order 1 --dt 0.2385 --kick -1.3 --scheme APIC --steps 5 --ppc 3",
     "--order 2 --x 3 --dt 0.1 --kick 2.385 --scheme FLIP --steps 9",
 };
 

@@ -446,6 +446,35 @@ static void a_wave_is_filtered_as_predicted(void)
              5e-5);
 }
 
+/* A cloud is the scene that its parts make, with B for APIC alone. */
+static void a_cloud_is_ready_to_go(void)
+{
+    for (int how = PIC; how <= APIC; how++) {
+        const enum transfer transfer = (enum transfer)how;
+        const double k = acos(-1.0) / 4.0;
+        const struct cloud cloud[] = {cloud_seven(2, transfer),
+                                      cloud_disc(3, 16, transfer),
+                                      cloud_wave(2, 16, 4, k, transfer)};
+        const double L[] = {how == APIC ? 0.50088734125 : 0.47704535,
+                            how == APIC ? oracle_disc[1].L_APIC
+                                        : oracle_disc[1].L_PIC};
+        ck_assert_int_eq(cloud[1].p->n, 284);
+        ck_assert_int_eq(cloud[2].p->n, 64);
+        close_to(particles_wave_part(cloud[2].p, k), 1.0, 1e-14);
+        for (int c = 0; c < 3; c++) {
+            double B = 0.0;
+            for (int q = 0; q < cloud[c].p->n; q++)
+                B += mat2_norm(cloud[c].p->B[q]);
+            ck_assert((B > 0.0) == (how == APIC));
+            if (c < 2)
+                close_to(particles_moments(cloud[c].p).angular, L[c], 1e-14);
+            ck_assert(grid_p2g(cloud[c].grid, cloud[c].p) == OK);
+            ck_assert(grid_g2p(cloud[c].grid, transfer, 0.0, cloud[c].p) == OK);
+            cloud_free(cloud[c]);
+        }
+    }
+}
+
 static const struct unit_law laws[] = {
     {"weights_reproduce_one_and_x", weights_reproduce_one_and_x},
     {"weights_are_the_oracles", weights_are_the_oracles},
@@ -464,6 +493,7 @@ static const struct unit_law laws[] = {
     {"a_box_is_filled", a_box_is_filled},
     {"a_wave_is_filtered_as_predicted", a_wave_is_filtered_as_predicted},
     {"the_disc_is_the_oracles", the_disc_is_the_oracles},
+    {"a_cloud_is_ready_to_go", a_cloud_is_ready_to_go},
 };
 
 UNIT_MAIN("particles", laws)
