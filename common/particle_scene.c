@@ -116,6 +116,19 @@ enum status particles_turn(struct particles *p, const struct grid *grid,
     return OK;
 }
 
+void grid_shake(const struct grid *grid, double size, double u[])
+{
+    for (int r = 0; r < 2 * grid->n_node; r++) {
+        double x[2];
+        grid_place(grid, r / 2, x);
+        const long i = lround(x[0] / grid->h), j = lround(x[1] / grid->h);
+        /* three primes, so that neighbours have nothing in common */
+        const long mixed =
+            7919 * (i + 11) + 104729 * (j + 13) + 1299709 * (r % 2 + 1);
+        u[r] = size * ((double)(mixed % 1009) / 1009.0 - 0.5);
+    }
+}
+
 void grid_kick(struct grid *grid, const double v[2], double omega)
 {
     for (int a = 0; a < grid->n_node; a++) {

@@ -3,6 +3,7 @@
  *
  *     seven   particles with irregular data, for identities to round-off
  *     disc    of a square lattice, to be turned
+ *     shake   of the nodes, for forces
  *     wave    v = cos kx along a bar; what a transfer leaves of it is a filter
  *
  * APIC knows a motion's gradient from B.  Where a motion is set, a grid stands
@@ -22,6 +23,10 @@ struct particles *particles_seven(const struct grid *grid);
  * within the radius of the centre. */
 struct particles *particles_disc(const double centre[2], double radius,
                                  double spacing, double rho);
+
+/* u := an irregular displacement of every node within +-size/2 per axis (m),
+ * which depends on size and on where the node is, in cells from 0. */
+void grid_shake(const struct grid *grid, double size, double u[]);
 
 /* v_p := v + omega x (x_p - centre), B_p = omega x D_p.  Statuses as
  * grid_support(); v and B are then incomplete. */
