@@ -1,6 +1,8 @@
 /* particle_bodies.c - see particle_bodies.h. */
 #include "particle_bodies.h"
 
+#include "table.h"
+
 #include <math.h>
 
 /* A bar from `first` to first + 1 and a grid of -2 h to `room`. */
@@ -92,6 +94,14 @@ struct cloud cloud_block(int order)
     return c;
 }
 
+struct cloud cloud_stepping(enum stepping which, int order, double g[2])
+{
+    g[0] = which == BAR ? 9.81 : which == STRAINED ? -9.81 : 0.0;
+    g[1] = 0.0;
+    if (which == BAR) return cloud_hanging(order, 8, 2);
+    return which == STRAINED ? cloud_strained(order) : cloud_block(order);
+}
+
 struct cloud cloud_ringing(int order, int cells, double a)
 {
     const double first = 0.5003;
@@ -118,4 +128,41 @@ double particles_elastic(const struct particles *p,
     for (int q = 0; q < p->n; q++)
         sum += p->volume[q] * material2_psi(material, p->F[q]);
     return sum;
+}
+
+void cloud_energies(struct cloud c, const struct material *material, double t,
+                    const struct particle_report *report)
+{
+    const struct moments of = particles_moments(c.p);
+    table_row(t, report->iterations, particles_elastic(c.p, material),
+              of.kinetic, grid_moments(c.grid, c.grid->v).kinetic,
+              grid_moments(c.grid, c.grid->next).kinetic,
+              potential_sum(report->E), of.momentum[0], of.momentum[1],
+              of.angular);
+}
+
+void cloud_tables(struct cloud c, const struct particle_report *report)
+{
+    const double *x = c.p->x, *v = c.grid->v, *next = c.grid->next;
+    table_begin("newton", "k residual increment part");
+    for (int k = 0; k < report->iterations; k++)
+        table_row(k, report->residual[k], report->increment[k],
+                  report->part[k]);
+    table_end();
+    table_begin("step", "node x y mass v_x v_y next_x next_y");
+    for (int a = 0, i = 0, k = 1; a < c.grid->n_node; a++, i += 2, k += 2) {
+        double at[2];
+        grid_place(c.grid, a, at);
+        if (c.grid->mass[a] > 0.0)
+            table_row(a, at[0], at[1], c.grid->mass[a], v[i], v[k], next[i],
+                      next[k]);
+    }
+    table_end();
+    table_begin("particles", "x y v_x v_y F11 F12 F21 F22");
+    for (int q = 0, i = 0, k = 1; q < c.p->n; q++, i += 2, k += 2) {
+        const mat2 F = c.p->F[q];
+        table_row(x[i], x[k], c.p->v[i], c.p->v[k], F.m[0][0], F.m[0][1],
+                  F.m[1][0], F.m[1][1]);
+    }
+    table_end();
 }

@@ -14,7 +14,7 @@
 
 #include "particle_scene.h"
 
-#include "material.h"
+#include "particle_step.h"
 
 /* ppc particles in each of the cells of 1 / cells; from -2 h to 1.75. */
 struct cloud cloud_hanging(int order, int cells, int ppc);
@@ -38,6 +38,12 @@ struct hanging_error hanging_error(const struct particles *p,
 struct cloud cloud_strained(int order); /* h = 1/8 */
 struct cloud cloud_block(int order);    /* h = 1/4 */
 
+/* One of three bodies and what pulls at it (m/s^2): the hanging bar with 8 cells
+ * and two particles per cell, 9.81; the strained one, -9.81; the block, 0. */
+enum stepping { BAR, STRAINED, BLOCK };
+#define STEPPING "bar strained block" /* as words, in this order */
+struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
+
 /* From x = 0.5003 on, two particles per cell; a is a velocity. */
 struct cloud cloud_ringing(int order, int cells, double a);
 
@@ -48,5 +54,17 @@ struct cloud cloud_outlying(int order, double eps);
 /* sum_p V_p psi(F_p) */
 double particles_elastic(const struct particles *p,
                          const struct material *material);
+
+/* A row of the table that table_begin("energies", CLOUD_ENERGIES) began: after
+ * the step of the report, at time t. */
+#define CLOUD_ENERGIES                                                        \
+    "t iterations elastic kinetic grid_before grid_after potential momentum_x " \
+    "momentum_y angular"
+void cloud_energies(struct cloud c, const struct material *material, double t,
+                    const struct particle_report *report);
+
+/* Three tables: `newton`, the iterations of the report; `step`, the nodes with
+ * mass and their velocities before and after; `particles`. */
+void cloud_tables(struct cloud c, const struct particle_report *report);
 
 #endif

@@ -77,6 +77,21 @@ struct matrix *unknowns_matrix(const struct particle_body *body,
     return matrix_alloc(BANDED, map->n, band < map->n ? band : map->n - 1);
 }
 
+double unknowns_largest(const struct unknowns *map, const double y[])
+{
+    double most = 0.0;
+    for (int e = 0; e < map->n; e++)
+        if (!(fabs(y[e]) <= most)) most = fabs(y[e]);
+    return most;
+}
+
+double matrix_weight(const struct matrix *A)
+{
+    double most = 0.0;
+    for (int e = 0; e < A->n; e++) most = fmax(most, matrix_get(A, e, e));
+    return most;
+}
+
 /* ---- mass ---------------------------------------------------------------- */
 
 enum status particle_mass(const struct particle_body *body, int consistent,
@@ -131,9 +146,16 @@ double potential_sum(struct potential E)
     return E.inertia + E.elastic + E.load;
 }
 
-double potential_size(struct potential E)
+/* The size of E's parts, of which round-off is a few eps. */
+static double size(struct potential E)
 {
     return fabs(E.inertia) + fabs(E.elastic) + fabs(E.load);
+}
+
+int potential_falls(struct potential here, struct potential there)
+{
+    return potential_sum(there) <=
+           potential_sum(here) + 16.0 * DBL_EPSILON * size(here);
 }
 
 enum status particle_potential(const struct particle_body *body,
@@ -166,22 +188,19 @@ struct work {
     double *r, *du, *trial, *y;
 };
 
-/* u += part du with the first part of 1, 1/2, 1/4, ... at which E falls by
- * 1e-4 of what its slope says; a tie within round-off counts. */
+/* u -= part du with the first part of 1, 1/2, 1/4, ... at which E falls. */
 static enum status search(const struct particle_body *body,
                           const struct particle_step *step,
-                          const struct work *work, struct potential E,
-                          double slope, double u[], double *part)
+                          const struct work *work, struct potential here,
+                          double u[], double *part)
 {
     const int n_dof = 2 * body->grid->n_node;
-    const double most = potential_sum(E) +
-                        16.0 * DBL_EPSILON * potential_size(E);
     for (*part = 1.0; *part > 1e-12; *part *= 0.5) {
         struct potential there;
         for (int s = 0; s < n_dof; s++)
-            work->trial[s] = u[s] + *part * work->du[s];
-        if (particle_potential(body, step, work->trial, &there, work->r) == OK &&
-            potential_sum(there) <= most + 1e-4 * *part * slope) {
+            work->trial[s] = u[s] - *part * work->du[s];
+        if (particle_potential(body, step, work->trial, &there, work->r) ==
+                OK && potential_falls(here, there)) {
             memcpy(u, work->trial, (size_t)n_dof * sizeof *u);
             return OK;
         }
@@ -202,17 +221,8 @@ static enum status factor(const struct particle_body *body,
         status = particle_mass_matrix(body, step->consistent,
                                       step->rate * step->rate, map, A);
     if (status != OK) return status;
-    *weight = 0.0;
-    for (int e = 0; e < A->n; e++) *weight = fmax(*weight, matrix_get(A, e, e));
+    *weight = matrix_weight(A);
     return matrix_factor(A);
-}
-
-static double largest(int n, const double y[])
-{
-    double most = 0.0;
-    for (int e = 0; e < n; e++)
-        if (!(fabs(y[e]) <= most)) most = fabs(y[e]);
-    return most;
 }
 
 struct particle_report particle_newton(const struct particle_body *body,
@@ -223,7 +233,6 @@ struct particle_report particle_newton(const struct particle_body *body,
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
     struct work work;
-    struct potential E;
     double weight = 0.0;
     tolerance *= body->grid->h;
     work.r = allocate(4 * n_dof, sizeof *work.r);
@@ -234,10 +243,10 @@ struct particle_report particle_newton(const struct particle_body *body,
     unknowns_number(body->grid, step->wall, map);
     struct matrix *A = map->n > 0 ? unknowns_matrix(body, map) : NULL;
     for (int k = 0; A; k = ++report.iterations) {
-        report.status = particle_potential(body, step, u, &E, work.r);
+        report.status = particle_potential(body, step, u, &report.E, work.r);
         if (report.status != OK) break;
         unknowns_gather(map, work.r, work.y);
-        report.residual[k] = largest(map->n, work.y);
+        report.residual[k] = unknowns_largest(map, work.y);
         if (k > 0 && report.increment[k - 1] <= tolerance &&
             report.residual[k] <= tolerance * weight)
             break;
@@ -247,15 +256,10 @@ struct particle_report particle_newton(const struct particle_body *body,
         if (report.status != OK) break;
         matrix_solve(A, work.y);
         unknowns_scatter(map, work.y, work.du);
-        double slope = 0.0; /* of E along -du */
-        for (size_t s = 0; s < n_dof; s++) {
-            slope += work.r[s] * work.du[s];
-            work.du[s] = -work.du[s];
-        }
-        report.increment[k] = largest(map->n, work.y);
+        report.increment[k] = unknowns_largest(map, work.y);
         report.status =
             isfinite(report.increment[k])
-                ? search(body, step, &work, E, -slope, u, &report.part[k])
+                ? search(body, step, &work, report.E, u, &report.part[k])
                 : NONFINITE;
         if (report.status != OK) break;
     }

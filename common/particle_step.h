@@ -51,9 +51,15 @@ void unknowns_number(const struct grid *grid, enum wall wall,
 void unknowns_gather(const struct unknowns *map, const double r[], double y[]);
 void unknowns_scatter(const struct unknowns *map, const double y[], double u[]);
 
+/* max|y|; NaN if an entry is. */
+double unknowns_largest(const struct unknowns *map, const double y[]);
+
 /* A zero matrix for them, as wide as the particles need. */
 struct matrix *unknowns_matrix(const struct particle_body *body,
                                const struct unknowns *map);
+
+/* The largest diagonal entry of A. */
+double matrix_weight(const struct matrix *A);
 
 /* out := M w; grid->mass is that of P2G. */
 enum status particle_mass(const struct particle_body *body, int consistent,
@@ -68,7 +74,9 @@ struct potential {
     double inertia, elastic, load; /* the three terms of E (J) */
 };
 double potential_sum(struct potential E);
-double potential_size(struct potential E); /* of round-off, in units of eps */
+
+/* Whether E at `there` is less than at `here`, or the same within round-off. */
+int potential_falls(struct potential here, struct potential there);
 
 /* E and r at u; statuses of particle_force(). */
 enum status particle_potential(const struct particle_body *body,
@@ -82,6 +90,7 @@ enum { STEP_CAP = 50 };
 struct particle_report {
     enum status status;
     int iterations;
+    struct potential E; /* of the last u */
     double residual[STEP_CAP + 1], increment[STEP_CAP + 1], part[STEP_CAP + 1];
 };
 
