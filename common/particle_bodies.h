@@ -27,8 +27,8 @@ struct cloud cloud_hanging(int order, int cells, int ppc);
 double hanging_place(const struct material *material, double c, double X,
                      double *F);
 
-/* max_p |x_p - x(X_p)|, and max_p |P(F_p) - c (1 - X_p)|, of a hanging bar whose
- * particles were at the middles of equal parts. */
+/* max_p |x_p - x(X_p)|, and max_p |P(F_p) - c (1 - X_p)|, of a hanging bar with
+ * particles from the middles of equal parts. */
 struct hanging_error {
     double place, stress;
 };

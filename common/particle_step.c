@@ -1,7 +1,6 @@
 /* particle_step.c - see particle_step.h. */
 #include "particle_step.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -146,16 +145,11 @@ double potential_sum(struct potential E)
     return E.inertia + E.elastic + E.load;
 }
 
-/* The size of E's parts, of which round-off is a few eps. */
-static double size(struct potential E)
-{
-    return fabs(E.inertia) + fabs(E.elastic) + fabs(E.load);
-}
-
 int potential_falls(struct potential here, struct potential there)
 {
-    return potential_sum(there) <=
-           potential_sum(here) + 16.0 * DBL_EPSILON * size(here);
+    const double size =
+        fabs(here.inertia) + fabs(here.elastic) + fabs(here.load);
+    return potential_sum(there) <= potential_sum(here) + 1e-12 * size;
 }
 
 enum status particle_potential(const struct particle_body *body,

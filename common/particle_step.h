@@ -75,7 +75,8 @@ struct potential {
 };
 double potential_sum(struct potential E);
 
-/* Whether E at `there` is less than at `here`, or the same within round-off. */
+/* Whether E at `there` is less than at `here`, or not more than by 1e-12 of its
+ * parts: so close to the minimum E is round-off, and du needs no guard. */
 int potential_falls(struct potential here, struct potential there);
 
 /* E and r at u; statuses of particle_force(). */
@@ -96,7 +97,7 @@ struct particle_report {
 
 /*
  * Newton's method for r = 0 from u = 0, where nothing is inverted, with halving
- * until E falls [alg:particle-newton].  Done: max|du| <= tolerance h, and then
+ * until potential_falls() [alg:particle-newton].  Done: max|du| <= tolerance h, and then
  * max|r| <= tolerance h max A_ii.  NOT_SPD: A is not positive definite;
  * STALLED: no part of du makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
  */
