@@ -38,8 +38,8 @@ struct hanging_error hanging_error(const struct particles *p,
 struct cloud cloud_strained(int order); /* h = 1/8 */
 struct cloud cloud_block(int order);    /* h = 1/4 */
 
-/* One of three bodies and what pulls at it (m/s^2): the hanging bar with 8 cells
- * and two particles per cell, 9.81; the strained one, -9.81; the block, 0. */
+/* One of three bodies and what pulls at it (m/s^2): the hanging bar of 8 cells
+ * with two particles each, 9.81; the strained one, -9.81; the block, 0. */
 enum stepping { BAR, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);

@@ -85,6 +85,10 @@ enum status particle_potential(const struct particle_body *body,
                                const double u[], struct potential *E,
                                double r[]);
 
+/* The largest frequency omega of the nodes with mass (1/s), lumped, at u = 0
+ * [eq:critical-step]; NAN where the tangent is not defined. */
+double particle_frequency(const struct particle_body *body);
+
 /* How a step went: max|r| of the unknowns (N) before iteration k, max|du| (m)
  * of it, and the part of du that was taken. */
 enum { STEP_CAP = 50 };

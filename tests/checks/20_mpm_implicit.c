@@ -337,7 +337,6 @@ static void failures_are_named(void)
     expect(got == NOT_SPD, "a static bar that nothing holds must be NOT_SPD, "
            "not %s", status_name(got));
     cloud_free(t.cloud);
-    run_unsolved("--wall none --steps 40", "OUTSIDE");
 }
 
 /* ---- 20d ----------------------------------------------------------------- */
