@@ -102,12 +102,19 @@ struct cloud cloud_stepping(enum stepping which, int order, double g[2])
     return which == STRAINED ? cloud_strained(order) : cloud_block(order);
 }
 
-struct cloud cloud_ringing(int order, int cells, double a)
+struct cloud cloud_ringing(int order, int cells, double a,
+                           enum transfer transfer)
 {
     const double first = 0.5003;
     struct cloud c = bar(order, 1.0 / cells, first, 2 * cells, 2.0);
-    for (int q = 0; q < c.p->n; q++)
-        c.p->v[2 * q] = a * cos(acos(-1.0) * (c.p->x[2 * q] - first));
+    const double pi = acos(-1.0);
+    for (int q = 0; q < c.p->n; q++) {
+        const double X = c.p->x[2 * q] - first;
+        c.p->v[2 * q] = a * cos(pi * X);
+        if (transfer == APIC)
+            c.p->B[q].m[0][0] = -a * pi * sin(pi * X) *
+                                kernel_inertia(order, 1.0 / cells, first + X);
+    }
     return c;
 }
 

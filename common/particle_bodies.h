@@ -44,8 +44,10 @@ enum stepping { BAR, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
 
-/* From x = 0.5003 on, two particles per cell; a is a velocity. */
-struct cloud cloud_ringing(int order, int cells, double a);
+/* From x = 0.5003 on, two particles per cell; a is a velocity.  With B for APIC.
+ */
+struct cloud cloud_ringing(int order, int cells, double a,
+                           enum transfer transfer);
 
 /* Length 1, 8 cells, two particles per cell, the last one eps h beyond node 9.
  */
@@ -57,9 +59,9 @@ double particles_elastic(const struct particles *p,
 
 /* A row of the table that table_begin("energies", CLOUD_ENERGIES) began: after
  * the step of the report, at time t. */
-#define CLOUD_ENERGIES                                                        \
-    "t iterations elastic kinetic grid_before grid_after potential momentum_x " \
-    "momentum_y angular"
+#define CLOUD_ENERGIES                                               \
+    "t iterations elastic kinetic grid_before grid_after potential " \
+    "momentum_x momentum_y angular"
 void cloud_energies(struct cloud c, const struct material *material, double t,
                     const struct particle_report *report);
 
