@@ -44,7 +44,7 @@ enum stepping { BAR, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
 
-/* From x = 0.5003 on, two particles per cell; a is a velocity.  With B for APIC.
+/* From x = 0.5003 on, two particles per cell; a: velocity.  B is set for APIC.
  */
 struct cloud cloud_ringing(int order, int cells, double a,
                            enum transfer transfer);

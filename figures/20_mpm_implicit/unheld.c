@@ -4,9 +4,8 @@
  * Where a displacement has no gradient at any particle, it costs no energy, and
  * a static problem has no unique solution.  A free bar of 8 cells with ppc
  * particles per cell, `offset` of their spacing behind the left ends: zero modes
- * of the tangent beside the translation.  `field` is one of them, of the
- * quadratic kernel.  `loads`: what a hanging bar says in its second load step,
- * when its particles no longer sit in the middles.
+ * of the tangent beside the translation.  `field` is one, of the quadratic
+ * kernel.  `loads`: what a hanging bar says in two load steps.
  */
 #include "particle_bodies.h"
 #include "study.h"
@@ -30,12 +29,11 @@ static struct cloud bar(int order, int ppc, double offset)
 /* Eigenvalues of the tangent that are 0 to round-off, less one. */
 static int zero_modes(struct cloud c)
 {
-    const struct particle_body body = {c.grid, c.p, material_notes(CUBIC),
-                                       NULL};
+    const struct particle_body body = {
+        .grid = c.grid, .particles = c.p, .material = material_notes(CUBIC)};
     struct unknowns *map = unknowns_alloc(c.grid);
-    double u[256] = {0.0}, value[128];
+    double u[256] = {0.0}, value[128]; /* of some 20 nodes */
     int zeros = 0;
-    claim(map->n_dof <= 256, "room");
     unknowns_number(c.grid, NO_WALL, map);
     struct matrix *K = matrix_alloc(DENSE, map->n, 0);
     claim(particle_stiffness(&body, u, map->equation, map->sign, K) == OK &&
@@ -46,7 +44,7 @@ static int zero_modes(struct cloud c)
     return zeros - 1;
 }
 
-int main(void)
+static void print_modes(void)
 {
     const int due[][2] = {{0, 0}, {0, 1}, {2, 2}}; /* one particle per cell */
     table_begin("modes", "kernel ppc offset zero_modes");
@@ -62,12 +60,15 @@ int main(void)
             cloud_free(c);
         }
     table_end();
+}
 
-    /* the slope at the particle of cell i is 0 if u_(i+1) - u_i = -a / b times
-     * u_i - u_(i-1), a and b being how much each difference counts there */
-    struct cloud c = bar(2, 1, 0.23);
+/* The slope at the particle of cell i is 0 if u_(i+1) - u_i is -(1 - f) / f
+ * times u_i - u_(i-1), f its place from the middle of the cell before. */
+static void print_field(void)
+{
+    struct cloud c = bar(2, 1, 0.07);
     double *u = c.grid->next, jump = 1.0, worst = 0.0;
-    const double f = 0.23 + 0.5; /* from the middle before, in cells */
+    const double f = 0.07 + 0.5;
     for (int i = 2; i < c.grid->n_node; i++) {
         u[2 * i] = u[2 * i - 2] + jump;
         jump *= -(1.0 - f) / f;
@@ -76,8 +77,7 @@ int main(void)
     for (int k = 0; k <= 32 * CELLS; k++) {
         struct support s;
         double at[2];
-        claim(grid_support(c.grid, (double[]){k / (32.0 * CELLS), 0.0}, &s) ==
-                  OK, "inside");
+        grid_support(c.grid, (double[]){k / (32.0 * CELLS), 0.0}, &s);
         support_value(&s, u, at);
         table_row(k / 32.0, at[0]);
     }
@@ -95,7 +95,13 @@ int main(void)
     table_end();
     claim(worst < 1e-14, "no particle sees it");
     cloud_free(c);
+}
 
+int main(void)
+{
+    print_modes();
+    print_field();
+    const struct material m = material_notes(CUBIC);
     table_begin("loads", "kernel ppc first second");
     for (int order = 1; order <= 3; order++)
         for (int ppc = 1; ppc <= 4; ppc *= 2) {
@@ -104,8 +110,7 @@ int main(void)
             for (int k = 0; k < 2; k++) {
                 const struct particle_step step = {.wall = MIRROR,
                                                    .g = {50.0 * (k + 1), 0.0}};
-                is[k] = particles_step(hung.grid, hung.p, material_notes(CUBIC),
-                                       &step).status;
+                is[k] = particles_step(hung.grid, hung.p, m, &step).status;
             }
             table_row(KERNEL[order - 1], ppc, status_name(is[0]),
                       status_name(is[1]));
