@@ -79,7 +79,7 @@ struct matrix *unknowns_matrix(const struct particle_body *body,
 double unknowns_largest(const struct unknowns *map, const double y[])
 {
     double most = 0.0;
-    for (int e = 0; e < map->n; e++)
+    for (int e = 0; e < map->n && !isnan(most); e++)
         if (!(fabs(y[e]) <= most)) most = fabs(y[e]);
     return most;
 }

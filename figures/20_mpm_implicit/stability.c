@@ -97,12 +97,12 @@ static int systems(struct outlying at)
 int main(void)
 {
     const char *const kernel[] = {"linear", "quadratic", "cubic"};
-    const double eps[] = {0.5, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6};
+    const double eps[] = {0.5, 0.01, 1e-3, 1e-6};
     const struct material m = material_notes(CUBIC);
     const double implicit = sqrt(material_modulus(&m)) / 30.0 / H;
     table_begin("critical", "kernel eps grid flip implicit systems");
     for (int order = 1; order <= 3; order++)
-        for (int k = 0; k < 7; k++) {
+        for (int k = 0; k < 4; k++) {
             struct outlying at = {order, eps[k]};
             const double grid = grid_limit(at);
             const double flip = root_of(growth, &at, grid / 2.0, grid);

@@ -16,12 +16,12 @@ set key above left maxrows 2 samplen 2.5
 set label 1 "an implicit step of 1/30 s: four systems (linear, quadratic)" \
     at 1e-6, 18 tc rgb "#555555"
 set label 2 "2 √ε" at 2.2e-5, 1.6e-2
-plot for [p = 1:3] data index "critical" every ::7*(p-1)::7*p-1 \
+plot for [p = 1:3] data index "critical" every ::4*(p-1)::4*p-1 \
          using "eps":"grid" with linespoints ls p \
          title word("linear quadratic cubic", p).": grid alone", \
-     for [p = 1:3] data index "critical" every ::7*(p-1)::7*p-1 \
+     for [p = 1:3] data index "critical" every ::4*(p-1)::4*p-1 \
          using "eps":"flip" with linespoints ls p dt 3 \
          title word("linear quadratic cubic", p).": with FLIP", \
-     data index "critical" every ::0::6 using "eps":"implicit" \
+     data index "critical" every ::0::3 using "eps":"implicit" \
          with lines lw 2 lc rgb "#555555" notitle, \
      2 * sqrt(x) ls 8 notitle

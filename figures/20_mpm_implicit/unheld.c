@@ -38,7 +38,7 @@ static int zero_modes(struct cloud c)
     struct matrix *K = matrix_alloc(DENSE, map->n, 0);
     claim(particle_stiffness(&body, u, map->equation, map->sign, K) == OK &&
               matrix_eigenvalues(K, value) == OK, "at rest");
-    while (zeros < map->n && value[zeros] < 1e-11 * value[map->n - 1]) zeros++;
+    while (value[zeros] < 1e-11 * value[map->n - 1]) zeros++;
     matrix_free(K);
     unknowns_free(map);
     return zeros - 1;
@@ -46,17 +46,15 @@ static int zero_modes(struct cloud c)
 
 static void print_modes(void)
 {
-    const int due[][2] = {{0, 0}, {0, 1}, {2, 2}}; /* one particle per cell */
+    const int due[][2] = {{0, 0}, {0, 1}, {2, 2}};
     table_begin("modes", "kernel ppc offset zero_modes");
     for (int order = 1; order <= 3; order++)
         for (int k = 0; k < 6; k++) {
-            const int ppc = 1 + k / 2;
-            const double offset = k % 2 ? 0.23 : 0.5;
-            struct cloud c = bar(order, ppc, offset);
+            const int ppc = 1 + k / 2, off = k % 2;
+            struct cloud c = bar(order, ppc, off ? 0.23 : 0.5);
             const int zeros = zero_modes(c);
-            table_row(KERNEL[order - 1], ppc, offset, zeros);
-            claim(zeros == (ppc > 1 ? 0 : due[order - 1][k % 2]),
-                  "no mode from two particles per cell on");
+            table_row(KERNEL[order - 1], ppc, off ? 0.23 : 0.5, zeros);
+            claim(zeros == (ppc > 1 ? 0 : due[order - 1][off]), "two hold");
             cloud_free(c);
         }
     table_end();
@@ -67,8 +65,7 @@ static void print_modes(void)
 static void print_field(void)
 {
     struct cloud c = bar(2, 1, 0.07);
-    double *u = c.grid->next, jump = 1.0, worst = 0.0;
-    const double f = 0.07 + 0.5;
+    double *u = c.grid->next, jump = 1.0, worst = 0.0, f = 0.57;
     for (int i = 2; i < c.grid->n_node; i++) {
         u[2 * i] = u[2 * i - 2] + jump;
         jump *= -(1.0 - f) / f;
@@ -88,12 +85,12 @@ static void print_field(void)
         double at[2];
         grid_support(c.grid, &c.p->x[2 * p], &s);
         support_value(&s, u, at);
-        const double slope = support_gradient(&s, u).m[0][0] / CELLS;
+        const double slope = support_gradient(&s, u).m[0][0];
         table_row(c.p->x[2 * p] * CELLS, at[0], slope);
         worst = fmax(worst, fabs(slope));
     }
     table_end();
-    claim(worst < 1e-14, "no particle sees it");
+    claim(worst < 1e-13, "no particle sees it");
     cloud_free(c);
 }
 
