@@ -1,7 +1,7 @@
 /*
  * body.h - a two-dimensional elastic body: energy, residual, tangent, fast.
  *
- * Linear triangles on the square of mesh.h; u and v are flat, component i of
+ * Linear triangles on a rectangle of mesh.h; u and v are flat, component i of
  * vertex a at [2a + i].  With f the nodal forces (body force and tractions
  * integrated against N_a), rho the density, F_e = I + sum_a u_a (x) grad N_a:
  *
@@ -16,12 +16,15 @@
  * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; with dt = 1 and
  * rho = 0 it is quasistatics.
  *
- * Only free vertices have equations.  They are numbered row by row from right
- * to left, so that the diagonals of the mesh do not widen the band: half
- * bandwidth 2 n - 1 with both ends prescribed.
+ * Only free vertices have equations.  In a band they are numbered row by row
+ * from right to left, so that the diagonals of the mesh do not widen the band:
+ * half bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer
+ * than the columns it is by columns from the top down: 2 rows + 3.  In sparse
+ * storage they are numbered as sparse.h eliminates them.
  *
  * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
- * dpsi = mu (F:dF) + G' (cof F:dF), G' = (lambda r - mu) r', G'' its derivative
+ * dpsi = mu (F:dF) + G' (cof F:dF), G', G'' of
+ * material_volume()
  *
  *     dPsi/du_a = area (mu F g_a + G' c_a)                  [eq:element-force]
  *     K_ab      = area ((mu g_a.g_b) I + G'' c_a c_b^T
@@ -35,10 +38,21 @@
 #include "mesh.h"
 
 enum mass { CONSISTENT, LUMPED };
+enum tangent { NO_TANGENT, EXACT, PROJECTED };
+
+/*
+ * What a body has besides its material, fibres for example (fibre.h), adds its
+ * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
+ * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.
+ */
+struct body;
+typedef void body_addition(const struct body *body, double dt,
+                           const double u[], enum tangent tangent,
+                           double *energy, double q[]);
 
 struct body {
     const struct mesh *mesh;  /* borrowed */
-    struct material material; /* LOG or CUBIC */
+    struct material material; /* not LINEAR */
     double rho;               /* density (kg/m^2) */
     enum mass mass;
     int n_equation;
@@ -49,8 +63,15 @@ struct body {
     int *place;       /* [6 n_triangle] scatter map: where in K->a the 2x2
                        * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
                        * element begin; -1: a vertex is prescribed */
-    struct matrix *K; /* tangent of the free unknowns, banded */
+    struct sparse *pattern; /* of K when it is sparse, NULL when banded */
+    struct matrix *K; /* tangent of the free unknowns */
+    body_addition *add; /* NULL, from body_alloc(): nothing besides */
+    const void *added;  /* what add needs; borrowed */
 };
+
+/* From so many cells across the shorter side on, dissection is faster than the
+ * band, and body_alloc() makes K sparse; measured, then fixed. */
+enum { BODY_SPARSE_FROM = 44 };
 
 /*
  * held[a] != 0: both components of vertex a are prescribed; not all may be.
@@ -60,6 +81,10 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
                         double rho, enum mass mass, const int held[]);
 void body_free(struct body *body);
 
+/* Number the equations anew, for a zero K in this storage, BANDED or SPARSE.
+ * Matrices of body_matrix() that were made before are of no use any more. */
+void body_store(struct body *body, enum storage storage);
+
 /* Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
@@ -67,7 +92,8 @@ enum status body_energy(const struct body *body, const double u[],
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);
 
-/* The least det F of all triangles. */
+/* F of triangle e; the least det F of all triangles. */
+mat2 body_deformation(const struct body *body, const double u[], int e);
 double body_min_J(const struct body *body, const double u[]);
 
 /* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as
@@ -100,8 +126,6 @@ double body_max_free(const struct body *body, const double v[]);
  */
 enum status body_increment(const struct body *body, struct matrix *A,
                            const double q[], double du[]);
-
-enum tangent { NO_TANGENT, EXACT, PROJECTED };
 
 /*
  * q at u, of all vertices (at prescribed ones it is what holds them), and K of

@@ -3,6 +3,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void support_pull_back(struct support *s, mat2 F)
@@ -83,6 +84,65 @@ enum status particle_force(const struct particle_body *body, const double u[],
     return finite(f, n_dof);
 }
 
+enum status particle_cauchy_force(const struct particle_body *body,
+                                  const double u[], double f[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    memset(f, 0, (size_t)n_dof * sizeof *f);
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support now;
+        mat2 F;
+        const enum status status = at_particle(body, p, u, &now, &F);
+        if (status != OK) return status;
+        grid_support(body->grid, &body->particles->x[2 * p], &now);
+        const mat2 hat = mat2_add(mat2_identity(), support_gradient(&now, u));
+        const double J = mat2_det(F);
+        const mat2 sigma =
+            mat2_scale(1.0 / J, mat2_multiply(material2_pk1(&body->material, F),
+                                              mat2_transpose(F)));
+        /* gradient := F_hat^-T gradient */
+        support_pull_back(&now, mat2_scale(1.0 / mat2_det(hat),
+                                           mat2_transpose(mat2_cofactor(hat))));
+        add_to_nodes(&now, -J * body->particles->volume[p], sigma, f);
+    }
+    return finite(f, n_dof);
+}
+
+enum status particle_difference_force(const struct particle_body *body,
+                                      const double u[], double step, double f[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    double *at = allocate((size_t)n_dof, sizeof *at), more, less;
+    enum status status = OK;
+    memcpy(at, u, (size_t)n_dof * sizeof *at);
+    for (int r = 0; r < n_dof && status == OK; r++) {
+        at[r] = u[r] + step;
+        status = particle_energy(body, at, &more);
+        at[r] = u[r] - step;
+        if (status == OK) status = particle_energy(body, at, &less);
+        at[r] = u[r];
+        if (status == OK) f[r] = -(more - less) / (2.0 * step);
+    }
+    free(at);
+    return status;
+}
+
+struct balance grid_balance(const struct grid *grid, const double u[],
+                            const double f[])
+{
+    struct balance sum = {{0.0, 0.0}, 0.0};
+    for (int a = 0; a < grid->n_node; a++) {
+        double x[2];
+        grid_place(grid, a, x);
+        for (int k = 0; k < 2; k++) {
+            x[k] += u ? u[2 * a + k] : 0.0;
+            sum.force[k] += f[2 * a + k];
+        }
+        sum.torque += x[0] * f[2 * a + 1] - x[1] * f[2 * a];
+    }
+    return sum;
+}
+
 enum status particle_product(const struct particle_body *body, const double u[],
                              const double w[], double out[])
 {
@@ -97,6 +157,27 @@ enum status particle_product(const struct particle_body *body, const double u[],
                      dpk1(body, F, support_gradient(&s, w)), out);
     }
     return finite(out, n_dof);
+}
+
+enum status particle_taylor(const struct particle_body *body, const double u[],
+                            const double w[], double t, const double f[],
+                            const double Kw[], struct taylor *error)
+{
+    const int n_dof = 2 * body->grid->n_node;
+    double *at = allocate(2 * (size_t)n_dof, sizeof *at), *g = at + n_dof;
+    double here = 0.0, there = 0.0, slope = 0.0;
+    for (int r = 0; r < n_dof; r++) {
+        at[r] = u[r] + t * w[r];
+        slope -= f[r] * w[r];
+    }
+    enum status status = particle_energy(body, u, &here);
+    if (status == OK) status = particle_energy(body, at, &there);
+    if (status == OK) status = particle_force(body, at, g);
+    *error = (struct taylor){fabs(there - here - t * slope), 0.0};
+    for (int r = 0; r < n_dof; r++)
+        error->force = fmax(error->force, fabs(g[r] - f[r] + t * Kw[r]));
+    free(at);
+    return status;
 }
 
 int particle_band(const struct particle_body *body, const int equation[])

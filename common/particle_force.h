@@ -17,7 +17,7 @@
  * the second components of u are 0 on a bar, those of its forces are 0 too.
  *
  * Source: Jiang, Schroeder, Teran, Stomakhin & Selle, The material point method
- * for simulating continuum materials, SIGGRAPH 2016 Courses, sec. 10.
+ * for simulating continuum materials, SIGGRAPH 2016 Courses.
  */
 #ifndef COMMON_PARTICLE_FORCE_H
 #define COMMON_PARTICLE_FORCE_H
@@ -51,9 +51,39 @@ enum status particle_energy(const struct particle_body *body, const double u[],
 enum status particle_force(const struct particle_body *body, const double u[],
                            double f[]);
 
+/* The same forces from sigma = P F^T / J and the gradients of the nodes where
+ * they are now: -sum_p J V_p sigma F_hat^-T grad N_a. */
+enum status particle_cauchy_force(const struct particle_body *body,
+                                  const double u[], double f[]);
+
+/* And by central differences of the energy, u_r + step and u_r - step. */
+enum status particle_difference_force(const struct particle_body *body,
+                                      const double u[], double step,
+                                      double f[]);
+
+/* Sum, and torque about 0, of forces f that act at the nodes x + u; u may be
+ * NULL: at x. */
+struct balance {
+    double force[2], torque;
+};
+struct balance grid_balance(const struct grid *grid, const double u[],
+                            const double f[]);
+
 /* out := K(u) w, without a matrix; K is symmetric. */
 enum status particle_product(const struct particle_body *body, const double u[],
                              const double w[], double out[]);
+
+/*
+ * Is f the force at u, and Kw its tangent times w?  Then the errors of Taylor's
+ * series at u + t w fall like t^2: |Psi(u + t w) - Psi(u) + t f.w| and
+ * max|f(u + t w) - f + t Kw|, with energies and forces of this module.
+ */
+struct taylor {
+    double energy, force;
+};
+enum status particle_taylor(const struct particle_body *body, const double u[],
+                            const double w[], double t, const double f[],
+                            const double Kw[], struct taylor *error);
 
 /*
  * K += the matrix of the unknowns y that the nodes move by: u_r = sign[r]

@@ -203,6 +203,41 @@ struct cloud cloud_wave(int order, int cells, int ppc, double k,
     return cloud;
 }
 
+struct cloud cloud_bar(int order, int cells, int ppc, double F, double shift)
+{
+    const double h = 1.0 / cells, low[2] = {-2.0 * h, -0.5};
+    const int nodes[2] = {(int)ceil(F * cells + shift) + 5, 1};
+    const double ends[2][2] = {{0.0, -0.5}, {1.0, 0.5}};
+    const int count[2] = {cells * ppc, 1};
+    struct cloud bar = {grid_alloc(order, low, h, nodes),
+                        particles_box(ends[0], ends[1], count, 1.0)};
+    for (int q = 0; q < bar.p->n; q++) {
+        bar.p->x[2 * q] = F * bar.p->x[2 * q] + shift * h;
+        bar.p->F[q].m[0][0] = F;
+    }
+    const enum status status = grid_p2g(bar.grid, bar.p);
+    assert(status == OK);
+    (void)status;
+    return bar;
+}
+
+struct inner cloud_bar_inner(struct cloud bar, const double f[])
+{
+    const double first = bar.p->x[0], last = bar.p->x[2 * (bar.p->n - 1)];
+    const double edge = 0.5 * (last - first) / (bar.p->n - 1);
+    const double room = 2.0 * bar.grid->h - edge;
+    struct inner worst = {0.0, 0.0};
+    for (int a = 0; a < bar.grid->n_node; a++) {
+        double x[2];
+        grid_place(bar.grid, a, x);
+        if (x[0] < first + room || x[0] > last - room) continue;
+        worst.force = fmax(worst.force, fabs(f[2 * a]));
+        worst.acceleration =
+            fmax(worst.acceleration, fabs(f[2 * a]) / bar.grid->mass[a]);
+    }
+    return worst;
+}
+
 void cloud_free(struct cloud cloud)
 {
     grid_free(cloud.grid);

@@ -18,6 +18,7 @@ enum status {
     NONFINITE,    /* a NaN or an infinity where a number is due */
     INVERTED,     /* det F left the domain of the material */
     STALLED,      /* no step makes progress, and the residual is not small */
+    SADDLE,       /* in balance, but not a minimum: K is not SPD there */
     MAX_ITERATIONS,
     OUTSIDE       /* a particle is where the grid has no nodes for it */
 };

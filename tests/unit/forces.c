@@ -8,6 +8,7 @@
 
 #include <limits.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define H 0.385
@@ -54,6 +55,18 @@ static int node_at(const int cell[2])
     return (cell[1] + 2) * 11 + cell[0] + 2;
 }
 
+/* The oracle's places of the node (2, 2), and no node goes far. */
+static void nodes_are_shaken_as_the_oracles(void)
+{
+    struct scene s = seven(2, CUBIC);
+    const int a = node_at((int[]){2, 2});
+    close_to(2 * H + s.u[2 * a], 0.7117062685827552, 1e-15);
+    close_to(2 * H + s.u[2 * a + 1], 0.7273313924677899, 1e-15);
+    for (int r = 0; r < DOF; r++)
+        ck_assert_double_le(fabs(s.u[r]), 0.5 * 0.35 * H);
+    scene_free(&s);
+}
+
 /* Relative to forces of size 50 and entries of K of size 500; the oracle has 16
  * digits, and sums of ten terms lose two of them. */
 static void forces_are_the_oracles(void)
@@ -61,16 +74,12 @@ static void forces_are_the_oracles(void)
     for (int k = 0; k < COUNT(oracle_force); k++) {
         const enum law law = strcmp(oracle_force[k].law, "log") ? CUBIC : LOG;
         struct scene s = seven(oracle_force[k].order, law);
-        double energy, f[DOF], Kw[DOF], torque = 0.0;
+        double energy, f[DOF], Kw[DOF], torque;
         ck_assert(particle_energy(&s.body, s.u, &energy) == OK);
         ck_assert(particle_force(&s.body, s.u, f) == OK);
         close_to(energy, oracle_force[k].energy, 1e-12);
         close_to(dot(f, s.u), oracle_force[k].work, 1e-12);
-        for (int a = 0; a < NODES; a++) {
-            double x[2];
-            grid_place(s.grid, a, x);
-            torque += x[0] * f[2 * a + 1] - x[1] * f[2 * a];
-        }
+        torque = grid_balance(s.grid, NULL, f).torque;
         close_to(torque, oracle_force[k].torque, 1e-11);
         ck_assert(particle_product(&s.body, s.u, s.u, Kw) == OK);
         close_to(dot(Kw, s.u), oracle_force[k].bend, 1e-12);
@@ -95,19 +104,20 @@ static void forces_balance(void)
     for (int order = 1; order <= ORDER_MAX; order++)
         for (enum law law = LINEAR; law <= CUBIC; law++) {
             struct scene s = seven(order, law);
-            double f[DOF], sum[3] = {0.0, 0.0, 0.0};
+            double f[DOF];
             ck_assert(particle_force(&s.body, s.u, f) == OK);
-            for (int a = 0; a < NODES; a++) {
-                double x[2];
-                grid_place(s.grid, a, x);
-                for (int i = 0; i < 2; i++) {
-                    sum[i] += f[2 * a + i];
-                    x[i] += s.u[2 * a + i];
-                }
-                sum[2] += x[0] * f[2 * a + 1] - x[1] * f[2 * a];
-            }
-            for (int i = 0; i < (law == LINEAR ? 2 : 3); i++)
-                close_to(sum[i], 0.0, 1e-12);
+            const struct balance sum = grid_balance(s.grid, s.u, f);
+            for (int i = 0; i < 2; i++) close_to(sum.force[i], 0.0, 1e-12);
+            if (law != LINEAR) close_to(sum.torque, 0.0, 1e-12);
+            for (int r = 0; r < DOF; r++) f[r] = r == 2 * 50 + 1 ? 2.0 : 0.0;
+            const struct balance one = grid_balance(s.grid, s.u, f);
+            double x[2];
+            grid_place(s.grid, 50, x);
+            close_to(one.force[0], 0.0, 1e-300);
+            close_to(one.force[1], 2.0, 1e-300);
+            close_to(one.torque, 2.0 * (x[0] + s.u[100]), 1e-14);
+            for (int r = 0; r < DOF; r++) f[r] = r == DOF - 1 ? 2.0 : 0.0;
+            close_to(grid_balance(s.grid, s.u, f).force[1], 2.0, 1e-300);
             scene_free(&s);
         }
 }
@@ -134,6 +144,91 @@ static void slopes_agree(void)
             for (int r = 0; r < DOF; r++)
                 close_to((v[0][r] - v[1][r]) / (2.0 * step), Kw[r], 1e-7);
             scene_free(&s);
+        }
+}
+
+/* The other ways to the force; differences have errors of step^2 times third
+ * derivatives, and round-off of 20 J over the step. */
+static void three_forms_are_one_force(void)
+{
+    for (int order = 1; order <= ORDER_MAX; order++)
+        for (enum law law = LOG; law <= CUBIC; law++) {
+            struct scene s = seven(order, law);
+            double f[DOF], cauchy[DOF], slope[DOF];
+            for (int r = 0; r < DOF; r++) f[r] = cauchy[r] = slope[r] = NAN;
+            ck_assert(particle_force(&s.body, s.u, f) == OK);
+            ck_assert(particle_cauchy_force(&s.body, s.u, cauchy) == OK);
+            ck_assert(
+                particle_difference_force(&s.body, s.u, 1e-5 * H, slope) == OK);
+            for (int r = 0; r < DOF; r++) {
+                close_to(cauchy[r], f[r], 1e-12);
+                close_to(slope[r], f[r], 1e-7);
+            }
+            scene_free(&s);
+        }
+}
+
+/* Errors fall like t^2, and like t when force or product are wrong. */
+static void taylor_tells_right_from_wrong(void)
+{
+    for (int wrong = 0; wrong < 3; wrong++) {
+        struct scene s = seven(2, LOG);
+        double f[DOF], Kw[DOF], right[DOF];
+        struct taylor error[2];
+        ck_assert(particle_force(&s.body, s.u, right) == OK);
+        ck_assert(particle_product(&s.body, s.u, s.w, Kw) == OK);
+        memcpy(f, right, sizeof f);
+        for (int r = 0; r < DOF; r++) {
+            if (wrong == 1) f[r] *= 1.1;
+            if (wrong == 2) Kw[r] *= 1.1;
+        }
+        for (int k = 0; k < 2; k++)
+            ck_assert(particle_taylor(&s.body, s.u, s.w, k ? 5e-5 : 1e-4, f, Kw,
+                                      &error[k]) == OK);
+        const double energy = log2(error[0].energy / error[1].energy);
+        const double force = log2(error[0].force / error[1].force);
+        close_to(energy, wrong == 1 ? 1.0 : 2.0, 0.02);
+        close_to(force, wrong == 0 ? 2.0 : wrong == 1 ? 0.0 : 1.0, 0.02);
+        /* the first term that is left out of the energy, t^2 w.K w / 2 */
+        if (wrong == 0)
+            close_to(error[0].energy / (0.5e-8 * dot(s.w, Kw)), 1.0, 0.01);
+        scene_free(&s);
+    }
+}
+
+/* Particles F X + shift h with F_p = F and masses on the nodes; the force that
+ * crossing leaves over is the oracle's. */
+static void a_stretched_bar_is_the_oracles(void)
+{
+    const struct material cubic = material_notes(CUBIC);
+    for (int k = 0; k < COUNT(oracle_bar); k++)
+        for (int order = 1; order <= ORDER_MAX; order++) {
+            const double F = 1.385, h = 1.0 / oracle_bar[k].cells;
+            struct cloud bar =
+                cloud_bar(order, oracle_bar[k].cells, 2, F, 0.0137);
+            const struct particle_body body = {
+                .grid = bar.grid, .particles = bar.p, .material = cubic};
+            const size_t n = 2 * (size_t)bar.grid->n_node;
+            double *u = allocate(2 * n, sizeof *u), *f = u + n;
+            close_to(bar.p->x[0], F * 0.25 * h + 0.0137 * h, 1e-15);
+            close_to(grid_moments(bar.grid, u).mass, 1.0, 1e-13);
+            ck_assert(particle_force(&body, u, f) == OK);
+            const struct inner inner = cloud_bar_inner(bar, f);
+            close_to(inner.force / material1_pk1(&cubic, F),
+                     oracle_bar[k].force[order - 1], 1e-12);
+            close_to(inner.acceleration, oracle_bar[k].acceleration[order - 1],
+                     1e-8);
+            for (int a = 0; a < bar.grid->n_node; a++) { /* ends do not count */
+                const double at = h * (a - 2) - 0.0137 * h;
+                f[2 * a] = at < 1.99 * h || at > F - 1.99 * h   ? 1e9
+                           : at < 2.99 * h || at > F - 2.99 * h ? 2.0
+                                                                : -1.0;
+                bar.grid->mass[a] = 4.0;
+            }
+            close_to(cloud_bar_inner(bar, f).force, 2.0, 1e-300);
+            close_to(cloud_bar_inner(bar, f).acceleration, 0.5, 1e-300);
+            free(u);
+            cloud_free(bar);
         }
 }
 
@@ -260,6 +355,7 @@ static void failures_are_named(void)
 {
     struct scene s = seven(2, LOG);
     double energy, f[DOF];
+    struct taylor taylor;
     int equation[DOF];
     for (int r = 0; r < DOF; r++) equation[r] = r;
     struct matrix *K =
@@ -269,6 +365,11 @@ static void failures_are_named(void)
         ck_assert(particle_energy(&s.body, s.u, &energy) == (status));         \
         ck_assert(particle_force(&s.body, s.u, f) == (status));                \
         ck_assert(particle_product(&s.body, s.u, s.w, f) == (status));         \
+        ck_assert(particle_cauchy_force(&s.body, s.u, f) == (status));         \
+        ck_assert(particle_difference_force(&s.body, s.u, 1e-6, f) ==          \
+                  (status));                                                   \
+        ck_assert(particle_taylor(&s.body, s.u, s.w, 0.0, f, f, &taylor) ==    \
+                  (status));                                                   \
         ck_assert(particle_stiffness(&s.body, s.u, equation, NULL, K) ==       \
                   (status));                                                   \
     } while (0)
@@ -289,6 +390,14 @@ static void failures_are_named(void)
     s.u[2 * 11 * 5 + 11] = NAN;
     EXPECT(NONFINITE);
     s.u[2 * 11 * 5 + 11] = 0.0;
+    for (int r = 0; r < DOF; r++) { /* J = 1e120 is finite, r^2 is not */
+        double x[2];
+        grid_place(s.grid, r / 2, x);
+        s.u[r] = 1e60 * x[r % 2];
+    }
+    ck_assert(particle_energy(&s.body, s.u, &energy) == NONFINITE);
+    ck_assert(particle_force(&s.body, s.u, f) == NONFINITE);
+    for (int r = 0; r < DOF; r++) s.u[r] = 0.0;
     s.particles->x[5] = -2.5 * H;
     EXPECT(OUTSIDE);
     ck_assert_int_eq(particle_band(&s.body, equation), INT_MAX);
@@ -298,9 +407,13 @@ static void failures_are_named(void)
 }
 
 static const struct unit_law laws[] = {
+    {"nodes_are_shaken_as_the_oracles", nodes_are_shaken_as_the_oracles},
     {"forces_are_the_oracles", forces_are_the_oracles},
     {"forces_balance", forces_balance},
     {"slopes_agree", slopes_agree},
+    {"three_forms_are_one_force", three_forms_are_one_force},
+    {"taylor_tells_right_from_wrong", taylor_tells_right_from_wrong},
+    {"a_stretched_bar_is_the_oracles", a_stretched_bar_is_the_oracles},
     {"the_matrix_is_the_product", the_matrix_is_the_product},
     {"a_tangent_of_ones_own_is_used", a_tangent_of_ones_own_is_used},
     {"a_bar_has_the_elements_forces", a_bar_has_the_elements_forces},

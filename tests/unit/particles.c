@@ -170,6 +170,22 @@ static void outside_is_named(void)
     }
 }
 
+/* One cell: the smallest grid of the linear kernel. */
+static void a_cell_has_four_nodes(void)
+{
+    const double origin[2] = {0.0, 0.0}, x[2] = {0.25, 0.375};
+    const int nodes[2] = {2, 2};
+    struct grid *grid = grid_alloc(1, origin, 1.0, nodes);
+    struct support s;
+    ck_assert(grid_support(grid, x, &s) == OK);
+    ck_assert_int_eq(s.n, 4);
+    close_to(s.w[0], 0.75 * 0.625, 1e-15);
+    close_to(s.w[3], 0.25 * 0.375, 1e-15);
+    grid_free(grid);
+    grid_free(NULL);
+    particles_free(NULL);
+}
+
 static void a_period_leads_around(void)
 {
     const double origin[2] = {-0.5, 0.25}, h = 0.125;
@@ -460,6 +476,10 @@ static void a_cloud_is_ready_to_go(void)
                                         : oracle_disc[1].L_PIC};
         ck_assert_int_eq(cloud[1].p->n, 284);
         ck_assert_int_eq(cloud[2].p->n, 64);
+        close_to(particles_moments(cloud[2].p).mass, 16.0, 1e-13);
+        double corner[2];
+        grid_place(cloud[0].grid, 0, corner);
+        ck_assert(corner[0] == -0.77 && corner[1] == -0.77);
         close_to(particles_wave_part(cloud[2].p, k), 1.0, 1e-14);
         for (int c = 0; c < 3; c++) {
             double B = 0.0;
@@ -482,6 +502,7 @@ static const struct unit_law laws[] = {
     {"gradients_are_slopes_of_the_weights",
      gradients_are_slopes_of_the_weights},
     {"outside_is_named", outside_is_named},
+    {"a_cell_has_four_nodes", a_cell_has_four_nodes},
     {"a_period_leads_around", a_period_leads_around},
     {"a_bar_is_a_grid_of_one_row", a_bar_is_a_grid_of_one_row},
     {"seven_are_the_oracles", seven_are_the_oracles},
