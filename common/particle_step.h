@@ -102,7 +102,7 @@ struct particle_report {
 /*
  * Newton's method for r = 0 from u = 0, where nothing is inverted, with halving
  * until potential_falls() [alg:particle-newton].  Done: max|du| <= tolerance h,
- * and then max|r| <= tolerance h max A_ii.  NOT_SPD: A is not positive definite;
+ * then max|r| <= tolerance h max A_ii.  NOT_SPD: A is not positive definite;
  * STALLED: no part of du makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
  */
 struct particle_report particle_newton(const struct particle_body *body,

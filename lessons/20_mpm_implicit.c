@@ -22,7 +22,6 @@
 #include "particle_step.h"
 #include "table.h"
 
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +63,6 @@ static enum status potential(const struct particle_body *body,
     const int n = 2 * body->grid->n_node;
     double *w = allocate(2 * (size_t)n, sizeof *w), *Mw = w + n;
     enum status status = OK;
-    *E = (struct potential){0.0, 0.0, 0.0};
     /* SLOT 20a(body, step, u, v, mass, n, w, Mw, E, r, &status): the parts of
      * E, and r; particle_energy(), particle_force(), particle_mass(). */
     todo("20a", body, step, u, v, mass, n, w, Mw, E, r, &status);
@@ -80,7 +78,6 @@ static void number(const struct grid *grid, enum wall wall,
 {
     const int columns = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
     const int at_wall = (int)lround(-grid->origin[0] / grid->h);
-    map->n = 0;
     /* SLOT 20c(grid, wall, columns, axes, at_wall, map): only nodes with mass
      * move, by the first `axes` components; then their mirror images. */
     todo("20c", grid, wall, columns, axes, at_wall, map);
@@ -104,10 +101,8 @@ static struct particle_report newton(const struct particle_body *body,
     double *trial = du + n, weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    memset(u, 0, (size_t)n * sizeof *u);
     /* SLOT 20b(body, step, n, small, &report, map, &there, r, y, du, trial,
-     * &weight, A, u): unknowns_gather() and _scatter() go from nodes to unknowns
-     * and back; A by particle_stiffness() and particle_mass_matrix(). */
+     * &weight, A, u): A by particle_stiffness(), particle_mass_matrix(). */
     todo("20b", body, step, n, small, &report, map, &there, r, y, du, trial,
          &weight, A, u);
     /* END 20b */
@@ -140,13 +135,11 @@ static struct particle_report advance(struct cloud c, struct material material,
                                       const struct particle_step *step)
 {
     const struct particle_body body = {c.grid, c.p, material, NULL};
-    const int n = 2 * c.grid->n_node;
-    double *u = allocate((size_t)n, sizeof *u);
+    double *u = c.grid->next; /* a velocity in the end */
     struct particle_report report = {.status = grid_p2g(c.grid, c.p)};
     if (report.status == OK) report = newton(&body, step, u);
-    for (int s = 0; s < n; s++) c.grid->next[s] = step->rate * u[s];
     if (report.status == OK) report.status = update(c.grid, step, u, c.p);
-    free(u);
+    for (int s = 0; s < 2 * c.grid->n_node; s++) u[s] *= step->rate;
     return report;
 }
 
@@ -166,7 +159,6 @@ int main(int argc, char *argv[])
         {"steps", .integer = &steps, .min = 1, .max = 1000, .help = "how many"},
     };
     options_parse("20_mpm_implicit", options, COUNT(options), argc, argv);
-    gsl_set_error_handler_off();
     const struct material material = material_notes(law ? CUBIC : LOG);
     struct particle_step step = {.rate = 1.0 / dt, .consistent = mass,
                                  .wall = scene == BAR ? wall : NO_WALL,

@@ -46,7 +46,8 @@ static double left(enum transfer transfer, int implicit, double courant,
 }
 
 /* Finite elements with a lumped mass: 8 elements, by backward Euler.  The bar
- * is linear, and a free bar in its first mode is two bars held at the middle. */
+ * is linear, and a free bar in its first mode is two bars held in the middle.
+ */
 static double elements_left(double courant)
 {
     struct model *bar = model_bar(CELLS / 2, LUMPED);
