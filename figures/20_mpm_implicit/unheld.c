@@ -3,8 +3,8 @@
  *
  * Where a displacement has no gradient at any particle, it costs no energy, and
  * a static problem has no unique solution.  A free bar of 8 cells with ppc
- * particles per cell, `offset` of their spacing behind the left ends: zero modes
- * of the tangent beside the translation.  `field` is one, of the quadratic
+ * particles per cell, `offset` of their spacing behind the left ends: zero
+ * modes of the tangent beside the translation.  `field` is one, of the quadratic
  * kernel.  `loads`: what a hanging bar says in two load steps.
  */
 #include "particle_bodies.h"
