@@ -224,8 +224,8 @@ int main(int argc, char *argv[])
     options_parse("20_mpm_implicit", options, COUNT(options), argc, argv);
     const struct material material = material_notes(law ? CUBIC : LOG);
     struct particle_step step = {.rate = 1.0 / dt, .consistent = mass,
-                                 .wall = (enum wall)(scene == BAR ? wall : 0),
                                  .transfer = (enum transfer)scheme};
+    if (scene == BAR) step.wall = (enum wall)wall;
     struct cloud c = cloud_stepping((enum stepping)scene, order, step.g);
     struct particle_report last = {.status = OK};
     table_begin("energies", CLOUD_ENERGIES);

@@ -4,7 +4,7 @@
  * Where a displacement has no gradient at any particle, it costs no energy, and
  * a static problem has no unique solution.  A free bar of 8 cells with ppc
  * particles per cell, `offset` of their spacing behind the left ends: zero
- * modes of the tangent beside the translation.  `field` is one, of the quadratic
+ * modes of the tangent beside the translation.  `field` is one, quadratic
  * kernel.  `loads`: what a hanging bar says in two load steps.
  */
 #include "particle_bodies.h"
