@@ -218,7 +218,7 @@ int main(int argc, char *argv[])
         {"wall", .choice = &wall, .choices = WALLS, .help = "of the bar"},
         {"mass", .choice = &mass, .choices = "lumped consistent", .help = "M"},
         {"scheme", .choice = &scheme, .choices = "PIC FLIP", .help = "of G2P"},
-        {"dt", .real = &dt, .min = 1e-6, .max = 10, .unit = "s", .help = "step"},
+        {"dt", .real = &dt, .min = 1e-6, .max = 9, .unit = "s", .help = "step"},
         {"steps", .integer = &steps, .min = 1, .max = 1000, .help = "how many"},
     };
     options_parse("20_mpm_implicit", options, COUNT(options), argc, argv);

@@ -494,8 +494,9 @@ static void static_bars_have_their_order(void)
     for (int k = 0; k < COUNT(due); k++) {
         double unused;
         const enum wall wall = (enum wall)due[k].wall;
-        const double coarse = hang(due[k].order, CUBIC, wall, 16, 2, 1, &unused);
-        const double fine = hang(due[k].order, CUBIC, wall, 32, 2, 1, &unused);
+        const int order = due[k].order;
+        const double coarse = hang(order, CUBIC, wall, 16, 2, 1, &unused);
+        const double fine = hang(order, CUBIC, wall, 32, 2, 1, &unused);
         expect_close(log2(coarse / fine), due[k].slope, 0.05, 1.0,
                      "order %d kernel, wall %s: order in h", due[k].order,
                      wall_name(wall));
