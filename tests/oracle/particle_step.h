@@ -188,8 +188,8 @@ static const double oracle_end_cubic = 1.2409676683855138,
                     oracle_end_log = 1.237069719808284;
 
 /* dt c / h of the bar of 8 cells whose last particle is eps h beyond a node:
- * 2 / omega of the grid, and the limits of the explicit step with transfers; APIC
- * where it was computed. */
+ * 2 / omega of the grid, and the limits of the explicit step with transfers;
+ * APIC where it was computed. */
 static const struct {
     int order;
     double eps, grid, pic, flip, apic;
