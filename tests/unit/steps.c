@@ -221,8 +221,8 @@ static void small_steps_are_explicit(void)
             const struct material material = material_notes(CUBIC);
             for (int p = 0; p < a.p->n; p++)
                 b.p->x[2 * p] = a.p->x[2 * p] -= 0.17;
-            ck_assert_int_eq(particles_step(a.grid, a.p, material, &step).status,
-                             OK);
+            ck_assert_int_eq(
+                particles_step(a.grid, a.p, material, &step).status, OK);
             ck_assert_int_eq(
                 particles_step_explicit(b.grid, b.p, material, &step), OK);
             off[i] = 0.0;
@@ -274,7 +274,8 @@ static void failures_are_named(void)
     cloud_free(c);
     ck_assert_str_eq(wall_name(HELD), "held");
     ck_assert_str_eq(wall_name(MIRROR), "mirror");
-    const struct potential E = {1.0, 2.0, -2.5}, more = {1.0, 2.0, -2.5 + 1e-9};
+    const struct potential E = {1.0, 2.0, -2.5};
+    const struct potential more = {1.0, 2.0, -2.5 + 1e-9};
     close_to(potential_sum(E), 0.5, 1e-15);
     ck_assert(potential_falls(more, E) && potential_falls(E, E));
     ck_assert(!potential_falls(E, more));
@@ -317,7 +318,8 @@ static void tables_have_their_names(void)
 {
     const struct outcome got = outcome_of(print_block);
     ck_assert_int_eq(got.status, 0);
-    ck_assert_ptr_nonnull(strstr(got.out, "# energies\nt\titerations\telastic"));
+    ck_assert_ptr_nonnull(
+        strstr(got.out, "# energies\nt\titerations\telastic"));
     ck_assert_ptr_nonnull(strstr(got.out, "\n0.5\t5\t0.04670914572"));
     ck_assert_ptr_nonnull(strstr(got.out, "# newton\nk\tresidual"));
     ck_assert_ptr_nonnull(strstr(got.out, "# step\nnode\tx\ty\tmass"));
