@@ -6,10 +6,13 @@
 #define MANY_ACCOUNT_H
 
 #include "piece.h"
+#include "study.h"
 #include "table.h"
 
 #include <math.h>
 #include <petscsnes.h>
+#include <stdio.h>
+#include <string.h>
 #include <time.h>
 
 /* Of all processes together, but for the seconds; PETSc counts messages. */
@@ -35,13 +38,13 @@ static inline PetscErrorCode account_now(struct account *now)
     return 0;
 }
 
-/* What all steps took. */
+/* What the steps took; the first sets up and is not in the account. */
 struct tally {
     const char *method;
-    int steps;
-    int systems, most, iterations; /* of Newton; in one step; of CG */
-    int compared;
-    double error;   /* largest difference from step.c (m) */
+    int steps, systems, most; /* linear systems in all; in one step */
+    int iterations;           /* of conjugate gradients */
+    int first_systems, first_iterations; /* of them in the first step */
+    double error;   /* largest difference from step.c (m), NAN: not known */
     double seconds; /* of step.c per step, from the second on */
 };
 
@@ -67,7 +70,7 @@ static inline PetscErrorCode account_compare(const struct scene_setting *set,
                             SCATTER_FORWARD));
     PetscCall(VecGetLocalSize(whole, &n));
     PetscCall(VecGetArrayRead(whole, &u));
-    tally->compared = 1;
+    tally->error = 0.0;
     struct scene *scene = n > 0 ? scene_alloc(set) : NULL;
     for (int k = 0; scene && k < steps; k++) {
         if (k == 1) tally->seconds = -MPI_Wtime();
@@ -85,33 +88,112 @@ static inline PetscErrorCode account_compare(const struct scene_setting *set,
     return VecDestroy(&natural);
 }
 
+/*
+ * On paper [README.md]: messages and bytes of all processes for these many
+ * iterations of conjugate gradients with a V-cycle each, and residuals.
+ *
+ * An exchange is one message to each neighbour, and along a common side two
+ * numbers per vertex.  An iteration has one for K p; on every level but the
+ * coarsest two (residual, second sweep) and two that go one way only
+ * (restriction, interpolation), with half as many vertices.  The coarsest
+ * right-hand side goes from everyone to everyone.
+ */
+static inline struct account account_predict(const struct piece *p,
+                                             double iterations,
+                                             double residuals)
+{
+    const double n = p->set.n, processes = p->wide * p->high;
+    const double sides = (p->wide - 1) * (n + 1) + (p->high - 1) * (n + 1);
+    const double pairs = (p->wide - 1) * p->high + p->wide * (p->high - 1) +
+                         2 * (p->wide - 1) * (p->high - 1);
+    const double coarse = pow(n / pow(2, p->levels - 1) + 1, 2);
+    double exchanges = 1, length = 1; /* of the finest, in an iteration */
+    for (int l = 1; l < p->levels; l++) {
+        exchanges += 2 + 2 * 0.5;
+        length += (2 + 2 * 0.5 * 0.5) * pow(0.5, l - 1);
+    }
+    return (struct account){
+        .messages = 2 * pairs * (iterations * exchanges + residuals) +
+                    iterations * processes * (processes - 1),
+        .bytes = 16 * (2 * sides * (iterations * length + residuals) +
+                       iterations * coarse * (processes - 1))};
+}
+
+/* Where the bytes per unknown are, of one process: what is ours; PETSc's copy of
+ * the places of our entries (one number per entry and per nonzero), and K. */
+static inline PetscErrorCode account_memory(const struct piece *p, Mat K,
+                                            double resident)
+{
+    const double unknowns = 2.0 * (p->set.n + 1.0) * (p->set.n + 1.0);
+    const double triangles = p->mesh->n_triangle / unknowns;
+    MatInfo info;
+    PetscCall(MatGetInfo(K, MAT_LOCAL, &info));
+    const double mesh = 3 * sizeof(int) * triangles + sizeof(double);
+    const double body = (3 + 6) * sizeof(int) * triangles + sizeof(int) +
+                        (1 + 6) * sizeof(double) * triangles;
+    const double kept = ELEMENT_KEPT * sizeof(double) * triangles;
+    const double entries = ELEMENT_ENTRIES * sizeof(double) * triangles;
+    const double places = sizeof(PetscCount) *
+                          ((double)p->used + info.nz_used) / unknowns;
+    const double matrix =
+        (sizeof(double) + sizeof(PetscInt)) * info.nz_used / unknowns;
+    const double vectors = (4 + 5) * sizeof(double); /* those of piece.h */
+    table_begin("memory", "n mesh_and_body kept entries places K vectors rest "
+                          "resident");
+    table_row(p->set.n, mesh + body, kept, entries, places, matrix, vectors,
+              resident / unknowns - mesh - body - kept - entries - places -
+                  matrix - vectors,
+              resident / unknowns);
+    table_end();
+    return 0;
+}
+
 static inline void account_print(const struct tally *t, const struct piece *p,
                                  const struct account *start,
                                  const struct account *first,
                                  const struct account *last)
 {
-    int processes, rank;
-    MPI_Comm_size(PETSC_COMM_WORLD, &processes);
-    MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-    if (rank > 0) return;
-    const double all = processes * (t->steps - 1.0);
+    const int processes = p->wide * p->high, compared = !isnan(t->error);
+    const double per = 1.0 / (processes * (t->steps - 1.0));
     const double unknowns = 2.0 * (p->set.n + 1.0) * (p->set.n + 1.0);
     const double wall = last->seconds - first->seconds;
-    const double busy = (last->cpu - first->cpu) / (processes * wall);
-    table_begin("run", "n processes method steps levels systems most iterations error");
-    table_row(p->set.n, processes, t->method, t->steps, p->levels,
-              t->systems, t->most, (double)t->iterations / t->systems,
-              cell_if(t->compared, t->error));
+    const double share = (last->cpu - first->cpu) / (processes * wall);
+    const int iterations = t->iterations - t->first_iterations;
+    const int systems = t->systems - t->first_systems;
+    const struct account paper =
+        account_predict(p, iterations, systems + t->steps - 1);
+    const int predicted = processes > 1 && strcmp(t->method, "geometric") == 0;
+
+    table_begin("runs", "n processes method steps systems per_step most "
+                        "iterations agrees kilobyte");
+    table_row(p->set.n, processes, t->method, t->steps, t->systems,
+              (double)t->systems / t->steps, t->most,
+              (double)t->iterations / t->systems,
+              !compared ? MISSING : t->error <= 1e-12 ? "yes" : "no",
+              (last->memory - start->memory) / unknowns / 1e3);
     table_end();
-    table_begin("log", "messages bytes reductions");
-    table_row((last->messages - first->messages) / all,
-              (last->bytes - first->bytes) / (last->messages - first->messages),
-              (last->reductions - first->reductions) / all);
+    table_begin("messages", "n processes method levels iterations messages "
+                            "predicted kilobyte predicted_kilobyte reductions");
+    table_row(p->set.n, processes, t->method, p->levels,
+              iterations / (t->steps - 1.0),
+              (last->messages - first->messages) * per,
+              cell_if(predicted, paper.messages * per),
+              (last->bytes - first->bytes) * per / 1e3,
+              cell_if(predicted, paper.bytes * per / 1e3),
+              (last->reductions - first->reductions) * per);
     table_end();
-    table_begin("memory", "kilobyte busy seconds serial");
-    table_row((last->memory - start->memory) / unknowns / 1e3, busy,
-              wall / (t->steps - 1), cell_if(t->compared, t->seconds));
-    table_end();
+    if (share < 0.95) {
+        fprintf(stderr, "The machine was busy, each process had %.0f %% of a "
+                "processor: no seconds.\n", 100.0 * share);
+    } else {
+        table_begin("seconds", "n processes method per_step serial");
+        table_row(p->set.n, processes, t->method, wall / (t->steps - 1),
+                  cell_if(compared, t->seconds));
+        table_end();
+    }
+    if (!compared) return;
+    fprintf(stderr, "Largest difference from step.c: %.3g m\n", t->error);
+    claim(t->error <= 1e-12, "the displacements are not those of step.c");
 }
 
 #endif

@@ -26,10 +26,12 @@ struct local {
 struct piece {
     struct scene_setting set;
     DM grid;
+    int wide, high;    /* processes per row, per column */
     DMDALocalInfo box; /* own vertices: xs, xm, ys, ym; with ghosts: gxs ... */
     struct mesh *mesh; /* with ghosts; numbered row by row, as by DMDA */
     struct body *body; /* with its element matrices one by one */
-    size_t entries;    /* of these */
+    size_t entries;    /* of these; those that are PETSc's as well */
+    size_t used;
     double *value;     /* [entries] for MatSetValuesCOO */
     struct local u, w, q, diagonal; /* diagonal is that of K */
     Vec across, some;               /* (X1, 0); of use for a moment */
@@ -85,10 +87,9 @@ static inline PetscErrorCode piece_make(struct piece *p)
     for (int a = 0; a < p->mesh->n_vertex; a++) p->u.at[2 * a] = X1(p, a);
     PetscCall(DMLocalToGlobal(p->grid, p->u.vec, INSERT_VALUES, p->across));
     /* Coarser, as long as every process has a vertex of the grid. */
-    PetscInt wide, high;
-    PetscCall(DMDAGetInfo(p->grid, 0, 0, 0, 0, &wide, &high, 0, 0, 0, 0, 0, 0,
-                          0));
-    const int least = (int)fmax(8.0, fmax(wide, high));
+    PetscCall(DMDAGetInfo(p->grid, 0, 0, 0, 0, &p->wide, &p->high, 0, 0, 0, 0,
+                          0, 0, 0));
+    const int least = (int)fmax(8.0, fmax(p->wide, p->high));
     p->levels = 1;
     for (int m = n; m % 2 == 0 && m / 2 >= least; m /= 2) p->levels++;
     return 0;
