@@ -119,7 +119,7 @@ static inline struct account account_predict(const struct piece *p,
                        iterations * coarse * (processes - 1))};
 }
 
-/* Where the bytes per unknown are, of one process: what is ours; PETSc's copy of
+/* Where the bytes per unknown of one process are: what is ours; PETSc's copy of
  * the places of our entries (one number per entry and per nonzero), and K. */
 static inline PetscErrorCode account_memory(const struct piece *p, Mat K,
                                             double resident)
@@ -140,10 +140,11 @@ static inline PetscErrorCode account_memory(const struct piece *p, Mat K,
     const double vectors = (4 + 5) * sizeof(double); /* those of piece.h */
     table_begin("memory", "n mesh_and_body kept entries places K vectors rest "
                           "resident");
-    table_row(p->set.n, mesh + body, kept, entries, places, matrix, vectors,
-              resident / unknowns - mesh - body - kept - entries - places -
-                  matrix - vectors,
-              resident / unknowns);
+    table_row(p->set.n, round(mesh + body), round(kept), round(entries),
+              round(places), round(matrix), vectors,
+              round(resident / unknowns - mesh - body - kept - entries -
+                    places - matrix - vectors),
+              round(resident / unknowns));
     table_end();
     return 0;
 }
@@ -156,6 +157,7 @@ static inline void account_print(const struct tally *t, const struct piece *p,
     const int processes = p->wide * p->high, compared = !isnan(t->error);
     const double per = 1.0 / (processes * (t->steps - 1.0));
     const double unknowns = 2.0 * (p->set.n + 1.0) * (p->set.n + 1.0);
+    const double memory = (last->memory - start->memory) / unknowns; /* bytes */
     const double wall = last->seconds - first->seconds;
     const double share = (last->cpu - first->cpu) / (processes * wall);
     const int iterations = t->iterations - t->first_iterations;
@@ -170,7 +172,7 @@ static inline void account_print(const struct tally *t, const struct piece *p,
               (double)t->systems / t->steps, t->most,
               (double)t->iterations / t->systems,
               !compared ? MISSING : t->error <= 1e-12 ? "yes" : "no",
-              (last->memory - start->memory) / unknowns / 1e3);
+              cell_if(p->set.n >= 256, round(0.1 * memory) / 100.0));
     table_end();
     table_begin("messages", "n processes method levels iterations messages "
                             "predicted kilobyte predicted_kilobyte reductions");

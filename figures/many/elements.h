@@ -15,6 +15,8 @@
 
 #include "body.h"
 
+#include <assert.h>
+#include <limits.h>
 #include <stdlib.h>
 
 enum { ELEMENT_KEPT = 24, ELEMENT_ENTRIES = 36 }; /* in K->a; of a 6x6 matrix */
@@ -25,6 +27,7 @@ static inline struct body *elements_alloc(const struct mesh *mesh,
                                           struct material material, double rho,
                                           enum mass mass)
 {
+    assert(mesh->n_triangle < INT_MAX / ELEMENT_KEPT); /* place is an int */
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
     for (int a = 1; a < mesh->n_vertex; a++) held[a] = 1;
     struct body *body = body_alloc(mesh, material, rho, mass, held);

@@ -26,9 +26,10 @@ function off(is, predicted) {
 }
 # What was not measured is missed as well.
 function goal(is, allowed, text) {
-    printf "  %s %s: %.3g (allowed %g)\n", \
-        is > 0 && is <= allowed ? "holds  " : "MISSED ", text, is, allowed
-    if (!(is > 0 && is <= allowed)) missed = 1
+    holds = (is > 0 && is <= allowed)
+    printf("  %s %s: %.3g (allowed %g)\n", holds ? "holds  " : "MISSED ", text,
+           is, allowed)
+    if (!holds) missed = 1
 }
 END {
     print "  " (agree && !differ ? "holds  " : "MISSED ") " " agree + 0 \

@@ -19,4 +19,9 @@ if [ "$(id -u)" = 0 ]; then
 fi
 processes=$1
 shift
-exec mpirun -q --timeout "${LIMIT:-60}" -n "$processes" "$@"
+mpirun -q --timeout "${LIMIT:-60}" -n "$processes" "$@"
+status=$?
+case $status in
+110 | 124) echo "mpirun: no end after ${LIMIT:-60} seconds" >&2 ;;
+esac
+exit $status
