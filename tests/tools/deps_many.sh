@@ -24,9 +24,9 @@ if command -v apt-get >/dev/null 2>&1; then
     export DEBIAN_FRONTEND=noninteractive
     apt-get update >"$log" 2>&1
     size=$(apt-get install --assume-no --no-install-recommends $names 2>/dev/null |
-        awk '/^Need to get/ { sub(/^.*\//, "", $4); get = $4 " " $5 }
-             /additional disk space/ { disk = $4 " " $5 }
-             END { print get " to fetch, " disk " on the disk" }')
+        sed -n -e 's/^Need to get \(.*\/\)*\(.*\) of archives.*/\2 to fetch,/p' \
+            -e 's/^After this operation, \(.*\) of additional.*/\1 on the disk/p' |
+        tr '\n' ' ')
     echo "  deps     installing $names: $size"
     if ! $install >"$log" 2>&1; then
         tail -n 3 "$log" >&2
