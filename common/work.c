@@ -8,9 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far the limit's own runs go in time: steps S of dynamic runs, and of
- * static ones, which depend on them only through the branch that they follow.
- */
+/* limit_steps, load_steps: S of work_limit(), dynamic and static; how many load
+ * steps matters only for the branch that they follow. */
 static const struct {
     const char *name;
     enum reading reading; /* what is held */
