@@ -67,7 +67,8 @@ static void pluck(const struct scene *s, double u[])
 {
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double *X = &s->mesh->X[2 * a];
-        const double hump = gsl_pow_2((1.0 - X[0] * X[0]) * (1.0 - X[1] * X[1]));
+        const double hump =
+            gsl_pow_2((1.0 - X[0] * X[0]) * (1.0 - X[1] * X[1]));
         u[2 * a] = 0.1 * hump;
         u[2 * a + 1] = 0.2 * hump;
     }

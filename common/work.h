@@ -10,8 +10,8 @@
  *                  each within 2 s, and turned a little
  *     push         right end 0.6 m inwards within 0.08 s, in the middle of it
  *                  with 0.4 of the speed of sound
- *     flagship     the ends apart by 0.5 sin t, for 1 s: a pull that begins with
- *                  a jolt, see the studies; not one of the six
+ *     flagship     the ends apart by 0.5 sin t, for 1 s: a pull that begins
+ *                  with a jolt; not one of the six
  *
  * The notes' material and density; lumped mass, so that the explicit method
  * takes part.  A setting is one choice of every knob.  The answer is u at the
