@@ -1,8 +1,8 @@
 /*
  * fronts.c - for a wanted error, which setting is the fastest here?
  *
- * The settings of sweep.h in six scenes once more, error against milliseconds to
- * the answer, the best of four runs.  A run that is not OK has no time.
+ * The settings of sweep.h in six scenes once more, error against milliseconds
+ * to the answer, the best of four runs.  A run that is not OK has no time.
  */
 #include "study.h"
 #include "sweep.h"

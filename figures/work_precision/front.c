@@ -4,8 +4,8 @@
  *
  * All settings of sweep.h in six scenes: error against counted flops, the front
  * of those that nothing cheaper is as good as, and what the rule [alg:balance]
- * takes for errors 0.5, 0.4, ... as far as a setting gets.  over_same: its flops
- * over those of the cheapest that is as good; over_asked: for what was asked.
+ * takes for errors 0.5, 0.4, ... as far as a setting gets.  over_same: its
+ * flops over those of the cheapest that is as good; over_asked: as was asked.
  */
 #include "study.h"
 #include "sweep.h"
@@ -96,8 +96,7 @@ int main(void)
     table_begin("takes", COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++) rule_of(s[k], 1);
     table_end();
-    table_begin("rule", "scene asked found twice over_same late asked_twice "
-                        "over_asked");
+    table_begin("rule", "scene asked found twice same late asked_twice over");
     for (int k = 0; k <= FLAGSHIP; k++) {
         const int last = k == FLAGSHIP;
         const struct rule rule = last ? all : rule_of(s[k], 0);

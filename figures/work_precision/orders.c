@@ -3,10 +3,11 @@
  *
  * In time: u at the end on the coarsest mesh, log law, over steps, against the
  * midpoint rule with the most steps, extrapolated; the exponent of the last
- * doubling.  Predicted: 1 for backward Euler, 2 for midpoint, bdf2, and for
- * symplectic Euler from rest without a force, where its first velocity is right
- * to the second order; 1 in the swing, which is let go under forces.  In space: static, differences of
- * meshes from 4 to 16 times the coarsest; predicted: 2.
+ * doubling.  Predicted: 1 for backward Euler, 2 for midpoint and bdf2; for
+ * symplectic Euler 2 from rest without a force, where its first velocity is
+ * right to the second order, and 1 in the swing, which is let go under forces.
+ * In space: static, differences of meshes from 4 to 16 times the coarsest;
+ * predicted: 2.
  */
 #include "study.h"
 #include "table.h"

@@ -104,7 +104,7 @@ static void slow_is_static(void)
 static void methods_have_their_orders(void)
 {
     for (int k = 0; k < 7; k++) {
-        const enum method method = k < 4 ? (enum method)k : (enum method)(k - 3);
+        const enum method method = (enum method)(k < 4 ? k : k - 3);
         const enum law law = k < 4 ? LOG : LINEAR;
         const struct work end =
             run(FAST_PULL, law, 1, 4, 2048, IMPLICIT_MIDPOINT);
@@ -118,7 +118,8 @@ static void methods_have_their_orders(void)
     const struct work swing = run(SWING, LOG, 1, 4, 64, IMPLICIT_MIDPOINT);
     const struct work later = run(SWING, LOG, 1, 4, 128, SYMPLECTIC_EULER);
     ck_assert(work_distance(&swing, NULL) > 0.02);
-    ck_assert(work_distance(&swing, &later) < 0.1 * work_distance(&swing, NULL));
+    ck_assert(work_distance(&swing, &later) <
+              0.1 * work_distance(&swing, NULL));
 }
 
 /* By the textbook's sums: 30 unknowns, half bandwidth 7, 32 triangles. */
@@ -217,7 +218,7 @@ static void limits_are_limits(void)
               moving_floor < work_distance(&mesh[1], &mesh[2]));
 }
 
-/* ---- sweep.h -------------------------------------------------------------- */
+/* ---- sweep.h ------------------------------------------------------------- */
 
 static int same(const struct work_setting *a, const struct work_setting *b)
 {
