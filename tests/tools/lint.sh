@@ -14,11 +14,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-<<<<<<< HEAD
-layers='status clock tensor particles particle_scene material modes banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body fibre step readable scene user model integrate work sweep study options table'
-=======
-layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr matrix particle_force machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step readable scene system user model integrate study options table'
->>>>>>> main
+layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr matrix particle_force machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step readable scene system user model integrate work sweep study options table'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
