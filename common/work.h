@@ -62,7 +62,8 @@ struct work work_run(const struct work_setting *set);
 /*
  * Flops of what was solved: a factorisation and the two triangular solves as
  * matrix_cost() has them, 250 for an element with its tangent, 100 without
- * [eq:roofline].  Per step one residual more than systems is looked at.
+ * [eq:roofline].  Per step one residual more than systems is looked at.  Of a
+ * banded K: n below BODY_SPARSE_FROM.
  */
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations);
