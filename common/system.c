@@ -14,6 +14,16 @@ void system_store(struct system *system, enum storage storage)
     for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
 }
 
+void system_press(struct system *system, double squeeze)
+{
+    struct scene *s = system->scene;
+    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *u = q + s->n_dof;
+    for (int r = 0; r < s->n_dof; r += 2) u[r] = -squeeze * s->mesh->X[r];
+    if (body_assemble(s->body, s->set.dt, u, NULL, u, EXACT, q) != OK)
+        die("the pressed body is not defined");
+    free(q);
+}
+
 struct system *system_alloc(int n)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);

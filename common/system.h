@@ -32,6 +32,10 @@ struct system *system_alloc(int n);
 void system_store(struct system *system, enum storage storage);
 void system_free(struct system *system);
 
+/* K, in the storage that it has, of the body that is pressed evenly, u =
+ * (-squeeze X1, 0), squeeze < 1; b stays. */
+void system_press(struct system *system, double squeeze);
+
 /* K in an order, NULL: that of the vertices.  The caller frees it. */
 struct csr *system_matrix(const struct system *system, const int place[]);
 

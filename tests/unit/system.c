@@ -151,11 +151,38 @@ static void system_is_that_of_the_third_step(void)
     system_free(NULL);
 }
 
+/* Half of it: F = diag(1/2, 1) everywhere; in either storage. */
+static void a_pressed_body_has_the_K_of_its_place(void)
+{
+    for (int k = 0; k < 2; k++) {
+        struct system *s = system_alloc(5);
+        struct scene *t = s->scene;
+        double u[72], q[72], before[40];
+        system_store(s, k ? SPARSE : BANDED);
+        for (int r = 0; r < 40; r++) before[r] = s->b[r];
+        for (int r = 0; r < t->n_dof; r++)
+            u[r] = r % 2 ? 0.0 : -0.5 * t->mesh->X[r];
+        system_press(s, 0.5);
+        struct csr *K = system_matrix(s, NULL);
+        ck_assert_int_eq(body_assemble(t->body, t->set.dt, u, NULL, u, EXACT,
+                                       q), OK);
+        struct csr *want = system_matrix(s, NULL);
+        for (int e = 0; e < K->start[K->n]; e++)
+            ck_assert(K->value[e] == want->value[e]);
+        for (int r = 0; r < 40; r++) ck_assert(s->b[r] == before[r]);
+        csr_free(K);
+        csr_free(want);
+        system_free(s);
+    }
+}
+
 static const struct unit_law laws[] = {
     {"rows_multiply", rows_multiply},
     {"factor_solves_with_both_triangles", factor_solves_with_both_triangles},
     {"matrix_is_K_in_any_order", matrix_is_K_in_any_order},
     {"system_is_that_of_the_third_step", system_is_that_of_the_third_step},
+    {"a_pressed_body_has_the_K_of_its_place",
+     a_pressed_body_has_the_K_of_its_place},
 };
 
 UNIT_MAIN("system", laws)
