@@ -162,7 +162,7 @@ static void solve_bar(struct ladder_state *s)
     free(slope);
 }
 
-/* Linear: A u = M w + d^2 share f with A = M + d^2 K, factored; M = 0 at rest. */
+/* Linear: A u = M w + d^2 share f, A = M + d^2 K factored; M = 0 at rest. */
 struct linear {
     struct matrix *K, *A;
     double *rhs, *some;
