@@ -321,15 +321,15 @@ int ladder_stable(const struct ladder_state *s)
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model)
 {
-    if (part == MESH) {
-        model->level++;
-        return model->level <= scene->finest;
-    }
+    const struct ladder_model old = *model;
+    if (part == MESH && model->level < scene->finest) model->level++;
     if (part == INERTIA) model->moving = 1;
     if (part == LAW) model->rung = LOG_PLANE;
-    if (part == GEOMETRY) model->rung = CUBIC_PLANE;
+    if (part == GEOMETRY && model->rung < CUBIC_PLANE)
+        model->rung = CUBIC_PLANE;
     if (model->rung == BAR) model->rung = LINEAR_PLANE;
-    return 1;
+    return model->rung != old.rung || model->moving != old.moving ||
+           model->level != old.level;
 }
 
 double ladder_error(const struct ladder_state *state,

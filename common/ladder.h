@@ -87,9 +87,10 @@ enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
 #define PARTS "geometry law dimension inertia mesh" /* as words, in this order */
 const char *ladder_part(enum part part);
 
-/* Add to a model what it leaves out: CUBIC for the geometry, LOG for the law,
- * triangles for the dimension, motion for the inertia (a bar becomes LINEAR),
- * half the cells for the mesh.  false: there is no finer mesh. */
+/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE for
+ * the law, motion for the inertia, cells of half the size for the mesh; a bar
+ * becomes LINEAR_PLANE with any of them.  false: it has that, or there is no
+ * finer mesh, and nothing changes. */
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
@@ -104,7 +105,7 @@ double *ladder_momentum(const struct ladder_state *state);
  * the others are measured against. */
 struct ladder_model ladder_truth(const struct ladder_scene *scene);
 
-/* max |u - u_truth| / max |u_truth|, over the vertices of the coarsest mesh. */
+/* max |u - u_truth| / max |u_truth| over the vertices of the coarsest mesh. */
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth);
 

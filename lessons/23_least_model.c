@@ -2,12 +2,11 @@
  * 23_least_model.c - the smallest model that meets a tolerance: solve cheaply,
  * estimate what was left out, add the largest part, until it is enough.
  *
- * Notes: Lecture 2, 2.1 ("linear elasticity is only valid if the deformation is
- * small"); the course as a whole.
+ * Notes: none; the course as a whole (Lecture 1: linear for small deformations).
  *
- * Problem. A scene of ladder.h and a tolerance for its displacement. The ladder
- * begins with a bar, which costs nothing, and every rung may add triangles, the
- * nonlinear geometry, the logarithm, inertia, or a finer mesh. Whether a rung is
+ * Problem.  A scene of ladder.h, and a tolerance for its displacement.  The
+ * ladder begins with a bar; each rung adds what was left out most: triangles,
+ * nonlinear geometry, the logarithm, inertia, a finer mesh.  Whether a rung is
  * enough is asked of its own answer u, which is all that there is:
  *
  *     geometry [eq:left-geometry]    law [eq:left-law]    mesh [eq:left-mesh]
@@ -26,6 +25,19 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* A row of `ladder`; truth may be NULL. */
+static void print_rung(int rung, const struct ladder_state *s,
+                       const double part[N_PART], int stable, double estimate,
+                       const struct ladder_state *truth, const char *verdict)
+{
+    table_row(rung, ladder_rung(s->model.rung),
+              s->model.moving ? "motion" : "rest", s->model.level,
+              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
+              part[MESH], stable ? "stable" : "unstable", estimate,
+              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              s->flops, verdict);
+}
+
 /*
  * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
  * all triangles [eq:left-geometry]; 0 where u = 0.
@@ -40,7 +52,6 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
     struct material cubic = s->body->material, logarithm = cubic;
     cubic.law = CUBIC;
     logarithm.law = LOG;
-    part[GEOMETRY] = part[LAW] = 0.0;
     /* SLOT 23a(s, part, &cubic, &logarithm): one loop over s->mesh->n_triangle
      * triangles for both. F is body_deformation(s->body, s->u, e), |H| is
      * mat2_norm(H), and a stress is material1_pk1(&cubic, J). */
@@ -63,7 +74,6 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
     const size_t n = (size_t)s->mesh->n_vertex;
     mat2 *recovered = allocate(n, sizeof *recovered); /* zero, */
     double *share = allocate(n, sizeof *share);       /* and zero */
-    part[MESH] = 0.0;
     /* SLOT 23b(s, part, recovered, share): two loops over the triangles, with
      * the vertices s->mesh->triangle[3 * e + k] and s->body->area[e].  G is
      * ladder_strain(s, e), psi is ladder_psi(s, d). */
@@ -90,7 +100,6 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     const double *f = s->f, *u = s->u, *X = s->mesh->X, T = s->scene->T;
     const double length = 2.0, height = length / s->scene->slender;
     const struct material *m = &s->body->material;
-    part[DIMENSION] = part[INERTIA] = 0.0;
     /* SLOT 23c(s, Mu, part, f, u, X, T, length, height, m): one loop over
      * s->mesh->n_vertex vertices; the left end is at X1 = -1. */
     todo("23c", s, Mu, part, f, u, X, T, length, height, m);
@@ -110,8 +119,6 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
                    enum part *add)
 {
     int enough = 0;
-    *estimate = 0.0;
-    *add = GEOMETRY;
     /* SLOT 23d(model, time, stable, tolerance, part, estimate, add, &enough):
      * model.rung, model.moving; set the part, *estimate, *add, enough. */
     todo("23d", model, time, stable, tolerance, part, estimate, add, &enough);
@@ -119,8 +126,7 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     return enough;
 }
 
-/* Climb from the bar, a row per rung, to a model that is enough, or to the last
- * one that there is. */
+/* Climb from the bar, a row per rung, to what is enough, or to the last. */
 static struct ladder_state *climb(const struct ladder_scene *scene,
                                   double tolerance,
                                   const struct ladder_state *truth, int *enough)
@@ -128,9 +134,7 @@ static struct ladder_state *climb(const struct ladder_scene *scene,
     struct ladder_model model = {BAR, 0, 0};
     for (int rung = 1;; rung++) {
         struct ladder_state *s = ladder_solve(scene, model);
-        if (s->status != OK)
-            die("the %s model ends with %s", ladder_rung(model.rung),
-                status_name(s->status));
+        if (s->status != OK) die("a model ends with %s", status_name(s->status));
         double part[N_PART], estimate, *Mu = ladder_momentum(s);
         enum part add;
         const int stable = ladder_stable(s);
@@ -141,13 +145,8 @@ static struct ladder_state *climb(const struct ladder_scene *scene,
         *enough = verdict(model, scene->time, stable, tolerance, part,
                           &estimate, &add);
         const int more = !*enough && ladder_add(scene, add, &model);
-        table_row(rung, ladder_rung(s->model.rung),
-                  s->model.moving ? "motion" : "rest", s->model.level,
-                  part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-                  part[MESH], stable ? "stable" : "unstable", estimate,
-                  cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
-                  s->flops, *enough ? "enough" : more ? ladder_part(add) :
-                  "nothing");
+        print_rung(rung, s, part, stable, estimate, truth,
+                   *enough ? "enough" : more ? ladder_part(add) : "nothing");
         if (!more) return s;
         ladder_free(s);
     }
@@ -177,13 +176,8 @@ int main(int argc, char *argv[])
                 "mesh_part stable estimate error flops verdict");
     struct ladder_state *s = climb(&scene, tolerance, truth, &enough);
     table_end();
-    table_begin("nodes", "X Y u_x u_y");
-    for (int x = 0, y = 1; x < 2 * s->mesh->n_vertex; x += 2, y += 2)
-        table_row(s->mesh->X[x], s->mesh->X[y], s->u[x], s->u[y]);
-    table_end();
     if (!enough)
-        die("no model of this ladder is enough for %g: its meshes are too "
-            "coarse", tolerance);
+        die("the ladder ends before a tolerance of %g is met", tolerance);
     ladder_free(truth);
     ladder_free(s);
     return table_finish();

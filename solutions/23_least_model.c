@@ -238,8 +238,7 @@ int main(int argc, char *argv[])
     struct ladder_state *s = climb(&scene, tolerance, truth, &enough);
     table_end();
     if (!enough)
-        die("no model of this ladder is enough for %g: its meshes are too "
-            "coarse", tolerance);
+        die("the ladder ends before a tolerance of %g is met", tolerance);
     ladder_free(truth);
     ladder_free(s);
     return table_finish();

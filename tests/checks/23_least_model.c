@@ -377,9 +377,9 @@ static void estimates_meet_the_truth(void)
     }
 }
 
-static void what_is_too_fine_is_refused(void)
+static void what_is_too_strict_is_refused(void)
 {
-    run_unsolved("--scene shaken --tolerance 0.001", "too coarse");
+    run_unsolved("--scene shaken --tolerance 0.001", "the ladder ends");
     expect_refusal("--tolerance -1", 2, "tolerance");
     expect_refusal("--scene nowhere", 2, "scene");
 }
@@ -403,7 +403,7 @@ static const struct claim claims[] = {
      "23d"},
     {"parts_agree_with_the_library", parts_agree_with_the_library, NULL},
     {"estimates_meet_the_truth", estimates_meet_the_truth, NULL},
-    {"what_is_too_fine_is_refused", what_is_too_fine_is_refused, NULL},
+    {"what_is_too_strict_is_refused", what_is_too_strict_is_refused, NULL},
 };
 
 static const char *const runs[] = {
