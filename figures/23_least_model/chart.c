@@ -42,8 +42,8 @@ static int model_of(const struct ladder_scene *scene, int k,
 static void solve_all(const struct ladder_scene *scene, double *dense)
 {
     struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
-    struct ladder_model m;
     for (int k = 0; k < 8 * LEVELS; k++) {
+        struct ladder_model m;
         if (!model_of(scene, k, &m)) continue;
         struct ladder_state *s = ladder_solve(scene, m);
         struct outcome *o = at(m);
@@ -72,8 +72,8 @@ int main(void)
     double factor[LADDER_SCENES][TOLERANCES], dense[LADDER_SCENES];
     int right[TOLERANCES] = {0}, reached[TOLERANCES] = {0};
     gsl_set_error_handler_off();
-    table_begin("choice", "tolerance scene chosen mesh error cheapest level "
-                "factor right");
+    table_begin("choice",
+                "tolerance scene chosen mesh error cheapest level factor right");
     for (int k = 0; k < LADDER_SCENES; k++) {
         const struct ladder_scene *scene = &ladder_scene[k];
         solve_all(scene, &dense[k]);
@@ -113,7 +113,6 @@ int main(void)
     for (int t = 0; t < TOLERANCES; t++)
         table_row(100.0 * tolerance[t], right[t], reached[t]);
     table_end();
-
     claim(right[0] >= 11, "at 10 %% the cheapest model that is enough is chosen "
           "in %d of 12 scenes", right[0]);
     claim(right[1] >= 9 && right[2] >= 9, "and in %d, %d", right[1], right[2]);
