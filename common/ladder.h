@@ -84,7 +84,6 @@ int ladder_stable(const struct ladder_state *state);
 
 /* What a model may leave out. */
 enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
-#define PARTS "geometry law dimension inertia mesh" /* as words, in this order */
 const char *ladder_part(enum part part);
 
 /* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE for
