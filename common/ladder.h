@@ -86,16 +86,17 @@ int ladder_stable(const struct ladder_state *state);
 enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
 const char *ladder_part(enum part part);
 
-/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE for
- * the law, motion for the inertia, cells of half the size for the mesh; a bar
- * becomes LINEAR_PLANE with any of them.  false: it has that, or there is no
- * finer mesh, and nothing changes. */
+/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE
+ * for the law, motion for the inertia, cells of half the size for the mesh; a
+ * bar becomes LINEAR_PLANE with any of them.  false: it has that, or there is
+ * no finer mesh, and nothing changes. */
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
 /* What the estimates are made of: the Green strain G = (F^T F - I) / 2 of
  * triangle e [eq:green-strain]; the linear law's energy of a strain
- * [eq:psi-linear]; M u for the density 1, a new array for the caller to free. */
+ * [eq:psi-linear]; M u for the density 1, a new array for the caller to free.
+ */
 mat2 ladder_strain(const struct ladder_state *state, int e);
 double ladder_psi(const struct ladder_state *state, mat2 strain);
 double *ladder_momentum(const struct ladder_state *state);

@@ -2,16 +2,9 @@
  * 23_least_model.c - the smallest model that meets a tolerance: solve cheaply,
  * estimate what was left out, add the largest part, until it is enough.
  *
- * Notes: none; the course as a whole (Lecture 1: linear for small deformations).
- *
  * Problem.  A scene of ladder.h, and a tolerance for its displacement.  The
- * ladder begins with a bar; each rung adds what was left out most: triangles,
- * nonlinear geometry, the logarithm, inertia, a finer mesh.  Whether a rung is
- * enough is asked of its own answer u, which is all that there is:
- *
- *     geometry [eq:left-geometry]    law [eq:left-law]    mesh [eq:left-mesh]
- *     dimension [eq:left-dimension]  inertia [eq:left-inertia]
- *     the verdict [alg:least-model]
+ * ladder begins with a bar; each rung adds what was left out most.  Whether it
+ * is enough is asked of its own answer u, all that there is [alg:least-model].
  *
  * Run       make lesson-23, or with options: -h lists them
  * Expect    --scene shaken: enough on rung 5, cubic, in motion, mesh 1
@@ -44,8 +37,7 @@ static void print_rung(int rung, const struct ladder_state *s,
  *
  * part[LAW] = |P_cubic - P_log| / |P_log| in uniaxial strain, F = J, at the
  * least and at the largest J of all triangles and of 1, the larger of the two
- * [eq:left-law]; at most 1, and 1 where a J is not > 0. J = 1 has no stress, and
- * counts 0.
+ * [eq:left-law]; at most 1, and 1 where a J is not > 0.  J = 1 counts 0.
  */
 static void shape_parts(const struct ladder_state *s, double part[N_PART])
 {
@@ -78,12 +70,9 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
 /*
  * part[MESH] [eq:left-mesh].  The recovered strain of a vertex is the mean of G
  * over its triangles, weighted with their areas; in between it is linear.  In a
- * triangle it differs from G by d_1, d_2, d_3 at the vertices, and the energy of
- * the difference is
- *
- *     area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).
- *
- * The sum of that over the sum of area psi(G); 0 where u = 0.
+ * triangle it differs from G by d_1, d_2, d_3 at the vertices, with the energy
+ * area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).  The sum
+ * of it over the sum of area psi(G); 0 where u = 0.
  */
 static void mesh_part(const struct ladder_state *s, double part[N_PART])
 {
@@ -121,12 +110,12 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
 }
 
 /*
- * part[DIMENSION] = (across + share along) / (across + along), where along =
- * |N| length / height and across = 6 |moment| length^2 / height^3 are what the
- * load moves the free end by, times E', as a bar and as a beam: N is the sum of
- * the forces along X1, and moment that about the middle of the left end, which
- * is held.  A bar has no across; of along it misses the share s^2 height / (2
- * length), s = lambda / (2 mu + lambda) [eq:left-dimension].
+ * part[DIMENSION] = (across + missed along) / (across + along)
+ * [eq:left-dimension].  along = |N| length / height, across = 6 |moment|
+ * length^2 / height^3: what the load moves the free end by, times E', as a bar
+ * and as a beam.  N is the sum of the forces along X1, moment that about the
+ * middle of the left end, which is held.  A bar has no across, and of along it
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
  * [eq:left-inertia]; Mu is M u for the density 1.
@@ -156,12 +145,12 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
 }
 
 /*
- * The verdict on a solved model [alg:least-model].  Parts that it does not leave
- * out become 0: a BAR leaves out dimension and geometry (its mesh is exact),
- * LINEAR_PLANE geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at
- * rest each leaves out the inertia too, unless the load STANDS.  *estimate is
- * the sum of what remains, *add the largest.  Where K is not positive definite
- * (not stable) no model is enough, and a linear one needs the geometry.
+ * The verdict on a solved model [alg:least-model].  Parts that it has become 0:
+ * a BAR leaves out dimension and geometry (its mesh is exact), LINEAR_PLANE
+ * geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest each
+ * leaves out the inertia too, unless the load STANDS.  *estimate is the sum of
+ * what remains, *add the largest.  Where K is not positive definite (unstable)
+ * no model is enough, and a linear one needs the geometry.
  */
 static int verdict(struct ladder_model model, enum ladder_time time, int stable,
                    double tolerance, double part[N_PART], double *estimate,
@@ -187,59 +176,55 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     return enough;
 }
 
-/* Climb from the bar, a row per rung, to what is enough, or to the last. */
-static struct ladder_state *climb(const struct ladder_scene *scene,
-                                  double tolerance,
-                                  const struct ladder_state *truth, int *enough)
+/* Climb from the bar, a row per rung.  Returns whether the last is enough. */
+static int climb(const struct ladder_scene *scene, double tolerance,
+                 const struct ladder_state *truth)
 {
     struct ladder_model model = {BAR, 0, 0};
-    for (int rung = 1;; rung++) {
+    int enough = 0, more = 1;
+    for (int rung = 1; more; rung++) {
         struct ladder_state *s = ladder_solve(scene, model);
-        if (s->status != OK) die("a model ends with %s", status_name(s->status));
+        if (s->status != OK) die("model: %s", status_name(s->status));
         double part[N_PART], estimate, *Mu = ladder_momentum(s);
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
         mesh_part(s, part);
         load_parts(s, Mu, part);
-        free(Mu);
-        *enough = verdict(model, scene->time, stable, tolerance, part,
-                          &estimate, &add);
-        const int more = !*enough && ladder_add(scene, add, &model);
+        enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
+                         &add);
+        more = !enough && ladder_add(scene, add, &model);
         print_rung(rung, s, part, stable, estimate, truth,
-                   *enough ? "enough" : more ? ladder_part(add) : "nothing");
-        if (!more) return s;
+                   enough ? "enough" : more ? ladder_part(add) : "nothing");
+        free(Mu);
         ladder_free(s);
     }
+    return enough;
 }
 
 int main(int argc, char *argv[])
 {
-    int which = LADDER_SCENES - 1, ask = 0, enough;
+    int which = LADDER_SCENES - 1, ask = 0;
     double tolerance = 0.1, load = 1.0;
     const struct option options[] = {
-        {"scene", .choice = &which, .choices = LADDER_WORDS,
-         .help = "see ladder.h"},
+        {"scene", .choice = &which, .choices = LADDER_WORDS, .help = "which"},
         {"tolerance", .real = &tolerance, .min = 1e-6, .max = 10,
          .help = "of the displacement, relative"},
-        {"load", .real = &load, .min = 1e-3, .max = 3,
-         .help = "times the load of the scene"},
-        {"truth", .choice = &ask, .choices = "no yes",
-         .help = "solve the richest model too, for the true error"},
+        {"load", .real = &load, .min = 1e-3, .max = 3, .help = "multiplied"},
+        {"truth", .choice = &ask, .choices = "no yes", .help = "its error too"},
     };
     options_parse("23_least_model", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
 
     const struct ladder_scene scene = ladder_loaded(which, load);
-    struct ladder_state *truth =
-        ask ? ladder_solve(&scene, ladder_truth(&scene)) : NULL;
-    table_begin("ladder", "rung model state mesh geometry law dimension inertia "
+    struct ladder_state *truth = NULL;
+    if (ask) truth = ladder_solve(&scene, ladder_truth(&scene));
+    table_begin("ladder",
+                "rung model state mesh geometry law dimension inertia "
                 "mesh_part stable estimate error flops verdict");
-    struct ladder_state *s = climb(&scene, tolerance, truth, &enough);
+    const int enough = climb(&scene, tolerance, truth);
     table_end();
-    if (!enough)
-        die("the ladder ends before a tolerance of %g is met", tolerance);
+    if (!enough) die("the ladder ends before %g is met", tolerance);
     ladder_free(truth);
-    ladder_free(s);
     return table_finish();
 }

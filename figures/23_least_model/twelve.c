@@ -1,10 +1,10 @@
 /*
  * twelve.c - do the estimates meet the truth, in twelve scenes?
  *
- * Each scene of ladder.h is climbed from the bar to the last rung that there is;
- * each rung is estimated from its own answer and compared with the richest model
- * on a mesh that is finer still.  Tables: rungs (all of them), chosen (the first
- * that is enough for 10 %), least (the lowest ratios, and what K says there).
+ * Each scene of ladder.h is climbed from the bar to the last rung; each rung is
+ * estimated from its own answer, and compared with the richest model on a mesh
+ * that is finer still.  Tables: rungs (all of them), chosen (the first that is
+ * enough for 10 %), least (lowest and highest ratio, stable and not).
  */
 #include "estimate.h"
 #include "study.h"
@@ -97,8 +97,8 @@ int main(void)
           within);
     claim(silent == 0, "%d stable rungs are below 1/3: the lowest is %g",
           silent, lowest);
-    claim(blind < 0.1, "where K is not positive definite the estimate is blind: "
-          "%g", blind);
+    claim(blind < 0.1, "where K is not positive definite the estimate is "
+          "blind: %g", blind);
     claim(met >= 11, "%d scenes meet the tolerance", met);
     return table_finish();
 }

@@ -41,8 +41,8 @@ static double affine_part(mat2 F, enum part which)
 
 /* ---- 23a ----------------------------------------------------------------- */
 
-/* A rotation by a: |H^T H| / 2 over |H| is sin(a / 2), and 1 - cos a, the strain
- * that linear elasticity sees, is 2 sin^2(a / 2). */
+/* A rotation by a: |H^T H| / 2 over |H| is sin(a / 2), and 1 - cos a, the
+ * strain that linear elasticity sees, is 2 sin^2(a / 2). */
 static void geometry_sees_a_rotation(void)
 {
     for (int k = 0; k < COUNT(oracle_threshold); k++) {
@@ -73,7 +73,7 @@ static void geometry_follows_a_stretch(void)
                  "a body at rest: geometry");
 }
 
-/* One vertex is moved: its triangles decide, however many others are at rest. */
+/* One vertex is moved: its triangles decide, however many more are at rest. */
 static void geometry_takes_the_largest(void)
 {
     double small[N_PART], large[N_PART];
@@ -247,7 +247,10 @@ static void inertia_is_rayleighs(void)
     expect(fabs(once * omega * 2.385 - 1.0) < 0.05,
            "a hanging body: inertia is %g, 1 / (omega T) of a hanging bar %g",
            once, 1.0 / (omega * 2.385));
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->f[r] *= 3.0, s->u[r] *= 3.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        s->f[r] *= 3.0;
+        s->u[r] *= 3.0;
+    }
     loads_of(s, part);
     expect_close(part[INERTIA], once, PAIR, 1.0,
                  "three times the load, three times u: inertia");
