@@ -289,7 +289,8 @@ static void verdict_counts_what_is_left_out(void)
     };
     for (int k = 0; k < COUNT(is); k++)
         for (int below = 0; below < 2; below++) {
-            double part[N_PART] = {0.01, 0.02, 0.04, 0.08, 0.16}, sum = NAN;
+            const double parts[] = {0.01, 0.02, 0.04, 0.08, 0.16};
+            double *part = guarded_copy(N_PART, parts), sum = NAN;
             enum part add = N_PART;
             const int got = verdict(is[k].model, is[k].time, 1,
                                     is[k].want + (below ? 0.001 : -0.001), part,
@@ -313,7 +314,8 @@ static void verdict_names_each_part(void)
     static const enum rung rung[] = {BAR, CUBIC_PLANE, BAR, CUBIC_PLANE,
                                      LOG_PLANE};
     for (int k = 0; k < N_PART; k++) {
-        double part[N_PART] = {0.01, 0.01, 0.01, 0.01, 0.01}, sum;
+        const double parts[] = {0.01, 0.01, 0.01, 0.01, 0.01};
+        double *part = guarded_copy(N_PART, parts), sum;
         enum part add = N_PART;
         part[k] = 0.2385;
         verdict((struct ladder_model){rung[k], 0, 0}, RISES, 1, 0.1, part, &sum,
@@ -327,7 +329,8 @@ static void verdict_names_each_part(void)
 static void what_is_unstable_is_never_enough(void)
 {
     for (int r = BAR; r <= LOG_PLANE; r++) {
-        double part[N_PART] = {1e-4, 1e-4, 2e-4, 1e-4, 2e-4}, sum;
+        const double parts[] = {1e-4, 1e-4, 2e-4, 1e-4, 2e-4};
+        double *part = guarded_copy(N_PART, parts), sum;
         enum part add = N_PART;
         const struct ladder_model model = {(enum rung)r, 0, 0};
         expect(!verdict(model, STANDS, 0, 0.1, part, &sum, &add),
