@@ -107,6 +107,7 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     s->body = body_alloc(s->mesh, material_make(law, 1000.0, scene->nu),
                          model.moving ? 1.0 : 0.0, CONSISTENT, held);
     free(held);
+    if (s->body->K->storage != BANDED) body_store(s->body, BANDED);
     s->f = allocate(size, sizeof *s->f);
     s->u = allocate(size, sizeof *s->u);
     load(s);

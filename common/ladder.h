@@ -15,7 +15,8 @@
  *     CUBIC    the same                     cubic Neo-Hookean: Newton's method
  *     LOG      the same                     logarithmic Neo-Hookean
  *
- * each on a mesh that may be halved, at rest or in motion (implicit midpoint).
+ * each on a mesh that may be halved, at rest or in motion (implicit midpoint),
+ * all with the factors of a band, so that their counted work compares.
  */
 #ifndef COMMON_LADDER_H
 #define COMMON_LADDER_H
