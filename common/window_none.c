@@ -1,0 +1,20 @@
+/* window_none.c - window.h without a window, for all programs but that of
+ * `make live`, which brings window.c. */
+#include "window.h"
+
+struct window *window_open(void) { return NULL; }
+
+void window_close(struct window *window) { (void)window; }
+
+int window_pointer(struct window *window, struct pointer *pointer)
+{
+    (void)window, (void)pointer;
+    return 0;
+}
+
+void window_draw(struct window *window, const struct live *live,
+                 const struct live_report *report, double seconds,
+                 const char *shot)
+{
+    (void)window, (void)live, (void)report, (void)seconds, (void)shot;
+}
