@@ -30,9 +30,8 @@
 #include "pointer.h"
 
 enum grab { PATCH, SIDE };                 /* what the hand takes */
-enum start { ELASTIC, ROWS, LAST_STATE };  /* where `fast` starts */
-#define LIVE_GRABS "patch side"
-#define LIVE_STARTS "elastic rows last" /* live_lift, step_boundary(), as it is */
+enum start { ELASTIC, ROWS, LAST_STATE };  /* `fast` starts from live_lift(),
+                                            * step_boundary(), the last state */
 
 enum { FAST_SYSTEMS = 6, DOWNHILL_SYSTEMS = 8, LIVE_HALVINGS = 8 };
 
@@ -91,9 +90,9 @@ struct live_report {
 };
 
 /*
- * u := u0 with the held values g, and what that does to the rest 
- * [eq:elastic-lift], the first iteration of Newton's method in which the jump enters
- * linearly:
+ * u := u0 with the held values g, and what that does to the rest
+ * [eq:elastic-lift], the first iteration of Newton's method, in which the jump
+ * enters linearly:
  *
  *     K du = -(q(u0) + K_fh (g - u0)),   u = u0 + du, and g where it is held
  *
@@ -127,8 +126,8 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  live_rung *downhill, const double to[2]);
 
 /* Vertices inside the body round which the angles of their triangles do not add
- * up to 2 pi: it is wound twice there, or inside out [eq:winding].  knot[a] := is
- * vertex a one?  NULL: do not say. */
+ * up to 2 pi: it is wound twice there, or inside out [eq:winding].  knot[a] :=
+ * is vertex a one?  NULL: do not say. */
 int live_knots(const struct mesh *mesh, const double u[], int knot[]);
 
 /* v.M v / 2 + Psi(u) */

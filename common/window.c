@@ -230,9 +230,10 @@ void window_draw(struct window *w, const struct live *live,
     snprintf(text[0], sizeof text[0], "%s: %s, %d systems, %.1f ms%s",
              report->rung, status_name(report->status), report->systems,
              1e3 * seconds, live->holding ? ", holding" : "");
-    snprintf(text[1], sizeof text[1], "n %d (+ -)  law %s (L)  %s (I)  start %s (S)",
-             live->set.n, material_law(live->set.law),
-             method_name(live->set.method), start[live->set.start]);
+    snprintf(text[1], sizeof text[1],
+             "n %d (+ -)  law %s (L)  %s (I)  start %s (S)", live->set.n,
+             material_law(live->set.law), method_name(live->set.method),
+             start[live->set.start]);
     snprintf(text[2], sizeof text[2],
              "ladder %s (P)  grab %s (G)  (R)eset  (space)  min J %.2f",
              live->set.ladder ? "all" : "none",

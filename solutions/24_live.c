@@ -5,8 +5,8 @@
  * render solution to screen", and "abnormally robust to user input".
  *
  * Problem.  A hand takes some vertices of the square and carries them wherever
- * it likes, thirty frames per second.  Each frame is a step of backward Euler or
- * of the midpoint rule; none may be lost, whatever the hand does.
+ * it likes, thirty frames per second.  Each frame is a step of backward Euler
+ * or of the midpoint rule; none may be lost, whatever the hand does.
  *
  *     fast       elastic lift, factors kept                 at most  6 systems
  *        |  it failed
@@ -47,9 +47,30 @@ static void print_summary(const struct live *live, const struct summary *sum)
     table_end();
 }
 
+/* The lines of the input: of a script, of a file, or (NULL) none yet. */
+static struct pointers choose(const char *name, double speed, int seed)
+{
+    if (!name) return (struct pointers){0, NULL};
+    if (strcmp(name, "pull") == 0) return pointers_pull(speed);
+    if (strcmp(name, "hard") == 0) return pointers_hard();
+    if (strcmp(name, "mad") == 0) return pointers_mad(seed, 600);
+    return pointers_read(name);
+}
+
+/* Is there a frame k?  In a window its time is waited for, and the mouse, where
+ * it is the input, adds a line. */
+static int there_is(struct pointers *input, int k, struct window *window,
+                    int mouse)
+{
+    struct pointer pointer;
+    if (window && !window_pointer(window, &pointer)) return 0;
+    if (mouse) pointers_add(input, pointer);
+    return k < input->n;
+}
+
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
- * pointer is held within LIVE_FAR in x and in y, and the hand goes LIVE_REACH at
- * most [eq:live-hand]. */
+ * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
+ * LIVE_REACH [eq:live-hand]. */
 static void hand_next(const double from[2], const struct pointer *pointer,
                       double to[2])
 {
@@ -63,15 +84,18 @@ static void hand_next(const double from[2], const struct pointer *pointer,
 }
 
 /*
- * angle[a] += the angles that the triangles of vertex a have there, between -pi
- * and pi, negative where the triangle is inverted [eq:winding].
+ * How many vertices inside the square are knots: at rest the angles of the
+ * triangles round a vertex add up to 2 pi.  They are between -pi and pi, and
+ * negative where a triangle is inverted; a sum that is off by more than pi is a
+ * knot [eq:winding].
  */
-static void add_angles(const struct mesh *mesh, const double u[],
-                       double angle[])
+static int count_knots(const struct mesh *mesh, const double u[])
 {
     const double *X = mesh->X;
-    /* SLOT 24b(mesh, X, u, angle): every corner of every triangle; vertex a is
-     * at X[2a] + u[2a], X[2a + 1] + u[2a + 1]. */
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle);
+    int knots = 0;
+    /* SLOT 24b(mesh, X, u, angle, &knots): angle[a] is 0; vertex a is at
+     * X[2a] + u[2a], X[2a + 1] + u[2a + 1], and inside if -1 < X < 1 twice. */
     for (int e = 0; e < mesh->n_triangle; e++)
         for (int k = 0; k < 3; k++) {
             const int *t = &mesh->triangle[3 * e];
@@ -86,22 +110,11 @@ static void add_angles(const struct mesh *mesh, const double u[],
                 side[0][0] * side[1][1] - side[0][1] * side[1][0],
                 side[0][0] * side[1][0] + side[0][1] * side[1][1]);
         }
-    /* END 24b */
-}
-
-/* Vertices inside the body, round which the angles add up to 2 pi at rest, and
- * to something else now. */
-static int count_knots(const struct mesh *mesh, const double u[])
-{
-    const size_t n = (size_t)mesh->n_vertex;
-    double *rest = allocate(4 * n, sizeof *rest), *angle = rest + n;
-    int knots = 0;
-    add_angles(mesh, angle + n, rest); /* u = 0 */
-    add_angles(mesh, u, angle);
-    for (size_t a = 0; a < n; a++)
-        knots += fabs(rest[a] - 2.0 * M_PI) < 1e-6 &&
+    for (int a = 0; a < mesh->n_vertex; a++)
+        knots += fabs(X[2 * a]) < 1.0 && fabs(X[2 * a + 1]) < 1.0 &&
                  fabs(angle[a] - 2.0 * M_PI) > M_PI;
-    free(rest);
+    /* END 24b */
+    free(angle);
     return knots;
 }
 
@@ -129,9 +142,9 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
         size = fmax(size, fabs(move[r]));
     }
     const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
-    /* SLOT 24c(body, dt, w, u0, g, tangent, u, n, move, q, ahead, behind, e,
-     * &status): K_fh move is the central difference of q over u0 - e move and
-     * u0 + e move; body_assemble(), body_increment(). */
+    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e, status):
+     * n numbers each; K_fh move is the central difference of q over
+     * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
     for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
     status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
     for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
@@ -156,8 +169,8 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
  * The second rung: backward Euler from the last state [alg:live-frame].  The
  * projected lift, the hand going 1, 1/2, 1/4, ... of its way, LIVE_HALVINGS
  * times at most, until it is OK and the energy is defined; else u = u0 and 0 of
- * the way.  Then step_solve() with LIVE_DOWNHILL, whose status is returned; u is
- * taken as it is then.  v = (u - u0) / dt, but 0 where that is not OK or the
+ * the way.  Then step_solve() with LIVE_DOWNHILL, whose status is returned; u
+ * is taken as it is then.  v = (u - u0) / dt, but 0 where that is not OK or the
  * hand has not gone all of its way.
  *
  * report  in/out  systems: one more for each lift, and those of Newton's
@@ -170,7 +183,7 @@ static enum status downhill(struct live *live, double u[], double v[],
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, energy = 0.0;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, &energy, u, v, report, &status): w and
+    /* SLOT 24d(live, dt, u0, v0, n, w, g, energy, u, v, report, status): w and
      * g are to be filled; live->g has the held values at the end of the way. */
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
     report->part = 1.0;
@@ -220,27 +233,6 @@ static void play(struct live *live, const struct pointer *pointer, int timed,
     if (report.systems > sum->most) sum->most = report.systems;
     if (energy > sum->energy) sum->energy = energy;
     if (window) window_draw(window, live, &report, seconds, shot);
-}
-
-/* The lines of the input: of a script, of a file, or (NULL) none yet. */
-static struct pointers choose(const char *name, double speed, int seed)
-{
-    if (!name) return (struct pointers){0, NULL};
-    if (strcmp(name, "pull") == 0) return pointers_pull(speed);
-    if (strcmp(name, "hard") == 0) return pointers_hard();
-    if (strcmp(name, "mad") == 0) return pointers_mad(seed, 600);
-    return pointers_read(name);
-}
-
-/* Is there a frame k?  In a window its time is waited for, and the mouse, where
- * it is the input, adds a line. */
-static int there_is(struct pointers *input, int k, struct window *window,
-                    int mouse)
-{
-    struct pointer pointer;
-    if (window && !window_pointer(window, &pointer)) return 0;
-    if (mouse) pointers_add(input, pointer);
-    return k < input->n;
 }
 
 int main(int argc, char *argv[])
