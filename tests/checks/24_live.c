@@ -131,45 +131,40 @@ static double residual_at(const struct live *live, const double w[],
     return largest;
 }
 
-/* From a state with q = 0 the lift leaves a q of second order in the jump: a
- * quarter for half of it. */
+/* From a state with q = 0 the lift by the exact K leaves a q of second order in
+ * the jump: a quarter for half of it. */
 static void lift_solves_the_linear_problem(void)
 {
-    for (int kind = EXACT; kind <= PROJECTED; kind++) {
-        struct live *live = after(8, CUBIC); /* the hand holds a patch */
-        const int n = live->n_dof;
-        double *u0 = guarded_alloc(n), *g = guarded_alloc(n);
-        double *u = guarded_alloc(n), *w = guarded_alloc(n), q[4];
-        memcpy(u0, live->now.u, (size_t)n * sizeof *u0);
-        memset(w, 0, (size_t)n * sizeof *w);
-        const struct step_control newton = step_method("demand+search");
-        expect(step_solve(live->body, &newton, live->dt, w, NULL, u0).status ==
-                   OK, "the state to start from was not found");
-        for (int k = 0; k < 4; k++) {
-            const double jump = 0.04 / (1 << k);
-            for (int r = 0; r < n; r++)
-                g[r] = live->body->equation[r] >= 0 ? NAN : u0[r];
-            for (int a = 0; a < n / 2; a++)
-                if (live->body->equation[2 * a] < 0 &&
-                    live->mesh->X[2 * a] > -1.0) {
-                    g[2 * a] += jump;
-                    g[2 * a + 1] -= 0.3 * jump;
-                }
-            const enum status status = elastic_lift(
-                live->body, live->dt, w, u0, g, (enum tangent)kind, u);
-            expect(status == OK, "elastic_lift() of a jump of %g m: %s", jump,
-                   status_name(status));
-            for (int r = 0; r < n; r++)
-                if (live->body->equation[r] < 0)
-                    expect_close(u[r], g[r], ROUND_OFF, 1.0,
-                                 "the lifted u[%d], which is prescribed", r);
-            q[k] = residual_at(live, w, u) / (jump * jump);
+    struct live *live = after(8, CUBIC); /* the hand holds a patch */
+    const int n = live->n_dof;
+    double *u0 = guarded_copy(n, live->now.u), *g = guarded_alloc(n);
+    double *u = guarded_alloc(n), *w = guarded_alloc(n), q[4];
+    const struct step_control newton = step_method("demand+search");
+    memset(w, 0, (size_t)n * sizeof *w);
+    expect(step_solve(live->body, &newton, live->dt, w, NULL, u0).status == OK,
+           "the state to start from was not found");
+    for (int k = 0; k < 4; k++) {
+        const double jump = 0.04 / (1 << k);
+        for (int r = 0; r < n; r++) {
+            const int moved = live->body->equation[r] < 0 &&
+                              live->mesh->X[r / 2 * 2] > -1.0;
+            g[r] = live->body->equation[r] >= 0 ? NAN : u0[r];
+            if (moved) g[r] += r % 2 ? -0.3 * jump : jump;
         }
-        expect_close(q[2] / q[3], 1.0, 0.1, 1.0,
-                     "max|q| / jump^2 after the lift of 0.01 m over that of "
-                     "0.005 m: the lift is exact to first order");
-        live_free(live);
+        const enum status status =
+            elastic_lift(live->body, live->dt, w, u0, g, EXACT, u);
+        expect(status == OK, "elastic_lift() of a jump of %g m: %s", jump,
+               status_name(status));
+        for (int r = 0; r < n; r++)
+            if (live->body->equation[r] < 0)
+                expect_close(u[r], g[r], ROUND_OFF, 1.0,
+                             "the lifted u[%d], which is prescribed", r);
+        q[k] = residual_at(live, w, u) / (jump * jump);
     }
+    expect_close(q[2] / q[3], 1.0, 0.05, 1.0,
+                 "max|q| / jump^2 after the lift of 0.01 m over that of 0.005 "
+                 "m: the lift is exact to first order");
+    live_free(live);
 }
 
 /* Where nothing jumps, the lift is a step of Newton's method; K is that which
@@ -177,12 +172,15 @@ static void lift_solves_the_linear_problem(void)
 static void lift_without_a_jump_is_newton(void)
 {
     int indefinite = 0;
-    for (int k = 3; k <= 120; k += 9) {
+    for (int k = 3; k <= 48; k += 9) {
         struct live *live = after(k, CUBIC);
         struct body *body = live->body;
         const int n = live->n_dof;
         double *u = guarded_alloc(n), *w = guarded_alloc(n);
         double *q = allocate(2 * (size_t)n, sizeof *q), *du = q + n;
+        for (int r = 0; r < n && k > 20; r++) /* until K is indefinite */
+            if (body->equation[r] >= 0)
+                live->now.u[r] += 0.1 * sin(2.385 * r * r + k);
         for (int kind = EXACT; kind <= PROJECTED; kind++) {
             for (int r = 0; r < n; r++)
                 w[r] = live->now.u[r] + live->dt * live->now.v[r];
@@ -244,6 +242,9 @@ static void downhill_does_what_it_says(void)
             double *due_u = allocate(2 * (size_t)n, sizeof *due_u);
             double *due_v = due_u + n;
             struct live_report report = {.rung = "downhill", .systems = 3};
+            for (int r = 0; r < n && k % 2; r++) /* most are 0 by then */
+                if (live->body->equation[r] >= 0)
+                    copy->now.v[r] = live->now.v[r] += 3.0 * sin(2.385 * r);
             struct live_report due = report;
             const enum status status = downhill(live, u, v, &report);
             const enum status due_status =
@@ -322,7 +323,7 @@ static const struct claim claims[] = {
 
 static const char *const runs[] = {
     "",
-    "--input hard --n 6",
+    "--input pull --n 8",
     "--input hard --n 5 --law cubic --integrator midpoint",
     "--input pull --speed 40 --n 7 --law cubic",
 };
