@@ -324,6 +324,7 @@ static const struct claim claims[] = {
 static const char *const runs[] = {
     "",
     "--input pull --n 8",
+    "--input hard --n 9",
     "--input hard --n 5 --law cubic --integrator midpoint",
     "--input pull --speed 40 --n 7 --law cubic",
 };
@@ -332,12 +333,11 @@ static const char *const runs[] = {
 
 static const struct column_rule rules[] = {
     {"frames", "k", 0.0, "counts frames", 0.0},
-    {"frames", "systems", NOT_COMPARED,
-     "another right way may need one more; see the check of downhill()", 0.0},
+    {"frames", "systems", 0.12, "round-off may decide about two systems", 0.0},
     {"frames", "ms", NOT_COMPARED, "seconds", 0.0},
     {"frames", "knots", 0.0, "counts vertices", 0.0},
     {"frames", "*", 1e-4, FRAME, 0.0},
-    {"summary", "most_systems", NOT_COMPARED, "as systems", 0.0},
+    {"summary", "most_systems", 0.12, "as systems", 0.0},
     {"summary", "last_max_u", 1e-4, FRAME, 1.0},
     {"summary", "*", 1e-4, FRAME, 0.0},
 };
