@@ -143,10 +143,14 @@ $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
 # $(call build_judge,program to judge,NN_slug,more flags)
-build_judge = $(COMPILE) $3 -I. -Itests/checks \
-              -DPROGRAM='"$1"' tests/checks/$2.c $(JUDGE) $(PLACED)
+NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
+NAMING = tests/tools/names.sh tests/tools/names.awk
+build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $3 -I. -Itests/checks \
+              -DPROGRAM='"$1"' -DNAMES='"$@.h"' tests/checks/$2.c $(JUDGE) \
+              $(PLACED)
 
-$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB)
+$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB) \
+                            $(NAMING)
 	$(call say,judge,$<)
 	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
 

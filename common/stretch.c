@@ -21,8 +21,8 @@ static enum status next_step(const struct material *material, double p,
 
 /* The first length 1, 1/2, 1/4, ... with Armijo's decrease, 1e-4 of the slope;
  * close to the minimum the energy has no digits left to compare. */
-static enum status line_search(const struct material *material, double p,
-                               double F, double step, double *length)
+static enum status search_length(const struct material *material, double p,
+                                 double F, double step, double *length)
 {
     const double w = material1_psi(material, F) - p * (F - 1.0);
     const double slope = (material1_pk1(material, F) - p) * step;
@@ -53,7 +53,7 @@ struct stretch_report stretch_newton(const struct material *material, double p,
         if (report.iterations >= control->max_iterations) return report;
         report.iterations++;
         if (control->line_search) {
-            report.status = line_search(material, p, report.F, step, &length);
+            report.status = search_length(material, p, report.F, step, &length);
             if (report.status != OK) return report;
         }
         report.F += length * step;

@@ -41,10 +41,10 @@ static void push(double s, const double X[2], double x[2])
 }
 
 /*
- * F of the bar element (X0, X1) whose ends are now at x0, x1.  Returns its sign
- * [eq:deformation-gradient]: 1 upright, -1 inverted, 0 collapsed, which is when
- * |x1 - x0| <= 16 DBL_EPSILON size: round-off can move a point by that much.
- * size is the largest coordinate of the bar, before and after.
+ * F of the bar element whose ends X0 and X1 (X0 > X1 is allowed) are now at x0
+ * and x1.  Returns the sign of F [eq:deformation-gradient]: 1 upright, -1
+ * inverted, 0 collapsed: |x1 - x0| <= 16 DBL_EPSILON size, which round-off may
+ * move a point by; size is the bar's largest coordinate, before and after.
  */
 static int bar_gradient(double X0, double X1, double x0, double x1,
                         double size, double *F)

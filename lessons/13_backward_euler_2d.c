@@ -145,10 +145,10 @@ static void print_stages(const struct scene *s)
  * One step of backward Euler by Newton's method [alg:body-newton], from s->u
  * (lifted: [eq:lift-2d]) with s->g at the held vertices.  Done: max|q| of the
  * free vertices <= tolerance weight, and in the iteration before max|du| <=
- * tolerance (m); so there is at least one.  Then v = (u_new - u) / dt at every
- * vertex, and u = u_new [eq:backward-euler].  NONFINITE: q or du is not finite;
- * MAX_ITERATIONS: not done after cap systems.  Unless the status is OK, s->u,
- * s->v and s->steps stay as they were.
+ * tolerance (m); so there is at least one, even where q is 0 to begin with.
+ * Then v = (u_new - u) / dt at every vertex, and u = u_new [eq:backward-euler].
+ * NONFINITE: q or du is not finite; MAX_ITERATIONS: not done after cap systems.
+ * Unless the status is OK, s->u, s->v and s->steps stay as they were.
  */
 static struct report step(struct scene *s, double tolerance, int cap, int lift)
 {
@@ -163,10 +163,12 @@ static struct report step(struct scene *s, double tolerance, int cap, int lift)
 
     memcpy(next, s->u, n_dof * sizeof *next);
     if (lift) step_boundary(s->body, s->g, 1, next);
-    /* SLOT 13d(s, tolerance, cap, weight, b, q, du): write s->g into next; then
-     * the loop, which fills report on its way: body_increment() for du, and
-     * body_max_free() for the size of q and du; then s->v and s->u. */
-    todo("13d", s, tolerance, cap, weight, b, q, du);
+    /* SLOT 13d(s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
+     * right_hand_side, equation): write s->g into next; then the loop, which
+     * fills report on its way: body_increment() for du, and body_max_free() for
+     * the size of q and du; then s->v and s->u. */
+    todo("13d", s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
+         right_hand_side, equation);
     /* END 13d */
     s->steps += report.status == OK;
     matrix_free(A);

@@ -188,9 +188,11 @@ static void print_stages(const struct bar_scene *scene)
  *     max |q_i| <= tolerance (2 mu + lambda)  over the nodes that are free, and
  *     max |du|  <= tolerance n h              in the step before
  *
- * (no step is needed where q is 0 to begin with).  NONFINITE when one of the
- * two is not finite; MAX_ITERATIONS after control->max_iterations steps;
- * residual and increment in the report are those of the last u.
+ * Where q is 0 to begin with no step is made, and the increment is 0; elsewhere
+ * there is at least one.  Every step is a full one, without a line search.
+ * NONFINITE when one of the two is not finite; MAX_ITERATIONS after
+ * control->max_iterations steps; residual and increment in the report are those
+ * of the last u.
  */
 static struct newton_report newton(const struct bar *bar,
                                    const struct newton_control *control,
@@ -200,8 +202,9 @@ static struct newton_report newton(const struct bar *bar,
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(2 * size, sizeof *q), *du = q + size;
-    /* SLOT 10e(bar, control, u, &report, K, q, du): the loop, with report
-     * filled on the way; bar_max_free() of bar.h is max |v_i| of free nodes. */
+    /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
+     * increment): the loop, with report filled on the way; bar_max_free() of
+     * bar.h is max |v_i| of free nodes. */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 

@@ -200,8 +200,9 @@ static enum status increment(const struct scene *s, struct matrix *K,
  * Newton's method for q(u) = 0 at the free vertices [alg:body-newton], from a u
  * that has its values at the held ones to the solution, or to the last state
  * reached.  Done: max|q| <= tolerance (2 mu + lambda) over the free vertices,
- * and in the iteration before max|du| <= tolerance (m).  NONFINITE: q or du is
- * not finite; MAX_ITERATIONS: not done after cap <= CAP linear systems.
+ * and in the iteration before max|du| <= tolerance (m); so there is at least
+ * one, even where q is 0 to begin with.  NONFINITE: q or du is not finite;
+ * MAX_ITERATIONS: not done after cap <= CAP linear systems.
  */
 static struct report equilibrium(const struct scene *s, double tolerance,
                                  int cap, double u[])
@@ -211,8 +212,9 @@ static struct report equilibrium(const struct scene *s, double tolerance,
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
     double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
 
-    /* SLOT 12e(weight, tolerance, cap, u, K, du, tangent, increment): the loop,
-     * which fills report on its way; body_max_free() is the size of q, du. */
+    /* SLOT 12e(s, tolerance, cap, weight, u, &report, K, q, du, residual,
+     * tangent, increment): the loop, which fills report on its way;
+     * body_max_free() is the size of q and du. */
     for (;;) {
         const int k = report.iterations;
         report.status = residual(s, u, q);

@@ -14,7 +14,8 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 # Starters as the solutions give them, whatever the student has in lessons/.
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
-$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) $(LIB)
+$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
+                           $(LIB) $(NAMING)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*,-Werror)
 
@@ -40,7 +41,7 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
 	$(Q)$$(QUICK) $$< $$(PLACED)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
-        tests/checks/$(patsubst %/,%,$(dir $1)).c
+        tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
 	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1)),-O1 -g0 -w)
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
@@ -87,6 +88,8 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
 	$(call say,test,$* starter)
 	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
 
+KINDS = solution starter behave names
+
 # every program that a judge compares with, before any judge of the lesson runs
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
@@ -95,8 +98,12 @@ $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
 	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
+$(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
+        $(JUDGE) tests/cli/names.sh $(NAMING)
+	$$(call say,test,$1 names)
+	+$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
-verify-$(call number,$1): $(patsubst %,$(T)/$1.%.result,solution starter behave) \
+verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result) \
         $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
 	@cat $$^ | sh tests/tools/count.sh
 endef
@@ -201,7 +208,7 @@ $(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
 	    sh tests/tools/build_variants.sh $* > $@
 
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
-           $(foreach k,solution starter behave,$(LESSONS:%=$(T)/%.$k.result)) \
+           $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
            $(T)/hostile.result $(T)/grade.result \

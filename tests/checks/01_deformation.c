@@ -4,8 +4,8 @@
 #include "judge.h"
 
 #include "../oracle/01_deformation.h"
-#include "bar.h"
-#include "material.h"
+#include "bar.c"
+#include "material.c"
 
 #include <float.h>
 #include <math.h>

@@ -4,6 +4,8 @@
 #ifndef TESTS_CHECKS_CHILD_H
 #define TESTS_CHECKS_CHILD_H
 
+#include "names.h"
+
 enum {
     SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
     SECONDS_JUDGING = 12,  /* the same, of all children together */

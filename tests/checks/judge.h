@@ -9,12 +9,26 @@
  * child of its own (child.h), with limits on time, memory and output; the last
  * check, added here, compares the output tables with those of the reference
  * solution.
+ *
+ * Names.  A student's program may use any name and define any macro, at file
+ * scope too, and no check needs to care: tests/tools/names.sh makes a header
+ * that stands between the two.  It ends the program's macros, and renames what
+ * NN_slug.c and the headers that it includes declare at file scope (solved
+ * becomes checks_own_solved).  Three rules are left for who writes checks:
+ *   - program.h comes first, and everything else is included after it;
+ *   - a check's name at file scope is none that the solution has, or a header
+ *     of common/, as a member of a struct too: it would be renamed there as
+ *     well, and the checks would not compile;
+ *   - a module of common/ that the solution does not include is included as its
+ *     source, #include "bar.c": it is compiled once more, under other names.
  */
 #ifndef TESTS_CHECKS_JUDGE_H
 #define TESTS_CHECKS_JUDGE_H
 
 #include "names.h"
-#include "options.h" /* COUNT */
+
+#undef COUNT
+#define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
 
 /* A claim about the program, cheapest and most telling first. */
 struct claim {

@@ -72,6 +72,20 @@ rule 'a study ends in its claim, and takes no options' \
         case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
         grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
+rule "every word of the judge's is in tests/checks/names.h" \
+    "$(for f in judge output child; do
+        awk -f tests/tools/names.awk tests/checks/$f.h | sed -n 's/^name //p'
+    done | sort -u | while read -r name; do
+        cat tests/checks/judge.h tests/checks/output.h tests/checks/child.h |
+            grep -qE "(^|[^a-z_])$name\(" ||
+            grep -q "^struct $name " tests/checks/judge.h || continue
+        grep -q "^#define $name judge_$name\$" tests/checks/names.h ||
+            [ "$name" = program_main ] || echo "$name"; done)"
+rule 'what is between a program and its checks comes first' \
+    "$(for f in tests/checks/[0-9]*.c; do
+        [ "$(grep -m 1 '^#include' "$f")" = '#include "program.h"' ] || echo "$f"
+    done)"
+
 # ---- the book -----------------------------------------------------------------
 book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
 rule 'every chapter is in the contents' \

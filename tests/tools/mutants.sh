@@ -35,8 +35,9 @@ TEXT
 # that finds the mistake is printed; nothing if it lives
 found_by() {
     if [ $kind = lesson ]; then
-        $CC_MUTANT -DPROGRAM="\"$1/$name.c\"" "tests/checks/$name.c" \
-            -o "$1/judge" $JUDGE $LINK 2>/dev/null || return 2
+        $CC_MUTANT -DPROGRAM="\"$1/$name.c\"" \
+            -DNAMES="\"$work/names.h\"" "tests/checks/$name.c" -o \
+            "$1/judge" $JUDGE $LINK 2>/dev/null || return 2
         "$1/judge" --file mutant --reference "$BUILD/solutions/$name" \
             --result "$1/result" >/dev/null 2>&1
         if [ $? = 2 ]; then echo judge; return; fi
@@ -97,6 +98,8 @@ score() {
     rm -rf "$work" && mkdir -p "$work" || exit 1
     rm_on_exit=$work
     awk -f tests/tools/mutants.awk -v seed="$SEED" "$file" >"$work/list"
+    [ $kind = common ] || CPP=$CC_MUTANT sh tests/tools/names.sh "$file" \
+        "$name" "$work/names.h" || exit 1
     half 0 & first=$!
     half 1 & second=$!
     wait $first $second

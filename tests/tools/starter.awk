@@ -9,8 +9,8 @@
 #     ...the code that the student writes...
 #     /* END 7a */
 #
-# In the starter the code becomes todo("7a", x, u); the names in parentheses
-# are what the slot has to work with.  Lines with SOLUTION: in the header
+# In the starter the code becomes todo("7a", x, u); the names in parentheses,
+# which may go on in the next lines, are what the slot has to work with.  Lines with SOLUTION: in the header
 # comment become their LESSON: twin, so that the file says what it is.
 
 /\/\* SLOT [0-9]+[a-z]\(/ {
@@ -19,13 +19,33 @@
     arguments = slot
     sub(/\(.*/, "", slot)
     sub(/^[^(]*\(/, "", arguments)
-    if (arguments !~ /\)/) { print "starter: slot " slot ": the names must close on its first line" > "/dev/stderr"; exit 2 }
-    sub(/\).*/, "", arguments)
-    in_comment = 1
-    cutting = 1
+    naming = in_comment = cutting = 1
+}
+naming {
+    if ($0 !~ /\/\* SLOT /) {
+        more = $0; sub(/^ *\* */, "", more)
+        arguments = arguments " " more
+    }
+    if (arguments ~ /\)/) {
+        sub(/\).*/, "", arguments)
+        naming = 0
+    } else if (/\*\//) {
+        print "starter: the names of slot " slot " do not end" > "/dev/stderr"
+        exit 2
+    }
 }
 cutting && $0 ~ "/\\* END " slot " \\*/" {
-    print indent "todo(\"" slot "\"" (arguments == "" ? "" : ", " arguments) ");"
+    n = split(arguments, name, /, */)
+    line = indent "todo(\"" slot "\""
+    for (k = 1; k <= n; k++) {
+        line = line ","
+        if (length(line " " name[k]) > 77) {
+            print line
+            line = indent "     "
+        }
+        line = line (line ~ / $/ ? "" : " ") name[k]
+    }
+    print line ");"
     cutting = 0
 }
 !cutting || in_comment { print }

@@ -9,6 +9,8 @@
 #     mistake: lift_forgotten          (or  equivalent: another_way)
 #     caught-by: name_of_the_check     (mistakes only)
 #     verdict: NONFINITE               (where it is not WRONG)
+#     slot: 9c                         (where the verdict may name another slot
+#                                       than that of the first line changed)
 #     shows: no                        (where no run of the program shows it:
 #                                       it is caught, but cannot be explained)
 #     why: what the student is told, two lines or so;

@@ -58,6 +58,18 @@ mistake)
         echo "$said" | grep -q "known mistake ($name)"
         result $? "$nn: $name is explained" "$said"
     fi
+    # a slot that is named is that of the first line which differs
+    slot=$(field slot)
+    [ -n "$slot" ] || slot=$(awk 'NR == FNR { line[FNR] = $0; next }
+        /\/\* SLOT / { slot = $3; sub(/\(.*/, "", slot) }
+        $0 != line[FNR] { print slot; exit }
+        /\/\* END / { slot = "" }' \
+        "$BUILD/mistakes/$slug/$name.c" "solutions/$slug.c")
+    named=$(echo "$said" | sed -n 's/^  In .* (slot \(.*\)):$/\1/p' | head -n 1)
+    if [ -n "$slot" ] && [ -n "$named" ]; then
+        [ "$slot" = "$named" ]
+        result $? "$nn: the verdict on $name names slot $slot" "$said"
+    fi
     [ "$(echo "$said" | wc -l)" -le 24 ]
     result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
 equivalent)
@@ -99,20 +111,6 @@ behave)
             "table_row(2.385); table_end();" } { print }' \
         "solutions/$slug.c" >"$mine"
     judged 'a program with a table of its own' OK
-    awk '{ print } !done && /^#include </ && !pending { pending = 1 }
-        pending && !done && /^$/ { done = 1
-            print "#define expect(x) (x)"
-            print "struct output { int cell; }; struct claim { int word; };"
-            print "static double cell(double x) { return x; }"
-            print "static double run(struct output o) { return cell(o.cell); }"
-            print "static double column(double x) { return expect(x); }"
-            print "static double word(void) {"
-            print "    return column(run((struct output){1})); }"
-            print "static double wrong(struct claim c) { return word() + c.word; }"
-            print "extern double row_count(void);"
-            print "double row_count(void) { return wrong((struct claim){2}); }" }' \
-        "solutions/$slug.c" >"$mine"
-    judged "a program with the judge's names" OK
     cp "solutions/$slug.c" "$mine"
     judged 'the solution' OK
     said=$("$MAKE" status)

@@ -1,0 +1,91 @@
+#!/bin/sh
+# names.sh NN_slug - a right program is OK whatever its names and macros are.
+#
+# The solution, with names and macros added that its checks use as well, is
+# judged.  Prints "ok ..." or "FAIL ..." lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${MAKE:=make}"
+slug=$1
+nn=${slug%%_*} solution=solutions/$slug.c check=tests/checks/$slug.c
+dir=$BUILD/test/names.$nn
+file=$dir/$slug.c
+rm -rf "$dir" && mkdir -p "$dir"
+trap 'rm -rf "$dir"' EXIT
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok $2"; else echo "FAIL $2: $3"; fi
+}
+words() { grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u; }
+
+# What comes to mind.
+likely='cell run column word table row energy error norm residual_of check expect
+    oracle exact order solve is_prescribed is_held assemble_all node element area
+    claim claims lesson rules runs scene state load nodes values grid mixed wave
+    square solved answer armijo reason of one two odd move shift deform potential
+    ragged given prescribed EPS TOL TOLERANCE N_DOF N_NODE N_VERTEX ROUND_OFF n N
+    tol PI eps dim i j k e a b x u h F J P r s t E K DIM SIZE quit judge judged
+    guarded_copy word_at find_table output_free NOT_COMPARED COUNT NULL NAN wrong
+    bar material LOG CUBIC fabs sqrt M_PI double static if'
+
+compile() { # compile FLAGS...: $file to the judge $dir/judge
+    "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O1 -w' FILE="$file" \
+        INTO="$dir/judge" SLUG="$slug" "$@" 2>&1
+}
+judged() { # judged WHAT
+    rm -f "$dir/judge"
+    said=$(compile) && said=$("$dir/judge" --file "$file" \
+        --reference "$BUILD/solutions/$slug" 2>&1)
+    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: OK"
+    result $? "$nn: a program $1 is judged OK" "$(echo "$said" | tail -n 20)"
+}
+# after_includes TEXT: the solution with TEXT behind its last #include
+after_includes() {
+    TEXT=$1 awk 'NR == FNR { if (/^#include/) last = FNR; next }
+        { print } FNR == last { print ENVIRON["TEXT"] }' "$solution" "$solution"
+}
+
+# all the words that the checks are written in, and what they include of ours
+{ echo "$likely" && cat "$check" tests/checks/judge.h tests/checks/output.h \
+    $(sed -n 's|^#include "../\(.*\)"|tests/\1|p' "$check"); } | words |
+    grep -v -e '^_' -e '^checks_own_' -e '^defined$' >"$dir/spoken"
+# those to which neither the language, the solution nor the system gives a meaning
+{ cat "$solution"; grep '^#include <' "$check"; } >"$file"
+{ ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
+    $(gsl-config --cflags) -E -dD "$file" && sed '/^[#"]/d' "$file"
+    echo auto break case continue default do else goto inline main register \
+        restrict switch while program_main; } |
+    sed '/^# /d' | words | comm -13 - "$dir/spoken" >"$dir/free"
+# five of them as the linker's names too
+global='quit find_table judge guarded_copy run'
+after_includes "$(awk -v global=" $global " '{
+    print "struct " $1 " { int " $1 "; };"
+    print index(global, " " $1 " ") ? "" : "static", "int " $1 "(int " $1 ")"
+    print "{ return " $1 "; }" }' "$dir/free")" >"$file"
+judged "with $(($(wc -l <"$dir/free"))) names of the checks"
+
+rm -f "$dir/judge"
+! said=$(compile NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
+result $? "$nn: without names of their own the checks do not compile" "$said"
+
+{ cat "$solution"
+    awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
+} >"$file"
+judged "with $(($(wc -l <"$dir/spoken"))) macros"
+
+# what the checks compile once more is the program's as well
+sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
+if [ -s "$dir/modules" ]; then
+    after_includes "$(cat "$dir/modules")" >"$file"
+    judged "with $(tr '\n' ' ' <"$dir/modules" | sed 's/#include //g; s/ $//')"
+fi
+
+# the function of the first slot under another name, unless a struct has it too
+slot=$(awk '/^static .*\(/ { sub(/\(.*/, ""); sub(/.*[ *]/, ""); name = $0 }
+    /\/\* SLOT / { print name; exit }' "$solution")
+! grep -q "struct $slot " "$solution" || exit 0
+after_includes "#define $slot my_$slot
+#ifndef M_PI
+#define M_PI 3.14159265358979323846
+#endif" >"$file"
+judged "in which $slot is a macro"
