@@ -31,7 +31,7 @@ struct pointers {
  * Scripts.
  *
  *     pull   the middle of the right side goes to the right with `speed` (m/s),
- *            for 40 frames, and is held where it is for 20
+ *    XX
  *     hard   pulled, shaken, slammed and pushed through itself in 180 frames,
  *            then let go, 120 frames
  *     mad    `frames` frames of a hand that grabs, leaps and lets go at random

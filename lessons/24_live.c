@@ -16,7 +16,7 @@
  * Input is a line per frame, "x y down key"; see common/pointer.h.
  *
  * Run       make lesson-24, or with options: -h lists them; make live: a window
- * Expect    300 frames, none lost, at most 17 linear systems in one of them
+ * Expect    60 frames, none lost, at most 17 linear systems in one of them
  * Plot: frames k energy
  */
 #include "clock.h"
@@ -125,7 +125,8 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
     /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e, status):
      * n numbers each; K_fh move is the central difference of q over
      * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
-    todo("24c", body, dt, w, u0, tangent, u, move, q, ahead, behind, e, status);
+    todo("24c", body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
+         status);
     /* END 24c */
     free(move);
     return status;
@@ -187,12 +188,12 @@ int main(int argc, char *argv[])
     struct live_setting set = {6, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
     const char *name = NULL, *record = NULL, *shot = NULL;
     int seed = 1, law = 0, method = 0, timed = 0;
-    double speed = 3.0;
+    double speed = -3.0;
     const struct option options[] = {
         {"input", .text = &name, .unit = "pull, hard, mad or a file's name",
-         .help = "what the hand does [the mouse, or hard]"},
-        {"speed", .real = &speed, .min = 0.0, .max = 100.0, .unit = "m/s",
-         .help = "of pull"},
+         .help = "what the hand does [the mouse, or pull]"},
+        {"speed", .real = &speed, .min = -100.0, .max = 100.0, .unit = "m/s",
+         .help = "of pull; < 0 is a push"},
         {"seed", .integer = &seed, .min = 1, .max = 1000000, .help = "of mad"},
         {"n", .integer = &set.n, .min = 2, .max = 64,
          .help = "squares per side"},
@@ -212,7 +213,7 @@ int main(int argc, char *argv[])
     set.method = method ? IMPLICIT_MIDPOINT : BACKWARD_EULER;
     struct window *window = window_open(); /* NULL: not by make live */
     const int mouse = window && !name;
-    struct pointers input = choose(mouse || name ? name : "hard", speed, seed);
+    struct pointers input = choose(mouse || name ? name : "pull", speed, seed);
     struct live *live = live_alloc(&set);
     struct summary sum = {0};
 

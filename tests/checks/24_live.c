@@ -321,12 +321,12 @@ static const struct claim claims[] = {
     {"bad_input_is_refused", bad_input_is_refused, NULL},
 };
 
+/* Where round-off does not decide: hard and mad are chaos after a while. */
 static const char *const runs[] = {
     "",
-    "--input pull --n 8",
-    "--input hard --n 9",
-    "--input hard --n 5 --law cubic --integrator midpoint",
-    "--input pull --speed 40 --n 7 --law cubic",
+    "--speed 3 --n 8",
+    "--speed -2 --n 9",
+    "--speed -6 --n 5 --law cubic --integrator midpoint",
 };
 
 #define FRAME "Newton's tolerance, 1e-8 m, and the motion after it"
