@@ -237,7 +237,7 @@ static void play(struct live *live, const struct pointer *pointer, int timed,
 
 int main(int argc, char *argv[])
 {
-    struct live_setting set = {6, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
+    struct live_setting set = {8, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
     const char *name = NULL, *record = NULL, *shot = NULL;
     int seed = 1, law = 0, method = 0, timed = 0;
     double speed = -3.0;

@@ -321,23 +321,25 @@ static const struct claim claims[] = {
     {"bad_input_is_refused", bad_input_is_refused, NULL},
 };
 
-/* Where round-off does not decide: hard and mad are chaos after a while. */
+/* Where round-off does not decide: hard and mad are chaos after a while, and
+ * with some n a frame may or may not be finished after the last system. */
 static const char *const runs[] = {
     "",
-    "--speed 3 --n 8",
-    "--speed -2 --n 9",
-    "--speed -6 --n 5 --law cubic --integrator midpoint",
+    "--speed 3 --n 7",
+    "--speed -6 --n 8",
+    "--speed -4 --n 6 --law cubic",
+    "--speed -3 --n 5 --law cubic --integrator midpoint",
 };
 
 #define FRAME "Newton's tolerance, 1e-8 m, and the motion after it"
 
 static const struct column_rule rules[] = {
     {"frames", "k", 0.0, "counts frames", 0.0},
-    {"frames", "systems", 0.12, "round-off may decide about two systems", 0.0},
+    {"frames", "systems", 0.25, "round-off may decide about three systems", 0.0},
     {"frames", "ms", NOT_COMPARED, "seconds", 0.0},
     {"frames", "knots", 0.0, "counts vertices", 0.0},
     {"frames", "*", 1e-4, FRAME, 0.0},
-    {"summary", "most_systems", 0.12, "as systems", 0.0},
+    {"summary", "most_systems", 0.25, "as systems", 0.0},
     {"summary", "last_max_u", 1e-4, FRAME, 1.0},
     {"summary", "*", 1e-4, FRAME, 0.0},
 };
