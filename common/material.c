@@ -28,11 +28,12 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
-/* s - r(1 + s), which is s^2/2 - ... : no digits are lost near J = 1. */
-static double s_minus_r(const struct material *material, double s)
+/* s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near J = 1,
+ * where the series begins, nor of a small J, which s does not know. */
+static double s_minus_r(const struct material *material, double s, double J)
 {
-    return material->law == LOG ? -gsl_sf_log_1plusx_mx(s)
-                                : s * s / 2.0 - s * s * s / 3.0;
+    if (material->law != LOG) return s * s / 2.0 - s * s * s / 3.0;
+    return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s);
 }
 
 /* mu/2 (F^2 - 1) = mu e^2/2 + mu e with e = F - 1; see s_minus_r. */
@@ -42,7 +43,7 @@ double material1_psi(const struct material *material, double F)
     if (material->law == LINEAR)
         return 0.5 * material_modulus(material) * e * e;
     const double r = material_r(material, F).r;
-    return 0.5 * mu * e * e + mu * s_minus_r(material, e) +
+    return 0.5 * mu * e * e + mu * s_minus_r(material, e, F) +
            0.5 * lambda * r * r;
 }
 
@@ -74,9 +75,10 @@ double material2_psi(const struct material *material, mat2 F)
         return mu * mat2_dot(eps, eps) + 0.5 * lambda * trace * trace;
     }
     const double s = mat2_trace(H) + mat2_det(H);
-    const double r = material_r(material, 1.0 + s).r;
+    const double J = s < -0.5 ? mat2_det(F) : 1.0 + s;
+    const double r = material_r(material, J).r;
     return 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H) +
-           mu * s_minus_r(material, s) + 0.5 * lambda * r * r;
+           mu * s_minus_r(material, s, J) + 0.5 * lambda * r * r;
 }
 
 mat2 material2_pk1(const struct material *material, mat2 F)

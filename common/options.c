@@ -1,7 +1,7 @@
 /* options.c - see options.h. */
 #include "options.h"
 
-#include <errno.h>
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,13 +51,22 @@ static void print_usage(const char *program, const struct option table[], int n)
     }
 }
 
-_Noreturn static void refuse(const char *program, const char *format, ...)
+/* One line with the words in question, and what is allowed instead.  Whatever
+ * the words are, it is one line. */
+_Noreturn static void refuse(const char *program, const struct option *option,
+                             const char *format, ...)
 {
+    char words[200];
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, "%s: ", program);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
+    for (char *c = words; *c; c++)
+        if (iscntrl((unsigned char)*c)) *c = '?';
+
+    fprintf(stderr, "%s: %s", program, words);
+    fputs(option ? ": must be " : "; -h lists them", stderr);
+    if (option) print_allowed(stderr, option);
     fputc('\n', stderr);
     exit(2);
 }
@@ -84,10 +93,9 @@ static int set(const struct option *option, const char *text)
     }
 
     char *end;
-    errno = 0;
     const double value = option->integer ? (double)strtol(text, &end, 10)
                                          : strtod(text, &end);
-    if (end == text || *end != '\0' || errno == ERANGE) return 0;
+    if (end == text || *end != '\0') return 0;
     if (!(value >= option->min && value <= option->max)) return 0; /* NaN too */
     if (option->integer)
         *option->integer = (int)value;
@@ -106,7 +114,7 @@ void options_parse(const char *program, const struct option table[], int n,
             exit(0);
         }
         if (strncmp(name, "--", 2) != 0)
-            refuse(program, "'%s' is not an option; -h lists them", name);
+            refuse(program, NULL, "'%s' is not an option", name);
         name += 2;
 
         const size_t length = strcspn(name, "=");
@@ -116,17 +124,13 @@ void options_parse(const char *program, const struct option table[], int n,
                 strncmp(table[i].name, name, length) == 0)
                 option = &table[i];
         if (!option)
-            refuse(program, "no option --%.*s; -h lists them", (int)length,
-                   name);
+            refuse(program, NULL, "no option --%.*s", (int)length, name);
 
         const char *value = name[length] == '=' ? name + length + 1
                             : a + 1 < argc      ? argv[++a]
                                                 : NULL;
         if (value && set(option, value)) continue;
-        fprintf(stderr, "%s: --%s %s: must be ", program, option->name,
-                value ? value : "has no value");
-        print_allowed(stderr, option);
-        fputc('\n', stderr);
-        exit(2);
+        refuse(program, option, "--%s %s", option->name,
+               value ? value : "has no value");
     }
 }

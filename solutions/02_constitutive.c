@@ -205,17 +205,17 @@ int main(int argc, char *argv[])
          .help = "Young's modulus", .why = "a solid resists: E > 0"},
         {"nu", .real = &nu, .min = 0, .max = 0.4999, .help = "Poisson's ratio",
          .why = "lambda is infinite at 1/2, an incompressible solid"},
-        {"F11", .real = &F.m[0][0], .min = -99, .max = 99,
-         .help = "F of the tables state and tangent, entry 11"},
+        {"F11", .real = &F.m[0][0], .min = -99, .max = 99, .help = "entry 11"},
         {"F12", .real = &F.m[0][1], .min = -99, .max = 99, .help = "entry 12"},
         {"F21", .real = &F.m[1][0], .min = -99, .max = 99, .help = "entry 21"},
         {"F22", .real = &F.m[1][1], .min = -99, .max = 99, .help = "entry 22"},
     };
     options_parse("02_constitutive", options, COUNT(options), argc, argv);
-
     struct material m[CUBIC + 1];
     for (int k = LINEAR; k <= CUBIC; k++) m[k] = lame((enum law)k, E, nu);
     for (int k = LINEAR; k <= CUBIC; k++) print_curve(&m[k], n);
+    if (mat2_det(F) > 0.0 && mat2_det(F) < 1e-140)
+        die("NONFINITE: J = %g is too small for 1/J^2", mat2_det(F));
     table_begin("state", "law J r dr ddr psi P11 P12 P21 P22");
     for (int k = LINEAR; k <= CUBIC; k++) print_state(&m[k], F);
     table_end();

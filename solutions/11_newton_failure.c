@@ -201,9 +201,9 @@ int main(int argc, char *argv[])
         end = stepping ? load_stepping(&m, p, 1.0 - start, &control)
                        : solve(&m, p, start, &control);
         if (end.iterations < k) break;
-        const int ok = material_defined(&m, end.F); /* else no residual */
-        const double P = ok ? material1_pk1(&m, end.F) : 0.0;
-        table_row(k, end.F, cell_if(ok, P - p));
+        const double P = material_defined(&m, end.F)
+                             ? material1_pk1(&m, end.F) : NAN;
+        table_row(k, end.F, cell_if(isfinite(P), P - p));
     }
     table_end();
     table_begin("limits", "F load step start push pull collapse");

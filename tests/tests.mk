@@ -194,6 +194,9 @@ $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+$(T)/options.result: tests/cli/options.sh $(PROGRAMS)
+	$(call say,test,random options)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # both on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
 $(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
@@ -211,7 +214,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
-           $(T)/hostile.result $(T)/grade.result \
+           $(T)/options.result $(T)/hostile.result $(T)/grade.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

@@ -46,6 +46,18 @@ for program in "$BUILD"/solutions/[0-9][0-9]_*; do
     result $? "$name on a closed pipe is an error" "status 0"
 done
 
+overflows() { # overflows NN_slug OPTIONS...: exit 1, the reason, no nan or inf
+    program=$BUILD/solutions/$1
+    shift
+    "$program" "$@" >"$tmp/out" 2>"$tmp/err"
+    status=$?
+    [ $status = 1 ] && grep -q '^error: NONFINITE' "$tmp/err" &&
+        ! grep -qiE '(^|	)[-+]?(nan|inf)(	|$)' "$tmp/out"
+    result $? "$(basename "$program") $* overflows" "status $status, $(cat "$tmp/err")"
+}
+overflows 02_constitutive --F11 1e-160 --F12 0
+overflows 11_newton_failure --start 1e-308
+
 # ---- make targets, in a copy of the workbook -----------------------------------
 copy=$BUILD/test/copy.cli
 BUILD="$BUILD" sh tests/tools/copy.sh "$copy" || exit 1

@@ -69,8 +69,10 @@ said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
 result $? 'grade judges a class' "$said"
 cmp -s wanted build/grade/grades.csv
 result $? 'grade writes the table of a class' "$(diff wanted build/grade/grades.csv)"
-grep -q '</svg>' build/grade/grades.svg && grep -q 'lift sign' build/grade/grades.svg
-result $? 'grade draws the mistakes' "$(ls build/grade)"
+for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; do
+    grep -qF "$text" build/grade/grades.svg
+    result $? "grade draws: $text" "$(ls build/grade)"
+done
 for text in "known mistake (lift_sign)" "== two twice, $slug"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"

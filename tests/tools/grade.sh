@@ -156,6 +156,7 @@ mistakes() {
         { slot = $5 == "-" ? "" : " in slot " $5 }
         $4 == "compile" { what = "does not compile" }
         $4 != "compile" { what = says[$3] slot }
+        $3 == "UNFINISHED" && slot { what = "slot " $5 " not written" }
         { other[nn " " what]++ }
         BEGIN {
             says["WRONG"] = "another mistake"
@@ -170,17 +171,33 @@ mistakes() {
         }' "$1" | sort -t "$tab" -k 2,2nr -k 1,1
 }
 
-draw() { # the 40 most frequent, by lesson
+# At most 40 kinds, the most frequent, by lesson.  Of kinds that are equally
+# frequent all are drawn or none, unless there are more than 40 of the first.
+draw() {
     picture=$out/grades.svg
-    mistakes "$work/rows" | head -n 40 | sort -t "$tab" -k 1.1,1.2 -k 2,2nr -k 1,1 \
-        >"$work/most"
+    mistakes "$work/rows" >"$work/kinds"
+    awk -F '\t' '
+        { line[NR] = $0; count[NR] = $2 }
+        END {
+            n = NR < 40 ? NR : 40
+            for (k = n; k && n < NR && count[k] == count[n + 1]; k--) {}
+            if (k) n = k
+            for (k = 1; k <= n; k++) print line[k]
+        }' "$work/kinds" | sort -t "$tab" -k 1.1,1.2 -k 2,2nr -k 1,1 >"$work/most"
     if [ ! -s "$work/most" ]; then
         rm -f "$picture"
     elif ! command -v gnuplot >/dev/null 2>&1; then
         echo "  no gnuplot, so no picture: make deps" >&2
     else
-        { printf '# mistakes\nlabel\tcount\tcolour\n'; cat "$work/most"; } \
-            >"$work/mistakes.tsv"
+        # half a row is left between lessons
+        awk -F '\t' -v OFS='\t' '
+            BEGIN { printf "# mistakes\nlabel\tcount\tcolour\trow\n" }
+            { nn = substr($1, 1, 2) }
+            NR > 1 { row += nn == last ? 1 : 1.5 }
+            { last = nn; print $0, row + 0 }' "$work/most" >"$work/mistakes.tsv"
+        printf '\n\n# rest\nkinds\n%d\n' \
+            $(($(wc -l <"$work/kinds") - $(wc -l <"$work/most"))) \
+            >>"$work/mistakes.tsv"
         sh tests/tools/figure.sh tests/tools/grade.gp "$work/mistakes.tsv" "$picture"
     fi
 }

@@ -28,7 +28,7 @@ static void parse(const char *line)
     got.beta = 2.385;
     const struct option table[] = {
         {"n", .integer = &got.n, .min = 1, .max = 1000, .help = "elements"},
-        {"beta", .real = &got.beta, .min = 1e-9, .max = 1e9, .unit = "N",
+        {"beta", .real = &got.beta, .min = 0, .max = 1e9, .unit = "N",
          .help = "coefficient", .why = "negative is unstable"},
         {"way", .choice = &got.way, .choices = "keep one", .help = "way"},
     };
@@ -43,6 +43,8 @@ static void values_are_set(void)
     ck_assert(got.n == 8 && got.way == 0 && got.beta == 371.4);
     parse("--n 8 --n 9");
     ck_assert(got.n == 9);
+    parse("--beta 1e-310"); /* strtod() says ERANGE; the range has it */
+    ck_assert(got.beta == 1e-310);
 }
 
 static const char *line_given;
@@ -54,15 +56,20 @@ static void parse_given_line(void)
 
 static void bad_input_is_one_line_and_status_2(void)
 {
-    static const char *const bad[] = {
+    char long_word[230];
+    memset(long_word, '7', sizeof long_word);
+    memcpy(long_word, "--n=", 4);
+    long_word[sizeof long_word - 1] = '\0';
+    const char *const bad[] = {
         "--n 0",        "--n -3",     "--n 1e9",
         "--n abc",      "--n 4x",     "--n nan",
         "--n",          "--n=",       "--n 1001",
-        "--beta nan",   "--beta 0",   "--beta inf",
+        "--beta nan",   "--beta -0.1", "--beta inf",
         "--beta 1e10",  "--beta 2,5", "--way two",
         "--way ke",     "--way",      "--what 3",
         "-n 3",         "stray",      "--n 99999999999999999999",
-        "--beta 1e999",
+        "--beta 1e999", "--n 4\n5",   "--a\nb 3",
+        "a\nb",        "--way=keep\r", long_word,
     };
     for (int i = 0; i < COUNT(bad); i++) {
         line_given = bad[i];
@@ -72,6 +79,8 @@ static void bad_input_is_one_line_and_status_2(void)
         ck_assert_msg(strchr(end.err, '\n') == end.err + strlen(end.err) - 1,
                       "%s: not one line: %s", bad[i], end.err);
         ck_assert_msg(strncmp(end.err, "prog: ", 6) == 0, "%s", end.err);
+        ck_assert_msg(strstr(end.err, ": must be ") ||
+                      strstr(end.err, "; -h lists them"), "%s", end.err);
     }
 }
 
@@ -83,7 +92,7 @@ static void message_names_option_value_and_range(void)
     line_given = "--beta -1";
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
-        "prog: --beta -1: must be a number from 1e-09 to 1000000000 N; "
+        "prog: --beta -1: must be a number from 0 to 1000000000 N; "
         "negative is unstable\n");
     line_given = "--way two";
     ck_assert_str_eq(outcome_of(parse_given_line).err,
