@@ -86,9 +86,7 @@ static enum status increment(const struct bar *bar, struct matrix *K,
     matrix_dirichlet(K, du, n_held, &ends[!bar->held[0]], zero,
                      UNIT_DIAGONAL);
     if (matrix_solve_indefinite(K, du, negative) != OK) return NOT_SPD;
-    for (int i = 0; i <= bar->n; i++)
-        if (!isfinite(du[i])) return NONFINITE;
-    return OK;
+    return isfinite(bar_max_free(bar, du)) ? OK : NONFINITE;
 }
 
 /* u := u + length du with the first length 1, 1/2, 1/4, ... at which the
@@ -99,7 +97,6 @@ static enum status line_search(const struct bar *bar, const double q[],
 {
     double slope = 0.0;
     for (int i = 0; i <= bar->n; i++) slope += q[i] * du[i];
-    if (!(slope < 0.0)) return slope == 0.0 ? OK : NOT_SPD;
 
     /* close to the minimum the energy has no digits left to compare */
     const double noise = 16.0 * DBL_EPSILON * fabs(energy);

@@ -97,10 +97,8 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
     struct front L = front_make(&law, bar->held[0], u[1] - u[0]);
     struct front R =
         front_make(&law, m < n && bar->held[1], u[n] - u[n - 1]);
-    int i = 0, j = n;
+    int i = L.held, j = n - R.held; /* at a held end l and z stay 0 */
 
-    if (L.held) l[i] = z[i] = 0.0, i++;
-    if (R.held) l[j] = z[j] = 0.0, j--;
     for (; i < m && j > m; i++, j--) {
         eliminate(&law, 1.0, u[i + 1] - u[i], b[i], &L, &l[i], &z[i]);
         eliminate(&law, -1.0, u[j] - u[j - 1], b[j], &R, &l[j], &z[j]);
@@ -113,16 +111,20 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
     *du_m = 0.0;
     const int open = m < n || !bar->held[1]; /* node m may move */
     const double minus_q = open ? R.P - L.P + b[m] : 0.0;
-    const double y = L.y + R.y + minus_q, s = (L.held ? 1.0 / L.c : 0.0) +
-                                              (R.held ? 1.0 / R.c : 0.0);
+    const double y = L.y + R.y + minus_q;
+    const double k_L = L.held ? 1.0 / L.c : 0.0, k_R = R.held ? 1.0 / R.c : 0.0;
+    const double zero = DBL_EPSILON * (fabs(k_L) + fabs(k_R));
+    const double pivot = k_L + k_R;
     if (!isfinite(y) || !isfinite(L.c) || !isfinite(R.c)) return NONFINITE;
     if (fabs(minus_q) > *max_q) *max_q = fabs(minus_q);
-    if (L.singular || R.singular || (open && s == 0.0)) return NOT_SPD;
-    if (open) *du_m = y / s;
+    if (L.singular || R.singular || (open && fabs(pivot) <= zero))
+        return NOT_SPD;
+    if (open) *du_m = y / pivot;
     return OK;
 }
 
-/* u += du outwards from node m; returns max |du|, not finite if any is not. */
+/* u += du outwards from node m, which has no fewer nodes on its left; returns
+ * max |du|, not finite if any is not. */
 static double sweep_back(int n, int m, const double l[], const double z[],
                          double du_m, double u[])
 {
@@ -142,11 +144,6 @@ static double sweep_back(int n, int m, const double l[], const double z[],
         left = z[i] + l[i] * left;
         u[i] += left;
         if (!(fabs(left) <= largest)) largest = fabs(left);
-    }
-    for (; j <= n; j++) {
-        right = z[j] + l[j] * right;
-        u[j] += right;
-        if (!(fabs(right) <= largest)) largest = fabs(right);
     }
     return largest + 0.0 * (left + right);
 }

@@ -24,7 +24,7 @@ double clock_seconds(void)
 
 void clock_machine(size_t size, char text[])
 {
-    struct utsname system;
+    struct utsname system = {.machine = "unknown"};
     char processor[128] = "", line[256];
     FILE *cpuinfo = fopen("/proc/cpuinfo", "r"); /* Linux; elsewhere uname */
 
@@ -34,7 +34,7 @@ void clock_machine(size_t size, char text[])
                      strchr(line, ':') + 2);
     if (cpuinfo) fclose(cpuinfo);
     processor[strcspn(processor, "\n")] = '\0';
-    if (uname(&system) < 0) strcpy(system.machine, "unknown");
+    uname(&system);
     snprintf(text, size, "%s, %s%s%s", *processor ? processor : system.machine,
              COMPILER, *BUILD_FLAGS ? " " : "", BUILD_FLAGS);
 }

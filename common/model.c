@@ -38,8 +38,8 @@ struct model *model_bar(int n, enum mass mass)
     const struct material material = material_notes(LINEAR);
     const double h = 1.0 / n, k = material_modulus(&material) / h;
     const double same = mass == LUMPED ? h / 2.0 : h / 3.0;
-    struct matrix *M = matrix_alloc(BANDED, n, n > 1);
-    struct matrix *A = matrix_alloc(BANDED, n, n > 1);
+    struct matrix *M = matrix_alloc(BANDED, n, 1);
+    struct matrix *A = matrix_alloc(BANDED, n, 1);
 
     for (int e = 0; e < n; e++)
         for (int a = 0; a < 2; a++)

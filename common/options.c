@@ -35,13 +35,12 @@ static void print_usage(const char *program, const struct option table[], int n)
     printf("usage: %s [--option value] ...\n", program);
     for (int i = 0; i < n; i++) {
         const struct option *option = &table[i];
-        size_t length = 0;
-
         printf("  --%-10s %s", option->name, option->help);
         if (option->integer) printf(" [%d]", *option->integer);
         if (option->real) printf(" [%.10g]", *option->real);
         if (option->text && *option->text) printf(" [%s]", *option->text);
         if (option->choice) {
+            size_t length;
             const char *name = word(option->choices, *option->choice, &length);
             printf(" [%.*s]", (int)length, name);
         }
@@ -126,9 +125,8 @@ void options_parse(const char *program, const struct option table[], int n,
         if (!option)
             refuse(program, NULL, "no option --%.*s", (int)length, name);
 
-        const char *value = name[length] == '=' ? name + length + 1
-                            : a + 1 < argc      ? argv[++a]
-                                                : NULL;
+        const char *value = /* NULL behind the last word */
+            name[length] == '=' ? name + length + 1 : argv[++a];
         if (value && set(option, value)) continue;
         refuse(program, option, "--%s %s", option->name,
                value ? value : "has no value");

@@ -18,12 +18,11 @@ double root_of(study_function *f, void *context, double low, double high)
 {
     if (low > high) return root_of(f, context, high, low);
     const double f_low = f(low, context), f_high = f(high, context);
-    if (!(f_low * f_high < 0.0)) {
-        if (f_low == 0.0) return low;
-        if (f_high == 0.0) return high;
+    if (f_low == 0.0) return low;
+    if (f_high == 0.0) return high;
+    if (!(f_low < 0.0 && f_high > 0.0) && !(f_low > 0.0 && f_high < 0.0))
         die("no change of sign between %g and %g: %g, %g", low, high, f_low,
             f_high);
-    }
     gsl_function function = {f, context};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver) die("out of memory");

@@ -38,12 +38,13 @@ void user_free(struct user *user)
     free(user);
 }
 
-/* The motion that holds at time t > 0, and the place of the right side. */
+/* The motion that holds at time t, 0 < t <= the end of the last, and the place
+ * of the right side. */
 static const struct user_motion *script_at(double t, double reach,
                                            double place[2])
 {
     int m = 0;
-    while (m < USER_MOTIONS - 1 && t > USER_SCRIPT[m].until + 1e-9) m++;
+    while (t > USER_SCRIPT[m].until + 1e-9) m++;
     const struct user_motion *now = &USER_SCRIPT[m];
     const double begin = m ? now[-1].until : 0.0;
     const double s = fmin((t - begin) / (now->until - begin), 1.0);

@@ -29,12 +29,16 @@ mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
 
 $(BUILD)/mutants/unit/%.o: tests/unit/%.c Makefile
 	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
+# for the sanitizers; without them where there are none
+$(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
+	$(Q)mkdir -p $(@D) && for flags in -fsanitize=address,undefined ''; do \
+	    $(COMPILE) $(UNIT_FLAGS) $$flags -c $< -o $@ && break; done
 MUTANT_FILES = $(wildcard common/*.c)
 MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
     UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
     NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
-    CC_MUTANT='$(CC) $(STD) $(CFLAGS) -w -Icommon $(GSL_CFLAGS) \
-    -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
+    CC_MUTANT='$(CC) $(STD) $(CFLAGS) -Werror=return-type -Icommon \
+    $(GSL_CFLAGS) -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
 mutants-common: $(UNITS:%=$(BUILD)/mutants/unit/%.o) $(BUILD)/unit/unit.o \
-                $(LIB) mutants-head
+                $(UNITS:%=$(BUILD)/mutants/unit/%.san.o) $(LIB) mutants-head
 	@$(MUTANTS_COMMON) common $(MUTANT_FILES)

@@ -8,8 +8,9 @@
 #
 # One operator, constant, index, name, order of arguments or statement is
 # changed; what does not compile is for the caller to leave out.  A statement is
-# taken away by `if (0)` before it, but for one that gives memory back: that
-# changes no result, and valgrind looks for it.
+# taken away by `if (0)` before it.  What gives memory back stays as it is: that
+# changes no result, and valgrind looks for it.  Nor does more memory than is
+# needed change any.
 
 # Whether the line is code, with comments and strings blanked.
 function code_of(line,    out, i, c, two) {
@@ -83,8 +84,13 @@ function operators(code,    i, n, c, two, rest, word, before, other) {
         c = substr(rest, 1, 1)
         if (c == " ") continue
         if (match(rest, /^[0-9]*\.?[0-9]+\.?[0-9]*([eE][-+]?[0-9]+)?/)) {
-            constant(i, RLENGTH, substr(rest, 1, RLENGTH))
-            i += RLENGTH - 1
+            n = RLENGTH
+            word = substr(rest, 1, n)
+            if (substr(code, 1, i - 1) !~ /allocate\($/)
+                constant(i, n, word)
+            else if (word > 1)
+                mutant(i, n, word - 1)
+            i += n - 1
             before = "0"
             continue
         }
@@ -137,12 +143,14 @@ function names(list,    n, i, word) {
 # Whether a statement begins on this line of code.
 function begins(code) {
     return open == 0 && last ~ /(^|[;{})]|else|:)$/ &&
-        code ~ /^ *[A-Za-z_*]/ && code !~ /^ *([a-z_0-9]*_)?free\(/ && code !~ /^ *(else|case|default|enum|struct|static|const|UNROLL|typedef|int|double|size_t|mat2)[ :]/
+        code ~ /^ *[A-Za-z_*]/ && code !~ /^ *(for \(.*\) )?([a-z_0-9]*_)?free\(/ && code !~ /^ *(else|case|default|enum|struct|static|const|UNROLL|typedef|int|double|size_t|mat2)[ :]/
 }
 
 function look(code,    i, c, bare) {
-    operators(code)
-    swaps(code)
+    if (code !~ /^ *for \(.*\) [a-z_0-9]*free\(/) {
+        operators(code)
+        swaps(code)
+    }
     if (begins(code)) {
         match(code, /^ */)
         mutant(RLENGTH + 1, 0, "if (0) ")

@@ -56,6 +56,24 @@ found_by() {
     done
 }
 
+# sanitized DIR: what lives is run under the sanitizers, as `make test` does it;
+# prints the unit program that they end.  Where there are none nothing ends.
+sanitized() {
+    [ $kind = common ] || return
+    flags='-O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
+    (
+        ulimit -S -v unlimited # they reserve terabytes
+        $CC_MUTANT $native $flags -c "$1/$name.c" -o "$1/mutant.o" || exit
+        for unit in $near; do
+            $CC_MUTANT $flags "$BUILD/mutants/unit/$unit.san.o" "$1/mutant.o" \
+                "$BUILD/unit/unit.o" -o "$1/unit" $LINK || exit
+            ASAN_OPTIONS=detect_leaks=0 "$1/unit" >"$1/said" && continue
+            echo "$unit, sanitized"
+            exit
+        done
+    ) 2>/dev/null
+}
+
 # half WORKER: every second candidate, until half of N compile; a line of
 # "LINE group what-found-it text" (with tabs) each
 half() {
@@ -73,7 +91,10 @@ half() {
         plant "$file" "$at" "$text" >"$dir/$name.c"
         found=$(found_by "$dir" </dev/null) || continue
         compiled=$((compiled + 1))
-        [ -n "$found" ] || same_code "$dir" || found='lived'
+        if [ -z "$found" ] && ! same_code "$dir" 2>/dev/null; then
+            found=$(sanitized "$dir" </dev/null)
+            : "${found:=lived}"
+        fi
         : "${found:=same code}"
         printf '%s\t%s\t%s\t%s\n' "$at" "$group" "$found" "$text"
     done <"$dir/list" >"$work/$1.found"
@@ -108,6 +129,7 @@ score() {
     awk -F '\t' -v file="$file" -v name="$name" -v \
         tried="$(($(cat "$work/0.tried") + $(cat "$work/1.tried")))" \
         -v out="$BUILD/mutants/$name.txt" '
+        BEGIN { printf "" > out }
         function bare(text) { sub(/^ +/, "", text); return text }
         FILENAME == ARGV[1] {
             if (/^why: /) why = substr($0, 6)
@@ -140,7 +162,6 @@ score() {
                 $1, $1, $2, line[$1], indent bare($4) > out
         }
         END {
-            if (!lived && !equivalent) printf "" > out
             real = compiled - equivalent
             printf "  %-26s %6d %8d %10d %6d %5d %6.1f %%\n", name, tried,
                 compiled, equivalent, killed, lived,
@@ -173,7 +194,9 @@ common)
                 END { print 1000 - near - 500 * (unit == name) }' \
                 tests/unit/mistakes.txt "tests/unit/$unit.c")
             echo "$far $unit"
-        done | sort -n | sed 's/.* //')
+        done | sort -n)
+        near=$(echo "$units" | sed -n 's/^[0-9]\{1,3\} //p')
+        units=$(echo "$units" | sed 's/.* //')
         case $name in
         banded) native=$NATIVE ;;
         body) native=$NATIVE_BODY ;;

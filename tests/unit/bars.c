@@ -1,13 +1,16 @@
-/* bars.c - laws of common/bar_scene.h, bar_gsl.h, and of how Newton's
- * method of bar.h treats a tangent that is not positive definite. */
+/* bars.c - laws of common/bar_scene.h, bar_gsl.h, and of when Newton's method
+ * of bar.h, bar_fast.h and bar_gsl.h stops and why. */
+#include "bar_fast.h"
 #include "bar_gsl.h"
 #include "bar_scene.h"
 
 #include "../oracle/10_neohookean_bar.h"
 #include "unit.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static struct bar_state *solved(const struct bar_scene *scene)
 {
@@ -71,6 +74,11 @@ static void a_scene_starts_as_it_says(void)
                               : i == 7 && scene.held[1] ? 1.1
                                                         : 0.0, 1e-16);
         close_to(s->bar.h, 1.0 / 7.0, 1e-16);
+        double b[9]; /* whatever was there, and not behind it */
+        for (int i = 0; i < 9; i++) b[i] = NAN;
+        bar_scene_load(&scene, b);
+        for (int i = 0; i <= 7; i++) ck_assert(b[i] == s->b[i]);
+        ck_assert(isnan(b[8]));
         bar_state_free(s);
     }
 }
@@ -167,11 +175,314 @@ static void gsl_newton_is_newton(void)
     bar_state_free(s);
 }
 
+/* ---- when Newton's method stops ------------------------------------------ */
+
+enum { NEWTON, SWEEP, TWO_SWEEPS, GSL, N_SOLVER };
+
+/* By any of the four, where they all can: cubic law, right end free, n > 1. */
+static struct newton_report solve(int solver, const struct bar *bar,
+                                  const struct newton_control *control,
+                                  double u[])
+{
+    if (solver == NEWTON) return bar_newton(bar, control, u, NULL);
+    if (solver == GSL) return bar_gsl_newton(bar, control, u);
+    return bar_fast_newton(bar, control,
+                           solver == SWEEP ? FROM_LEFT : FROM_BOTH_ENDS, u);
+}
+
+/* u_i becomes -u_{n-i}: the same F and P, seen from behind.  F is largest and
+ * P' smallest in the first element. */
+static void mirror(int n, const double v[], double w[])
+{
+    for (int i = 0; i <= n; i++) w[i] = -v[n - i];
+}
+
+static void a_mirror_changes_nothing(void)
+{
+    enum { n = 7 };
+    for (int k = 0; k < 8; k++) {
+        const struct newton_control control = {1e-11, 30, k & 1, k >> 1 & 1};
+        double b[n + 1], b_seen[n + 1], u[n + 1], seen[n + 1], v[n + 1];
+        struct newton_step step[31], step_seen[31];
+        for (int i = 0; i <= n; i++) {
+            b[i] = 100.0 * cos(2.385 * i);
+            u[i] = (i > 0) * 0.05 + 0.01 * sin(3.714 * i + 0.7);
+        }
+        mirror(n, b, b_seen);
+        mirror(n, u, seen);
+        const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+                                material_notes(k < 4 ? LOG : CUBIC)};
+        const struct bar bar_seen = {n, 1.0 / n, {0, 1}, b_seen, bar.material};
+        const struct newton_report want = bar_newton(&bar, &control, u, step);
+        const struct newton_report got =
+            bar_newton(&bar_seen, &control, seen, step_seen);
+        ck_assert_int_eq(want.status, OK);
+        ck_assert_int_eq(got.status, OK);
+        ck_assert_int_eq(got.iterations, want.iterations);
+        mirror(n, seen, v);
+        for (int i = 0; i <= n; i++) close_to(v[i], u[i], 1e-13);
+        for (int i = 0; i <= want.iterations; i++) {
+            const struct newton_step *a = &step[i], *c = &step_seen[i];
+            close_to(c->residual, a->residual, 1e-10); /* of forces of 1e2 */
+            close_to(c->increment, a->increment, 1e-13);
+            close_to(c->energy, a->energy, 1e-11);
+            close_to(c->min_F, a->min_F, 1e-12);
+            close_to(c->min_dP, a->min_dP, 1e-9);
+            ck_assert(c->length == a->length && a->length <= 1.0);
+            ck_assert(a->length == 1.0 || control.line_search);
+        }
+    }
+}
+
+/* Where the load is highest is where the residual is; before any step and after
+ * one. */
+static void reports_are_newtons(void)
+{
+    enum { n = 6 };
+    for (int peak = 1; peak <= n; peak++)
+        for (int sign = -1; sign <= 1; sign += 2)
+            for (int steps = 0; steps <= 1; steps++) {
+                const struct newton_control control = {1e-11, steps, 0, 0};
+                double b[n + 1], u[n + 1];
+                struct newton_report want = {.status = OK};
+                for (int i = 0; i <= n; i++) b[i] = cos(2.385 * i);
+                b[peak] = 100.0 * sign;
+                const struct bar bar = {n, 1.0 / n, {1, 0}, b,
+                                        material_notes(CUBIC)};
+                for (int k = NEWTON; k < N_SOLVER; k++) {
+                    memset(u, 0, sizeof u);
+                    const struct newton_report got =
+                        solve(k, &bar, &control, u);
+                    if (k == NEWTON) want = got;
+                    ck_assert_int_eq(got.status, MAX_ITERATIONS);
+                    ck_assert_int_eq(got.iterations, steps);
+                    close_to(got.residual, want.residual, 1e-10);
+                    close_to(got.increment, want.increment, 1e-13);
+                }
+                if (!steps) close_to(want.residual, 100.0, 1e-12);
+                if (!steps) close_to(want.increment, 0.0, 1e-16);
+            }
+    /* nothing to do */
+    const double b[n + 1] = {0.0};
+    const struct bar bar = {n, 1.0 / n, {1, 0}, b, material_notes(CUBIC)};
+    const struct newton_control control = {1e-11, 9, 0, 0};
+    for (int k = NEWTON; k < N_SOLVER; k++) {
+        double u[n + 1] = {0.0};
+        const struct newton_report got = solve(k, &bar, &control, u);
+        ck_assert(got.status == OK && got.iterations == 0);
+        ck_assert(got.residual == 0.0 && got.increment == 0.0);
+    }
+}
+
+/* nu = 0: P = mu (2 e - e^2) is flat at e = 1.  At e = 1 - 2d the residual is
+ * small, and still e is wrong by d: the solution is 1 - d. */
+static void a_small_residual_is_not_enough(void)
+{
+    enum { n = 4 };
+    const double d = 1e-5;
+    const struct newton_control control = {1e-8, 30, 0, 0};
+    const struct material material = material_make(CUBIC, 1000.0, 0.0);
+    const double b[n + 1] = {[n] = material.mu * (1.0 - d * d)};
+    const struct bar bar = {n, 1.0 / n, {1, 0}, b, material};
+    for (int k = NEWTON; k < N_SOLVER; k++) {
+        double u[n + 1];
+        for (int i = 0; i <= n; i++) u[i] = (1.0 - 2.0 * d) * i / n;
+        ck_assert_int_eq(solve(k, &bar, &control, u).status, OK);
+        close_to(u[n], 1.0 - d, 1e-9); /* eps / d, and d^2 of the last step */
+    }
+}
+
+/* From three times its length without a load: the first increment, 0.6, would
+ * pass this tolerance, the residual of 7 moduli does not. */
+static void a_small_increment_is_not_enough(void)
+{
+    enum { n = 4 };
+    const struct newton_control control = {0.65, 30, 0, 0};
+    const double b[n + 1] = {0.0};
+    const struct bar bar = {n, 1.0 / n, {1, 0}, b, material_notes(CUBIC)};
+    for (int k = NEWTON; k < N_SOLVER; k++) {
+        double u[n + 1];
+        for (int i = 0; i <= n; i++) u[i] = 3.0 * i / n;
+        const struct newton_report got = solve(k, &bar, &control, u);
+        ck_assert_int_eq(got.status, OK);
+        const double P = material1_pk1(&bar.material, 1.0 + u[n]);
+        ck_assert_double_le(P, 0.65 * material_modulus(&bar.material));
+        close_to(got.residual, P, 1e-9);
+        ck_assert_double_gt(got.iterations, 1);
+    }
+}
+
+/* A first element of the length 2^-53, by the log law: Newton doubles it, and
+ * that is at round-off, while the force on it is 1e19.  By the cubic law: away
+ * from rest by round-off, and nothing is small enough. */
+static void what_round_off_cannot_move_is_stalled(void)
+{
+    enum { n = 4 };
+    const double b[n + 1] = {0.0}, h = 1024.0;
+    struct newton_control control = {1e-10, 100, 0, 0};
+    struct bar bar = {n, h, {1, 0}, b, material_notes(LOG)};
+    double u[n + 1] = {0.0};
+    for (int i = 1; i <= n; i++) u[i] = -h * (1.0 - 0x1p-53);
+    struct newton_report report = bar_newton(&bar, &control, u, NULL);
+    ck_assert_int_eq(report.status, STALLED);
+    ck_assert_int_eq(report.iterations, 1);
+    ck_assert_double_gt(report.residual, 1e17);
+
+    bar.material.law = CUBIC;
+    control.tolerance = 0.0;
+    for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
+        for (int i = 0; i <= n; i++) u[i] = 0.5 * DBL_EPSILON * h * i;
+        report = bar_fast_newton(&bar, &control, (enum sweep)s, u);
+        ck_assert_int_eq(report.status, STALLED);
+        ck_assert_int_eq(report.iterations, 1);
+    }
+}
+
+/* Unless a residual is 0 the iterates come to rest in round-off. */
+static void no_tolerance_is_too_small(void)
+{
+    const struct newton_control control = {0.0, 100, 0, 0};
+    for (int k = 0; k < 80; k++) {
+        const struct bar_scene scene = {.n = 4, .held = {1, k & 1},
+                                        .material = material_notes(CUBIC),
+                                        .c = 11.925 * k + 1.0};
+        struct bar_state *s = bar_state_alloc(&scene);
+        const struct newton_report report = bar_fast_newton(
+            &s->bar, &control, (enum sweep)(k >> 1 & 1), s->u);
+        ck_assert(report.status == STALLED ||
+                  (report.status == OK && report.residual == 0.0));
+        ck_assert_double_le(report.residual, 1e-12); /* of forces of 1e3 */
+        bar_state_free(s);
+    }
+}
+
+/* nu = 0, P' = 2 mu (1 - e): two elements with e = 1/2 and 3/2 between ends
+ * that are held, and in the middle k - k, but for the last digit of one e. */
+static void a_pivot_of_round_off_is_reported(void)
+{
+    for (int s = NEWTON; s < GSL; s++)
+        for (int digit = -1; digit <= 1; digit += 2) {
+            const double b[3] = {0.0, 1.0, 0.0};
+            const struct bar bar = {2, 1.0, {1, 1}, b,
+                                    material_make(CUBIC, 1000.0, 0.0)};
+            const struct newton_control control = {1e-10, 9, 0, 0};
+            double u[3] = {-0.5 - digit * 0x1p-53, 0.0, 1.5};
+            const struct newton_report report = solve(s, &bar, &control, u);
+            ck_assert_int_eq(report.status, NOT_SPD);
+            ck_assert_int_eq(report.iterations, 0);
+        }
+}
+
+/* nu = 0: P' = 0 in the element that is twice as long, wherever it is. */
+static void no_stiffness_is_no_number_to_a_sweep(void)
+{
+    enum { n = 4 };
+    const struct newton_control control = {1e-10, 9, 0, 0};
+    for (int s = SWEEP; s <= TWO_SWEEPS; s++)
+        for (int ends = 1; ends < 4; ends++)
+            for (int flat = 1; flat <= n; flat++) {
+                const double b[n + 1] = {0.0};
+                const struct bar bar = {n, 1.0, {ends & 1, ends >> 1}, b,
+                                        material_make(CUBIC, 1000.0, 0.0)};
+                double u[n + 1] = {0.0};
+                for (int i = 1; i <= n; i++)
+                    u[i] = u[i - 1] + (i == flat ? 1.0 : 0.25);
+                ck_assert_int_eq(solve(s, &bar, &control, u).status, NONFINITE);
+            }
+}
+
+/* What the quick ones cannot do is a bug of the caller, case by case. */
+static int solver_given, case_given;
+static void ask_for_what_it_cannot(void)
+{
+    const double b[] = {0.0, 0.0, 1.0};
+    double u[3] = {0.0};
+    struct bar bar = {2, 0.5, {1, 0}, b, material_notes(CUBIC)};
+    struct newton_control control = {1e-10, 9, 0, 0};
+    if (case_given == 1) bar.material.law = LOG;
+    if (case_given == 2) control.line_search = 1;
+    if (case_given == 3) control.definite = 1;
+    if (case_given == 4) bar.held[0] = 0;
+    if (case_given == 5) bar.held[1] = 1;
+    if (case_given == 6) bar.n = 1;
+    solve(solver_given, &bar, &control, u);
+}
+
+static void the_quick_ones_refuse_what_they_cannot(void)
+{
+    for (solver_given = SWEEP; solver_given <= GSL; solver_given++)
+        for (case_given = 0; case_given <= 6; case_given++) {
+            const int can =
+                !case_given || (solver_given != GSL && case_given > 3);
+            const struct outcome end = outcome_of(ask_for_what_it_cannot);
+            ck_assert_int_eq(end.status, can ? 0 : -1);
+            ck_assert(can || strstr(end.err, "Assert"));
+        }
+}
+
+static void the_largest_free_entry_is_found(void)
+{
+    enum { n = 4 };
+    for (int ends = 0; ends < 4; ends++) {
+        const struct bar bar = {.n = n, .held = {ends & 1, ends >> 1}};
+        for (int i = 0; i <= n; i++) {
+            const int held = (i == 0 && bar.held[0]) || (i == n && bar.held[1]);
+            double v[n + 1] = {0.5, -0.5, 0.5, -0.5, 0.5};
+            v[i] = -2.385;
+            ck_assert(bar_max_free(&bar, v) == (held ? 0.5 : 2.385));
+            v[i] = NAN;
+            ck_assert(bar_max_free(&bar, v) == (held ? 0.5 : INFINITY));
+        }
+    }
+}
+
+/* A step that is not finite is not made. */
+static void an_infinite_step_is_not_made(void)
+{
+    for (int n = 1; n <= 3; n++) {
+        double b[4] = {0.0}, u[4] = {0.0};
+        b[n] = 1.5e308;
+        const struct bar bar = {n, 1e4, {1, 0}, b, material_notes(LINEAR)};
+        const struct newton_control control = {1e-10, 9, 0, 0};
+        const struct newton_report report = bar_newton(&bar, &control, u, NULL);
+        ck_assert_int_eq(report.status, NONFINITE);
+        ck_assert_int_eq(report.iterations, 0);
+        for (int i = 0; i <= n; i++) ck_assert(u[i] == 0.0);
+    }
+}
+
+static void a_load_that_is_no_number_is_reported(void)
+{
+    enum { n = 5 };
+    for (int i = 0; i <= n; i++) {
+        double b[n + 1] = {0.0}, u[n + 1] = {0.0}, q[n + 1];
+        b[i] = NAN;
+        const struct bar bar = {n, 1.0 / n, {1, 0}, b, material_notes(CUBIC)};
+        ck_assert_int_eq(bar_residual(&bar, u, q), NONFINITE);
+    }
+}
+
 static const struct unit_law laws[] = {
     {"other_loads_are_the_oracles", other_loads_are_the_oracles},
     {"a_scene_starts_as_it_says", a_scene_starts_as_it_says},
     {"indefinite_is_solved_or_refused", indefinite_is_solved_or_refused},
     {"history_has_the_failed_state", history_has_the_failed_state},
     {"gsl_newton_is_newton", gsl_newton_is_newton},
+    {"a_mirror_changes_nothing", a_mirror_changes_nothing},
+    {"reports_are_newtons", reports_are_newtons},
+    {"a_small_residual_is_not_enough", a_small_residual_is_not_enough},
+    {"a_small_increment_is_not_enough", a_small_increment_is_not_enough},
+    {"what_round_off_cannot_move_is_stalled",
+     what_round_off_cannot_move_is_stalled},
+    {"no_tolerance_is_too_small", no_tolerance_is_too_small},
+    {"a_pivot_of_round_off_is_reported", a_pivot_of_round_off_is_reported},
+    {"no_stiffness_is_no_number_to_a_sweep",
+     no_stiffness_is_no_number_to_a_sweep},
+    {"the_quick_ones_refuse_what_they_cannot",
+     the_quick_ones_refuse_what_they_cannot},
+    {"the_largest_free_entry_is_found", the_largest_free_entry_is_found},
+    {"an_infinite_step_is_not_made", an_infinite_step_is_not_made},
+    {"a_load_that_is_no_number_is_reported",
+     a_load_that_is_no_number_is_reported},
 };
 UNIT_MAIN("bars", laws)

@@ -1,5 +1,6 @@
 /* body.c - laws of common/mesh.h, body.h and step.h. */
 #include "step.h"
+#include "study.h"
 
 #include "unit.h"
 
@@ -29,13 +30,13 @@ static struct mesh *distorted(int n)
     return mesh;
 }
 
-/* fixed[a] = 1 at X1 = -1 (ends >= 1) and X1 = 1 (ends == 2). */
+/* fixed[a] = 1 at X1 = -1 (1, 2) and X1 = 1 (2, 3). */
 static int *ends(const struct mesh *mesh, int held)
 {
     int *fixed = allocate((size_t)mesh->n_vertex, sizeof *fixed);
     for (int a = 0; a < mesh->n_vertex; a++)
-        fixed[a] = (held >= 1 && a % (mesh->n + 1) == 0) ||
-                   (held == 2 && a % (mesh->n + 1) == mesh->n);
+        fixed[a] = (held % 3 > 0 && a % (mesh->n + 1) == 0) ||
+                   (held >= 2 && a % (mesh->n + 1) == mesh->n);
     return fixed;
 }
 
@@ -301,6 +302,20 @@ static void affine_maps_leave_the_interior_in_balance(void)
     free_body(body);
 }
 
+/* Vertex 1 is in triangle 0 alone, vertex 2 in triangle 1: moved across the
+ * square by s it leaves 1 - s of the area. */
+static void the_least_J_is_that_of_any_triangle(void)
+{
+    struct body *body = body_of(mesh_square(1), CUBIC, LUMPED, 0);
+    for (int a = 1; a <= 2; a++) {
+        double u[8] = {0.0};
+        u[2 * a] = a == 1 ? -1.3 : 1.3;
+        u[2 * a + 1] = -u[2 * a];
+        close_to(body_min_J(body, u), -0.3, 1e-15);
+    }
+    free_body(body);
+}
+
 /* dP/dF as a 4x4 matrix with its negative eigenvalues clamped, by GSL. */
 static void clamp(const struct material *material, mat2 F, double C[4][4],
                   double *least)
@@ -508,6 +523,88 @@ static void dynamics_equal_the_oracle(void)
         }
 }
 
+/* max|q| / max K_ii, whatever the size of K: here the first K_ii is the
+ * largest, for the corner, which has it, is close to the opposite edge. */
+static void a_residual_is_measured_in_metres(void)
+{
+    for (double rho = 1e-7; rho < 1e4; rho *= 1e5) {
+        struct mesh *mesh = mesh_square(1);
+        mesh->X[2 * 1] = 0.2, mesh->X[2 * 1 + 1] = 0.9;
+        mesh->X[2 * 3 + 1] = 3.0;
+        struct body *body = body_of(mesh, CUBIC, LUMPED, 0);
+        body->rho = rho;
+        const struct step_control none = {1e-10, 0, FROM_LAST, 0, 0, 0, NEVER};
+        const double dt = sqrt(rho), w[8] = {0.0};
+        double f[8], q[8], u[8] = {0.0}, largest = 0.0;
+        for (int r = 0; r < 8; r++) f[r] = 100.0 * entropy(r);
+        const struct step_report report =
+            step_solve(body, &none, dt, w, f, u);
+        ck_assert_int_eq(report.status, MAX_ITERATIONS);
+        body_assemble(body, dt, w, f, u, EXACT, q);
+        for (int r = 0; r < 8; r++) largest = fmax(largest, fabs(q[r]));
+        for (int r = 1; r < 8; r++)
+            ck_assert(matrix_get(body->K, r, r) < matrix_get(body->K, 0, 0));
+        close_to(report.residual * matrix_get(body->K, 0, 0) / largest, 1.0,
+                 1e-14);
+        free_body(body);
+    }
+}
+
+/* A square of n = 2 with nu = 0, held on the left and stretched by s, is let go
+ * without inertia: one iteration with or without a line search. */
+enum { SMALL = 2 * 9 };
+static void let_go(struct body *body, double s, int line_search, double u[])
+{
+    const struct step_control once = {1e-10, 1, FROM_LAST, 0, 0,
+                                      line_search, NEVER};
+    const double w[SMALL] = {0.0};
+    for (int r = 0; r < SMALL; r++)
+        u[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+    ck_assert_int_eq(step_solve(body, &once, 1.0, w, NULL, u).status,
+                     MAX_ITERATIONS);
+}
+
+/* Of what the slope promises for the whole step, the part that the energy
+ * falls, less part. */
+struct promise {
+    struct body *body;
+    double part;
+};
+static double fall(double s, void *context)
+{
+    const struct promise *promise = context;
+    struct body *body = promise->body;
+    double u0[SMALL], u[SMALL], q[SMALL], before, after, slope = 0.0;
+    let_go(body, s, 0, u);
+    for (int r = 0; r < SMALL; r++)
+        u0[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+    body_energy(body, u0, &before);
+    body_energy(body, u, &after);
+    body_force(body, u0, q);
+    for (int r = 0; r < SMALL; r++) slope += q[r] * (u[r] - u0[r]);
+    return (after - before) / slope - promise->part;
+}
+
+/* The whole step is taken if and only if the energy falls by 1e-4 of it. */
+static void a_line_search_is_armijos(void)
+{
+    struct body *body = body_of(mesh_square(2), CUBIC, LUMPED, 1);
+    body->rho = 0.0;
+    body->material = material_make(CUBIC, 1000.0, 0.0);
+    for (int enough = 0; enough < 2; enough++) {
+        struct promise promise = {body, enough ? 1.5e-4 : 0.75e-4};
+        const double s = root_of(fall, &promise, 0.4, 0.5);
+        double u[SMALL], searched[SMALL];
+        let_go(body, s, 0, u);
+        let_go(body, s, 1, searched);
+        for (int r = 0; r < SMALL; r++) {
+            const double u0 = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
+            close_to(searched[r], enough ? u[r] : 0.5 * (u0 + u[r]), 1e-14);
+        }
+    }
+    free_body(body);
+}
+
 static void the_best_guess_needs_one_factorisation_a_step(void)
 {
     for (int n = 8; n <= 32; n *= 4) {
@@ -595,7 +692,7 @@ static void a_failed_step_changes_nothing(void)
 
 static void the_lift_carries_linear_fields(void)
 {
-    for (int held = 0; held <= 2; held++) {
+    for (int held = 0; held <= 3; held++) {
         struct body *body = body_of(mesh_square(N), CUBIC, LUMPED, held);
         double *u = vector(body, 0.0), *g = vector(body, 0.0);
         for (int a = 0; a < body->mesh->n_vertex; a++) {
@@ -657,9 +754,13 @@ static const struct unit_law laws[] = {
      rigid_motion_gives_no_force_and_forces_balance},
     {"affine_maps_leave_the_interior_in_balance",
      affine_maps_leave_the_interior_in_balance},
+    {"the_least_J_is_that_of_any_triangle",
+     the_least_J_is_that_of_any_triangle},
     {"projection_clamps_the_eigenvalues", projection_clamps_the_eigenvalues},
     {"states_outside_are_reported", states_outside_are_reported},
     {"dynamics_equal_the_oracle", dynamics_equal_the_oracle},
+    {"a_line_search_is_armijos", a_line_search_is_armijos},
+    {"a_residual_is_measured_in_metres", a_residual_is_measured_in_metres},
     {"the_best_guess_needs_one_factorisation_a_step",
      the_best_guess_needs_one_factorisation_a_step},
     {"plain_newton_fails_where_the_oracle_says",

@@ -8,6 +8,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 enum { N = 9 };
@@ -272,7 +273,8 @@ static void the_room_behind_a_column_stays_zero(void)
         const int n = 2 * p + 29;
         struct matrix *A = random_band(n, p);
         ck_assert_uint_eq(A->stride, band_stride(p));
-        ck_assert_uint_eq(A->stride % 16, 9);
+        ck_assert_uint_eq(A->stride % 16, 9); /* the least with room for 8 */
+        ck_assert(A->stride >= (size_t)p + 9 && A->stride < (size_t)p + 25);
         ck_assert_uint_eq(matrix_bytes(A), 8 * (size_t)n * A->stride);
         ck_assert_int_eq(matrix_factor(A), OK);
         for (int j = 0; j < n; j++)
@@ -441,6 +443,50 @@ static void costs_are_counted(void)
     close_to(matrix_cost(DENSE, 100001, 1).numbers, 10000200001.0, 1e-4);
 }
 
+/* For every width: whole lines of the cache, all zeros. */
+static void memory_starts_at_a_line_of_the_cache(void)
+{
+    for (int s = DENSE; s <= BANDED; s++)
+        for (int p = 0; p < 40; p++) {
+            struct matrix *A = matrix_alloc((enum storage)s, 41, p);
+            ck_assert_uint_eq((uintptr_t)A->a % 64, 0);
+            ck_assert_int_eq(A->p, s == DENSE ? 40 : p);
+            for (size_t k = 0; k < matrix_bytes(A) / sizeof *A->a; k++)
+                ck_assert(A->a[k] == 0.0);
+            matrix_free(A);
+        }
+}
+
+static void ask_for_too_large_a_matrix(void)
+{
+    matrix_alloc(DENSE, 2000000000, 0);
+}
+
+static void a_matrix_without_memory_is_an_error(void)
+{
+    const struct outcome end = outcome_of(ask_for_too_large_a_matrix);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.err,
+                     "error: out of memory: 4000000000000000000 numbers\n");
+}
+
+/* Nobody looks behind b, nor changes what is there. */
+static void a_solve_stays_within_its_vector(void)
+{
+    for (int s = DENSE; s <= BANDED; s++)
+        for (int p = 0; p < 20; p++) {
+            struct matrix *A = matrix_alloc((enum storage)s, 20, p);
+            double b[22];
+            for (int i = 0; i < 20; i++) matrix_add(A, i, i, 4.0);
+            for (int i = 0; i < 22; i++) b[i] = i > 0 && i < 21 ? 2.0 : NAN;
+            ck_assert_int_eq(matrix_factor(A), OK);
+            matrix_solve(A, &b[1]);
+            for (int i = 1; i < 21; i++) close_to(b[i], 0.5, 1e-15);
+            ck_assert(isnan(b[0]) && isnan(b[21]));
+            matrix_free(A);
+        }
+}
+
 /* A + e e_0 e_0^T is solved exactly by u: the residual is e |u_0|. */
 static void backward_error_is_that_of_a_nearby_system(void)
 {
@@ -462,6 +508,12 @@ static void backward_error_is_that_of_a_nearby_system(void)
         e * fabs(u[0]) / (DBL_EPSILON * (norm_A * norm_u + norm_b));
     close_to(matrix_backward_error(A, u, b), want, 10.0); /* round-off: eps */
     ck_assert_double_lt(matrix_backward_error(near, u, b), 10.0);
+    /* in other units, powers of 2, the same number */
+    const double error = matrix_backward_error(A, u, b);
+    matrix_zero(near);
+    matrix_combine(near, 0x1p-30, A, near);
+    for (int i = 0; i < n; i++) u[i] *= 0x1p-20, b[i] *= 0x1p-50;
+    ck_assert_double_eq(matrix_backward_error(near, u, b), error);
     u[3] = NAN;
     ck_assert(isnan(matrix_backward_error(A, u, b)));
     matrix_free(A), matrix_free(near);
@@ -493,6 +545,11 @@ static const struct unit_law laws[] = {
     {"a_block_has_the_entries_of_its_rows",
      a_block_has_the_entries_of_its_rows},
     {"costs_are_counted", costs_are_counted},
+    {"memory_starts_at_a_line_of_the_cache",
+     memory_starts_at_a_line_of_the_cache},
+    {"a_matrix_without_memory_is_an_error",
+     a_matrix_without_memory_is_an_error},
+    {"a_solve_stays_within_its_vector", a_solve_stays_within_its_vector},
     {"gsl_band_cholesky_needs_unpadded_rows",
      gsl_band_cholesky_needs_unpadded_rows},
 };

@@ -5,7 +5,9 @@
 #include "status.h"
 #include "unit.h"
 
+#include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,6 +47,11 @@ static void values_are_set(void)
     ck_assert(got.n == 9);
     parse("--beta 1e-310"); /* strtod() says ERANGE; the range has it */
     ck_assert(got.beta == 1e-310);
+    errno = ERANGE; /* of whoever failed before */
+    parse("--n 1000 --beta 0");
+    ck_assert(got.n == 1000 && got.beta == 0.0);
+    parse("--n 1 --beta 1e9");
+    ck_assert(got.n == 1 && got.beta == 1e9);
 }
 
 static const char *line_given;
@@ -101,6 +108,12 @@ static void message_names_option_value_and_range(void)
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
         "prog: --n has no value: must be a whole number from 1 to 1000\n");
+    line_given = "--what=3";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: no option --what; -h lists them\n");
+    line_given = "stray";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: 'stray' is not an option; -h lists them\n");
 }
 
 static void help_lists_the_options(void)
@@ -108,10 +121,17 @@ static void help_lists_the_options(void)
     line_given = "-h";
     const struct outcome end = outcome_of(parse_given_line);
     ck_assert_int_eq(end.status, 0);
-    ck_assert_ptr_nonnull(strstr(end.out, "--beta"));
-    ck_assert_ptr_nonnull(strstr(end.out, "[2.385]"));
-    ck_assert_ptr_nonnull(strstr(end.out, "[one]"));
-    ck_assert_ptr_null(strstr(end.out, "went on"));
+    ck_assert_str_eq(
+        end.out,
+        "usage: prog [--option value] ...\n"
+        "  --n          elements [4]; a whole number from 1 to 1000\n"
+        "  --beta       coefficient [2.385]; a number from 0 to 1000000000"
+        " N; negative is unstable\n"
+        "  --way        way [one]; one of: keep one\n");
+    ck_assert_str_eq(end.err, "");
+    line_given = "--n 7 --help";
+    ck_assert_int_eq(outcome_of(parse_given_line).status, 0);
+    ck_assert_ptr_nonnull(strstr(outcome_of(parse_given_line).out, "[7]"));
 }
 
 static void call_todo(void)
@@ -126,12 +146,45 @@ static void todo_names_its_slot(void)
     ck_assert_str_eq(end.err, "unfinished: slot 7a is not written yet\n");
 }
 
+static void call_die(void) { die("%d is not %s", 7, "eight"); }
+
+static void death_is_one_line_and_status_1(void)
+{
+    const struct outcome end = outcome_of(call_die);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.out, "");
+    ck_assert_str_eq(end.err, "error: 7 is not eight\n");
+}
+
+static void ask_for_too_much(void)
+{
+    volatile size_t n = SIZE_MAX / 8;
+    allocate(n, 16);
+}
+
+static void no_memory_is_said(void)
+{
+    char want[80];
+    const struct outcome end = outcome_of(ask_for_too_much);
+    snprintf(want, sizeof want, "error: out of memory: %zu x 16 bytes\n",
+             SIZE_MAX / 8);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.err, want);
+    double *some = allocate(3, sizeof *some), *none = allocate(0, sizeof *none);
+    ck_assert(some[0] == 0.0 && some[1] == 0.0 && some[2] == 0.0);
+    ck_assert_ptr_nonnull(none);
+    free(some);
+    free(none);
+}
+
 static void statuses_have_names(void)
 {
     ck_assert_str_eq(status_name(OK), "OK");
     ck_assert_str_eq(status_name(NOT_SPD), "NOT_SPD");
     ck_assert_str_eq(status_name(INCOMPATIBLE), "INCOMPATIBLE");
     ck_assert_str_eq(status_name(NONFINITE), "NONFINITE");
+    ck_assert_str_eq(status_name(INVERTED), "INVERTED");
+    ck_assert_str_eq(status_name(STALLED), "STALLED");
     ck_assert_str_eq(status_name(MAX_ITERATIONS), "MAX_ITERATIONS");
 }
 
@@ -152,6 +205,8 @@ static const struct unit_law laws[] = {
      message_names_option_value_and_range},
     {"help_lists_the_options", help_lists_the_options},
     {"todo_names_its_slot", todo_names_its_slot},
+    {"death_is_one_line_and_status_1", death_is_one_line_and_status_1},
+    {"no_memory_is_said", no_memory_is_said},
     {"statuses_have_names", statuses_have_names},
     {"clock_moves_and_machine_has_a_name", clock_moves_and_machine_has_a_name},
 };

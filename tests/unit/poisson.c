@@ -188,6 +188,31 @@ static void a_nan_is_not_swallowed(void)
     ck_assert(isnan(error.nodal) && isnan(error.L2) && isnan(error.energy));
 }
 
+/* Whatever was in A and b before. */
+static void assembly_starts_from_zero(void)
+{
+    const double x[] = {0.1, 0.4, 0.7371};
+    for (int fitted = 0; fitted <= 1; fitted++) {
+        struct matrix *A = matrix_alloc(BANDED, 3, 1), *first = NULL;
+        double b[2][3];
+        for (int k = 0; k < 2; k++) {
+            if (fitted)
+                bvp_fitted_assemble(2, x, A, b[k]);
+            else
+                poisson_assemble(2, x, smooth, bvp_f, &GAUSS2, A, b[k]);
+            if (!first) first = matrix_copy(A);
+        }
+        for (int i = 0; i < 3; i++) {
+            ck_assert(b[0][i] == b[1][i] && b[0][i] > 0.0);
+            for (int j = 0; j < 3; j++)
+                ck_assert(matrix_get(A, i, j) == matrix_get(first, i, j));
+        }
+        matrix_free(first);
+        matrix_free(A);
+    }
+    ck_assert(field_one(2.385) == 1.0 && field_zero(2.385) == 0.0);
+}
+
 /* The load against GSL's adaptive quadrature; the fitted test functions are
  * straight lines in ln(1 + x). */
 struct tested {
@@ -264,6 +289,7 @@ static const struct unit_law laws[] = {
      the_fitted_system_is_exact_at_the_nodes},
     {"given_problems_solve_their_equation",
      given_problems_solve_their_equation},
+    {"assembly_starts_from_zero", assembly_starts_from_zero},
     {"a_nan_is_not_swallowed", a_nan_is_not_swallowed},
 };
 UNIT_MAIN("poisson", laws)

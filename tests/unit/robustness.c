@@ -239,6 +239,109 @@ static void rest_is_not_the_only_answer(void)
     ck_assert(other > 5 && other < 35);
 }
 
+/* Systems are what is iterated; new factors for each, and once more where K is
+ * projected on demand; as it was, where it is not SPD and nothing is done. */
+static void a_report_counts_its_systems(void)
+{
+    static const char *const name[] = {"notes", "lift", "demand+search",
+                                       "always+search"};
+    int projections = 0, indefinite = 0;
+    for (int m = 0; m < COUNT(name); m++) {
+        const struct step_control control = step_method(name[m]);
+        const struct scene_setting set = scene_notes(COMPRESS, CUBIC, 4);
+        struct scene *s = scene_alloc(&set);
+        enum status status = OK;
+        while (s->steps < 40 && status == OK) {
+            const struct step_report report = scene_step(s, &control);
+            const int on_demand = m == 2 ? report.projections : 0;
+            status = report.status;
+            if (status != OK) break;
+            ck_assert_int_gt(report.iterations, 0);
+            ck_assert_int_eq(report.factorisations,
+                             report.iterations + on_demand);
+            if (m != 2)
+                ck_assert_int_eq(report.projections,
+                                 m == 3 ? report.iterations : 0);
+            if (m >= 2) ck_assert_int_eq(report.indefinite, 0);
+            projections += on_demand;
+        }
+        scene_free(s);
+    }
+    ck_assert_int_gt(projections, 0);
+
+    struct step_control once = step_method("notes");
+    once.max_iterations = 1;
+    for (int seed = 1; seed <= 20; seed++) {
+        const struct scene_setting set = scene_notes(RIGID, CUBIC, 4);
+        struct scene *s = scene_alloc(&set);
+        scene_scatter(s, seed, 0.1 * seed);
+        body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g);
+        const int due = matrix_factor(s->body->K) != OK;
+        ck_assert_int_eq(
+            step_solve(s->body, &once, 1.0, s->v, NULL, s->u).indefinite, due);
+        indefinite += due;
+        scene_free(s);
+    }
+    ck_assert(indefinite > 0 && indefinite < 20);
+}
+
+/* Whole steps decrease Phi here, of which the forces are a part. */
+static void a_line_search_knows_the_forces(void)
+{
+    for (int reading = GRAVITY; reading <= TRACTION; reading++) {
+        const struct scene_setting set =
+            scene_notes((enum reading)reading, CUBIC, 4);
+        struct scene *s = scene_alloc(&set), *t = scene_alloc(&set);
+        const struct step_control notes = step_method("notes");
+        const struct step_control search = step_method("search");
+        for (int k = 0; k < 5; k++) {
+            const struct step_report a = scene_step(s, &notes);
+            const struct step_report b = scene_step(t, &search);
+            ck_assert(a.status == OK && b.status == OK);
+            ck_assert_int_eq(a.iterations, b.iterations);
+            for (int r = 0; r < s->n_dof; r++) close_to(s->u[r], t->u[r], 1e-9);
+        }
+        scene_free(s);
+        scene_free(t);
+    }
+}
+
+/* What a method does is in its name; caps as the comment of step.h says. */
+static void methods_are_what_their_names_say(void)
+{
+    static const struct {
+        const char *name;
+        int cap;
+    } method[] = {{"notes", 40}, {"search", 40}, {"demand", 100},
+                  {"demand+search", 2000}, {"always+search", 2000},
+                  {"lift", 40}, {"lift+search", 40}, {"all", 300}};
+    for (int k = 0; k < COUNT(method); k++) {
+        const char *name = method[k].name;
+        const struct step_control c = step_method(name);
+        const int all = strcmp(name, "all") == 0;
+        const int lift = all || strstr(name, "lift");
+        ck_assert_double_eq(c.tolerance, 1e-10);
+        ck_assert_int_eq(c.max_iterations, method[k].cap);
+        ck_assert_int_eq(c.guess, lift ? EXTRAPOLATED : FROM_LAST);
+        ck_assert_int_eq(c.lift, lift);
+        ck_assert_int_eq(c.chord, 0);
+        ck_assert_int_eq(c.line_search, all || strstr(name, "search"));
+        const int demand = all || strstr(name, "demand");
+        ck_assert_int_eq(c.projection, strstr(name, "always") ? ALWAYS
+                                       : demand               ? ON_DEMAND
+                                                              : NEVER);
+    }
+}
+
+static void ask_for_no_method(void) { step_method("noted"); }
+
+static void an_unknown_method_is_an_error(void)
+{
+    const struct outcome end = outcome_of(ask_for_no_method);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_str_eq(end.err, "error: there is no method noted\n");
+}
+
 /* What a blow-up ends as is round-off, what a line search meets is not. */
 static void reasons_are_words(void)
 {
@@ -267,6 +370,10 @@ static const struct unit_law laws[] = {
      first_increment_is_linear_elasticity},
     {"any_scramble_comes_to_rest", any_scramble_comes_to_rest},
     {"rest_is_not_the_only_answer", rest_is_not_the_only_answer},
+    {"a_report_counts_its_systems", a_report_counts_its_systems},
+    {"a_line_search_knows_the_forces", a_line_search_knows_the_forces},
+    {"methods_are_what_their_names_say", methods_are_what_their_names_say},
+    {"an_unknown_method_is_an_error", an_unknown_method_is_an_error},
     {"reasons_are_words", reasons_are_words},
 };
 UNIT_MAIN("robustness", laws)

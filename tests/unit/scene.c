@@ -100,6 +100,32 @@ static void a_spin_starts_with_its_energy_and_momenta(void)
     scene_free(scene);
 }
 
+/* x = F X + c turning as it is, v = 6 (-x2, x1): int |x|^2 = 4/3 F:F + 4 |c|^2
+ * on the square, and int f.u = f.c, both exactly. */
+static void measures_are_the_integrals(void)
+{
+    const double F[2][2] = {{0.8714, 0.2385}, {-0.1371, 1.1238}};
+    const double c[2] = {0.37, -0.731};
+    struct scene *scene = scene_of(GRAVITY, CUBIC, 3);
+    double squares = 4.0 * (c[0] * c[0] + c[1] * c[1]);
+    for (int r = 0; r < 4; r++)
+        squares += 4.0 / 3.0 * F[r / 2][r % 2] * F[r / 2][r % 2];
+    for (int r = 0; r < scene->n_dof; r++) {
+        const double *X = &scene->mesh->X[r / 2 * 2];
+        const double x = F[r % 2][0] * X[0] + F[r % 2][1] * X[1] + c[r % 2];
+        scene->u[r] = x - X[r % 2];
+        scene->v[r % 2 ? r - 1 : r + 1] = r % 2 ? -6.0 * x : 6.0 * x;
+    }
+    const struct scene_measures m = scene_measure(scene);
+    close_to(m.angular, 6.0 * squares, 1e-12);
+    close_to(m.kinetic, 18.0 * squares, 1e-12);
+    close_to(m.momentum[0], -24.0 * c[1], 1e-12);
+    close_to(m.momentum[1], 24.0 * c[0], 1e-12);
+    close_to(m.external, 200.0 * c[1], 1e-11);
+    close_to(m.min_J, F[0][0] * F[1][1] - F[0][1] * F[1][0], 1e-14);
+    scene_free(scene);
+}
+
 /* Dead load f: the external energy is -f.u and does not forget the sign. */
 static void gravity_pulls_downwards(void)
 {
@@ -362,6 +388,37 @@ static void the_readable_step_finds_the_same_u(void)
     scene_free(s);
 }
 
+/* Its band ends where its entries end, and of what is held it has the identity,
+ * which is its own Cholesky factor. */
+static void the_readable_system_is_banded_and_corrected(void)
+{
+    struct scene *s = scene_of(STRETCH, CUBIC, 3);
+    struct readable *r = readable_alloc(s->body, s->set.dt);
+    double *u = vector(s, 0.01), *du = vector(s, 1.0);
+    const int width = r->width;
+    int widest = 0;
+    readable_assemble(r, s->v, s->u); /* at rest */
+    for (int i = 0; i < s->n_dof; i++) ck_assert(r->q[i] == 0.0);
+    readable_assemble(r, s->v, u);
+    for (int k = 0; k < s->n_dof * width; k++)
+        if (r->K[k] != 0.0 && k % width > widest) widest = k % width;
+    ck_assert_int_eq(widest, width - 1);
+    for (int d = 1; d < width; d++) /* below the last row */
+        ck_assert(r->K[(s->n_dof - d) * width + d] == 0.0);
+    ck_assert(readable_gsl(r, s->v, u, du));
+    for (int i = 0; i < s->n_dof; i++) {
+        if (!s->held[i / 2]) continue;
+        ck_assert(du[i] == 0.0 && r->K[i * width] == 1.0);
+        for (int d = 1; d < width; d++) {
+            if (i + d < s->n_dof) ck_assert(r->K[i * width + d] == 0.0);
+            if (d <= i) ck_assert(r->K[(i - d) * width + d] == 0.0);
+        }
+    }
+    readable_free(r);
+    free(u), free(du);
+    scene_free(s);
+}
+
 /* It stops where K is not positive definite, and leaves the state alone. */
 static void the_readable_step_stops_at_an_indefinite_K(void)
 {
@@ -382,6 +439,7 @@ static const struct unit_law laws[] = {
     {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
     {"a_spin_starts_with_its_energy_and_momenta",
      a_spin_starts_with_its_energy_and_momenta},
+    {"measures_are_the_integrals", measures_are_the_integrals},
     {"gravity_pulls_downwards", gravity_pulls_downwards},
     {"a_step_that_fails_is_not_counted", a_step_that_fails_is_not_counted},
     {"scattered_vertices_stay_within_reach",
@@ -399,6 +457,8 @@ static const struct unit_law laws[] = {
      the_largest_free_component_is_found},
     {"doors_report_states_outside", doors_report_states_outside},
     {"the_readable_step_finds_the_same_u", the_readable_step_finds_the_same_u},
+    {"the_readable_system_is_banded_and_corrected",
+     the_readable_system_is_banded_and_corrected},
     {"the_readable_step_stops_at_an_indefinite_K",
      the_readable_step_stops_at_an_indefinite_K},
 };

@@ -91,7 +91,8 @@ static void the_notes_scenes_have_the_notes_numbers(void)
     }
 }
 
-/* 1e-12 of the size: 1 m, what the loads stretch, what the ends move. */
+/* 1e-12 of the size: 1 m, what the loads stretch, what the ends move; full
+ * steps, at most 100 of them. */
 static void a_tolerance_has_the_size_of_the_answer(void)
 {
     struct bar_scene scene = bar_scene_notes(LOG, 4);
@@ -101,7 +102,10 @@ static void a_tolerance_has_the_size_of_the_answer(void)
     scene.pull[1] = -4.0 * modulus;
     scene.g[0] = 5.0;
     scene.g[1] = -6.0;
-    close_to(bar_scene_control(&scene).tolerance, 21e-12, 1e-24);
+    const struct newton_control control = bar_scene_control(&scene);
+    close_to(control.tolerance, 21e-12, 1e-24);
+    ck_assert_int_eq(control.max_iterations, 100);
+    ck_assert(!control.line_search && !control.definite);
     scene.n = 2000;
     close_to(bar_scene_control(&scene).tolerance,
              21.0 * 8.0 * 2000.0 * 0x1p-52, 1e-22);

@@ -1,6 +1,7 @@
 /* stretch.c - laws of common/stretch.h. */
 #include "stretch.h"
 
+#include "study.h"
 #include "unit.h"
 
 #include "../oracle/11_newton_failure.h"
@@ -62,8 +63,9 @@ static void newton_from_a_start_is_the_oracles(void)
 static void what_is_no_number_ends_with_a_reason(void)
 {
     const struct material cubic = of(CUBIC, 0.0), log_ = of(LOG, 0.3);
-    ck_assert_int_eq(stretch_newton(&cubic, 0.0, 2.0, &plain).status,
-                     NONFINITE); /* P' = 0 */
+    const struct stretch_report flat = stretch_newton(&cubic, 0.0, 2.0, &plain);
+    ck_assert_int_eq(flat.status, NONFINITE); /* P' = 0 */
+    ck_assert(flat.iterations == 0 && flat.F == 2.0);
     ck_assert_int_eq(stretch_newton(&log_, NAN, 1.0, &plain).status, NONFINITE);
     ck_assert_int_eq(stretch_newton(&log_, 0.0, NAN, &plain).status, INVERTED);
     ck_assert_int_eq(stretch_newton(&log_, 0.0, 1e-200, &plain).status,
@@ -100,6 +102,12 @@ static void stepping_stops_at_the_limit_load(void)
     ck_assert_int_eq(got.status, STALLED);
     close_to(material1_pk1(&m, got.F), 500.0, 1.0);
     ck_assert(got.F < 2.0);
+    for (double p = 503.7; p < 1000.0; p += 37.1) { /* to 2^-10 of the way */
+        const struct stretch_report end =
+            stretch_stepping(&m, p, 0.0, &plain);
+        ck_assert_int_eq(end.status, STALLED);
+        close_to(material1_pk1(&m, end.F), 500.0, p / 1024.0);
+    }
     const struct newton_control short_of = {1e-10, 7, 0, 0};
     const struct stretch_report cut =
         stretch_stepping(&m, 613.7, 0.0, &short_of);
@@ -148,6 +156,119 @@ static void moving_end_is_the_oracles(void)
     }
 }
 
+/* nu = 0, by hand: w / mu = e^2 - e^3 / 3 of e = F - 1, its slope and Newton's
+ * step; and of what the slope promises for the whole step, the part that w
+ * really falls, less *part. */
+static double energy(double e) { return e * e - e * e * e / 3.0; }
+static double slope(double e) { return 2.0 * e - e * e; }
+static double newton_step(double e) { return -slope(e) / (2.0 - 2.0 * e); }
+static double fall(double e, void *part)
+{
+    const double step = newton_step(e);
+    return (energy(e + step) - energy(e)) / (slope(e) * step) -
+           *(double *)part;
+}
+
+/* One step of the scalar and of a bar of one element, from e. */
+static void takes_the_length(double e, double length)
+{
+    const struct newton_control once = {1e-10, 1, 1, 0};
+    const double b[] = {0.0, 0.0};
+    const struct bar bar = {1, 1.0, {1, 0}, b, of(CUBIC, 0.0)};
+    struct newton_step history[2];
+    double u[] = {0.0, e};
+    const struct stretch_report got =
+        stretch_newton(&bar.material, 0.0, 1.0 + e, &once);
+    ck_assert_int_eq(got.status, MAX_ITERATIONS);
+    close_to(got.F, 1.0 + e + length * newton_step(e), 1e-12);
+    ck_assert_int_eq(bar_newton(&bar, &once, u, history).status,
+                     MAX_ITERATIONS);
+    close_to(u[1], got.F - 1.0, 1e-12);
+    ck_assert(history[0].length == length);
+}
+
+/* The whole step is taken if and only if w falls by 1e-4 of the slope. */
+static void line_search_is_armijos(void)
+{
+    double enough = 1.5e-4, too_little = 0.75e-4;
+    takes_the_length(0.2385, 1.0);
+    takes_the_length(root_of(fall, &enough, 0.1, 0.8), 1.0);
+    takes_the_length(root_of(fall, &too_little, 0.1, 0.8), 0.5);
+    takes_the_length(0.9, 0.25); /* w: 0.57; 39, 3.8, 0.13 */
+}
+
+/* P' < 0 beyond e = 1, far from P = 0 at e = 2 and close to it. */
+static void line_search_does_not_go_uphill(void)
+{
+    const struct newton_control search = {1e-10, 60, 1, 0};
+    const struct material m = of(CUBIC, 0.0);
+    ck_assert_int_eq(stretch_newton(&m, 0.0, 2.5, &search).status, NOT_SPD);
+    ck_assert_int_eq(stretch_newton(&m, 0.0, 2.99, &search).status, NOT_SPD);
+}
+
+/* As in bars.c: P is flat at e = 1, and steep for the log law at F = 0. */
+static void neither_test_is_enough_alone(void)
+{
+    const struct newton_control coarse = {1e-8, 60, 0, 0};
+    const struct material m = of(CUBIC, 0.0), log_ = of(LOG, 0.3);
+    const double d = 1e-5;
+    const struct stretch_report flat =
+        stretch_newton(&m, m.mu * (1.0 - d * d), 2.0 - 2.0 * d, &coarse);
+    ck_assert_int_eq(flat.status, OK);
+    close_to(flat.F, 2.0 - d, 1e-9);
+    const struct stretch_report steep =
+        stretch_newton(&log_, 0.0, 1e-10, &coarse);
+    ck_assert_int_eq(steep.status, OK);
+    close_to(steep.F, 1.0, 1e-8);
+}
+
+/* A cure is what its comment says, to the last digit. */
+static void cures_start_where_they_say(void)
+{
+    const struct newton_control search = {1e-10, 1000, 1, 0};
+    for (int k = 0; k < 4; k++) {
+        const double p = k < 2 ? 0.0 : 238.5, jump = k % 2 ? -0.613 : 0.4237;
+        const struct material log_ = of(LOG, 0.3), cubic = of(CUBIC, 0.3);
+        const double good = k < 2 ? 1.0 - jump / 7.0
+                                  : exp(p / material_modulus(&log_));
+        const struct stretch_report want[] = {
+            [CURE_PLAIN] = stretch_newton(&log_, p, 1.0 - jump, &plain),
+            [CURE_STEPPING] = stretch_stepping(&log_, p, jump, &plain),
+            [CURE_SEARCH] = stretch_newton(&log_, p, 1.0 - jump, &search),
+            [CURE_START] = stretch_newton(&log_, p, good, &plain),
+            [CURE_CUBIC] = stretch_newton(&cubic, p, 1.0 - jump, &plain)};
+        /* where plain Newton arrives one step of the load will do */
+        ck_assert_int_eq(want[CURE_PLAIN].status, OK);
+        ck_assert_int_eq(want[CURE_STEPPING].iterations,
+                         want[CURE_PLAIN].iterations);
+        for (int c = 0; c < N_CURE; c++) {
+            const struct stretch_report got =
+                stretch_cured((enum cure)c, log_, p, jump, 7, plain);
+            ck_assert_int_eq(got.status, want[c].status);
+            ck_assert_int_eq(got.iterations, want[c].iterations);
+            ck_assert_double_eq(got.F, want[c].F);
+        }
+    }
+}
+
+/* With as many iterations as it takes it arrives, with one less it does not. */
+static void stepping_counts_all_iterations(void)
+{
+    const struct material m = of(LOG, 0.3);
+    const int all = stretch_stepping(&m, -37140.0, 0.0, &plain).iterations;
+    struct newton_control control = plain;
+    ck_assert_int_gt(all, 25); /* more than one attempt may take */
+    control.max_iterations = all;
+    ck_assert_int_eq(stretch_stepping(&m, -37140.0, 0.0, &control).status, OK);
+    for (int less = 1; less < all; less++) {
+        control.max_iterations = all - less;
+        const struct stretch_report cut =
+            stretch_stepping(&m, -37140.0, 0.0, &control);
+        ck_assert_int_eq(cut.status, MAX_ITERATIONS);
+        ck_assert_int_eq(cut.iterations, all - less);
+    }
+}
+
 /* Limit loads and second rest states of the cubic law: P' = 0, P = 0. */
 static void limit_loads_are_the_oracles(void)
 {
@@ -192,6 +313,11 @@ static const struct unit_law laws[] = {
     {"stepping_stops_at_the_limit_load", stepping_stops_at_the_limit_load},
     {"boundary_step_is_one_stretch", boundary_step_is_one_stretch},
     {"moving_end_is_the_oracles", moving_end_is_the_oracles},
+    {"line_search_is_armijos", line_search_is_armijos},
+    {"line_search_does_not_go_uphill", line_search_does_not_go_uphill},
+    {"neither_test_is_enough_alone", neither_test_is_enough_alone},
+    {"cures_start_where_they_say", cures_start_where_they_say},
+    {"stepping_counts_all_iterations", stepping_counts_all_iterations},
     {"limit_loads_are_the_oracles", limit_loads_are_the_oracles},
     {"bar_localises_as_the_oracles", bar_localises_as_the_oracles},
 };

@@ -1,6 +1,7 @@
 /* study.c - laws of common/study.h. */
 #include "study.h"
 
+#include "clock.h"
 #include "status.h"
 #include "unit.h"
 
@@ -11,6 +12,12 @@
 static double cubic(double x, void *shift)
 {
     return x * x * x - *(double *)shift;
+}
+
+/* Of values whose product is no number but 0; falling or rising. */
+static double tiny(double x, void *size)
+{
+    return (x * x * x - 2.385) * *(double *)size;
 }
 
 static double never(double x, void *unused)
@@ -33,6 +40,9 @@ static void a_root_is_found_to_the_last_digit(void)
     shift = 8.0; /* at an end */
     ck_assert_double_eq(root_of(cubic, &shift, 1.0, 2.0), 2.0);
     ck_assert_double_eq(root_of(cubic, &shift, 2.0, 3.0), 2.0);
+    ck_assert_double_eq(root_of(cubic, &shift, 2.0, 2.0), 2.0);
+    for (double size = -1e-200; size < 2e-200; size += 2e-200)
+        close_to(root_of(tiny, &size, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
 }
 
 static void ask_without_a_root(void) { root_of(never, NULL, -1.0, 1.0); }
@@ -51,8 +61,9 @@ static void no_root_is_an_error(void)
 static void orders_are_the_exponents(void)
 {
     const double h = 0.2385;
-    close_to(order_of(3.0 * pow(3.0 * h, 2.5), 3.0 * pow(h, 2.5), 3.0), 2.5,
-             1e-13);
+    for (double size = 3e-9; size < 1e9; size *= 1e4) /* of any errors */
+        close_to(order_of(size * pow(3.0 * h, 2.5), size * pow(h, 2.5), 3.0),
+                 2.5, 1e-13);
     ck_assert(isnan(order_of(0.0, 1.0, 2.0)));
     ck_assert(isnan(order_of(1.0, 0.0, 2.0)));
     ck_assert(isnan(order_of((double)NAN, 1.0, 2.0)));
@@ -95,6 +106,19 @@ static void seconds_are_sorted_and_need_a_valid_answer(void)
     ck_assert(isnan(times_best(&t)) && isnan(times_median(&t)));
     for (int i = 0; i < 2 * STUDY_SAMPLES; i++) times_record(&t, 1.0, 1);
     ck_assert_int_eq(t.runs, STUDY_SAMPLES);
+    static struct times full; /* the fastest come last, but for one too many */
+    for (int i = 0; i <= STUDY_SAMPLES; i++)
+        times_record(&full, STUDY_SAMPLES - i, 1);
+    ck_assert_double_eq(times_best(&full), 1.0);
+    ck_assert_double_eq(times_median(&full), (STUDY_SAMPLES + 1) / 2.0);
+}
+
+static void a_machine_is_a_note(void)
+{
+    char machine[512], want[600];
+    clock_machine(sizeof machine, machine);
+    snprintf(want, sizeof want, "# machine: %s\n\n\n", machine);
+    ck_assert_str_eq(outcome_of(study_machine).out, want);
 }
 
 static const struct unit_law laws[] = {
@@ -104,6 +128,7 @@ static const struct unit_law laws[] = {
     {"a_false_claim_ends_the_study", a_false_claim_ends_the_study},
     {"seconds_are_sorted_and_need_a_valid_answer",
      seconds_are_sorted_and_need_a_valid_answer},
+    {"a_machine_is_a_note", a_machine_is_a_note},
 };
 
 UNIT_MAIN("study", laws)

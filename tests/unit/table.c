@@ -24,7 +24,10 @@ static void print_tables(void)
 
 static void tables_have_their_format(void)
 {
-    ck_assert_str_eq(outcome_of(print_tables).out,
+    const struct outcome end = outcome_of(print_tables);
+    ck_assert_int_eq(end.status, 0);
+    ck_assert_str_eq(end.err, "");
+    ck_assert_str_eq(end.out,
                      "# first\nx\tu\n0\t0.10000000000000001\n"
                      "1\t-0.66666666666666663\n\n\n"
                      "# second\n# n = 7\nk\n3\n\n\n");
