@@ -136,6 +136,14 @@ struct pointers pointers_read(const char *path)
     return all;
 }
 
+struct pointers pointers_named(const char *name, double speed, int seed)
+{
+    if (strcmp(name, "pull") == 0) return pointers_pull(speed);
+    if (strcmp(name, "hard") == 0) return pointers_hard();
+    if (strcmp(name, "mad") == 0) return pointers_mad(seed, 600);
+    return pointers_read(name);
+}
+
 void pointers_write(const struct pointers *pointers, const char *path)
 {
     const size_t size = strlen(path) + 6;

@@ -47,6 +47,9 @@ struct pointers pointers_mad(int seed, int frames);
  */
 struct pointers pointers_read(const char *path);
 
+/* The script of this name, "mad" of 600 frames, or the lines of the file. */
+struct pointers pointers_named(const char *name, double speed, int seed);
+
 /* Write them to path, beside it first; die() when that fails. */
 void pointers_write(const struct pointers *pointers, const char *path);
 

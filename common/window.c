@@ -5,7 +5,6 @@
 
 #include <SDL.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,14 +18,14 @@ struct window {
     double scale, middle[2]; /* pixels per metre; the pixel of 0 */
     int size[2];
     double next;             /* when the next frame begins (s) */
-    int stopped, down, closed;
+    int stopped, closed;
     double took[FRAMES];     /* seconds per frame, in a ring */
     int drawn;
 };
 
 /* ---- letters: five columns of seven dots, ' ' to 'Z' -------------------- */
 
-static const uint64_t LETTER[59] = {
+static const unsigned long long LETTER[59] = {
     0x0000000000, 0x00005f0000, 0x0007000700, 0x147f147f14, 0x242a7f2a12,
     0x2313086462, 0x3649562050, 0x0000070000, 0x001c224100, 0x0041221c00,
     0x2a1c7f1c2a, 0x08083e0808, 0x0040300000, 0x0808080808, 0x0000606000,
@@ -86,7 +85,7 @@ static void measure(struct window *w)
     w->middle[1] = 0.5 * w->size[1];
 }
 
-int window_pointer(struct window *w, struct pointer *pointer)
+int window_next(struct window *w, struct pointers *input, int k, int mouse)
 {
     int x, y, wide, high;
     char key = '.';
@@ -109,14 +108,15 @@ int window_pointer(struct window *w, struct pointer *pointer)
         if (rest > 0.0) SDL_Delay((Uint32)(1e3 * rest));
         w->next = fmax(w->next, clock_seconds() - 1.0 / 30.0) + 1.0 / 30.0;
     } while (w->stopped && !w->closed);
-    w->down = SDL_GetMouseState(&x, &y) & SDL_BUTTON_LMASK ? 1 : 0;
+    const int down = SDL_GetMouseState(&x, &y) & SDL_BUTTON_LMASK ? 1 : 0;
     measure(w);
     SDL_GetWindowSize(w->window, &wide, &high);
-    *pointer = (struct pointer){
-        ((double)x * w->size[0] / wide - w->middle[0]) / w->scale,
-        (w->middle[1] - (double)y * w->size[1] / high) / w->scale, w->down,
-        key};
-    return !w->closed;
+    if (mouse)
+        pointers_add(input, (struct pointer){
+            ((double)x * w->size[0] / wide - w->middle[0]) / w->scale,
+            (w->middle[1] - (double)y * w->size[1] / high) / w->scale, down,
+            key});
+    return !w->closed && k < input->n;
 }
 
 /* ---- pictures ------------------------------------------------------------ */

@@ -18,9 +18,13 @@ struct window;
 struct window *window_open(void);
 void window_close(struct window *window);
 
-/* Wait for the next frame and say what mouse and keys do; space stops the
- * time.  False: the window was closed. */
-int window_pointer(struct window *window, struct pointer *pointer);
+/*
+ * Is there a frame k?  In a window its time is waited for (space stops it), and
+ * the mouse, where it is the input, adds a line to it.  False: the input is at
+ * its end, or the window was closed.
+ */
+int window_next(struct window *window, struct pointers *input, int k,
+                int mouse);
 
 /* Draw the state after a frame that took this long (s); shot, unless NULL, is
  * the file to which the picture is written as well, as a BMP. */

@@ -6,10 +6,11 @@ struct window *window_open(void) { return NULL; }
 
 void window_close(struct window *window) { (void)window; }
 
-int window_pointer(struct window *window, struct pointer *pointer)
+int window_next(struct window *window, struct pointers *input, int k,
+                int mouse)
 {
-    (void)window, (void)pointer;
-    return 0;
+    (void)window, (void)mouse;
+    return k < input->n;
 }
 
 void window_draw(struct window *window, const struct live *live,

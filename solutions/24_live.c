@@ -47,27 +47,6 @@ static void print_summary(const struct live *live, const struct summary *sum)
     table_end();
 }
 
-/* The lines of the input: of a script, of a file, or (NULL) none yet. */
-static struct pointers choose(const char *name, double speed, int seed)
-{
-    if (!name) return (struct pointers){0, NULL};
-    if (strcmp(name, "pull") == 0) return pointers_pull(speed);
-    if (strcmp(name, "hard") == 0) return pointers_hard();
-    if (strcmp(name, "mad") == 0) return pointers_mad(seed, 600);
-    return pointers_read(name);
-}
-
-/* Is there a frame k?  In a window its time is waited for, and the mouse, where
- * it is the input, adds a line. */
-static int there_is(struct pointers *input, int k, struct window *window,
-                    int mouse)
-{
-    struct pointer pointer;
-    if (window && !window_pointer(window, &pointer)) return 0;
-    if (mouse) pointers_add(input, pointer);
-    return k < input->n;
-}
-
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
  * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
  * LIVE_REACH [eq:live-hand]. */
@@ -265,13 +244,14 @@ int main(int argc, char *argv[])
     set.method = method ? IMPLICIT_MIDPOINT : BACKWARD_EULER;
     struct window *window = window_open(); /* NULL: not by make live */
     const int mouse = window && !name;
-    struct pointers input = choose(mouse || name ? name : "pull", speed, seed);
+    struct pointers input = {0, NULL};
+    if (!mouse) input = pointers_named(name ? name : "pull", speed, seed);
     struct live *live = live_alloc(&set);
     struct summary sum = {0};
 
     table_begin("frames", "k rung first status systems part min_J knots energy "
                           "x y ms");
-    for (int k = 0; there_is(&input, k, window, mouse); k++)
+    for (int k = 0; window_next(window, &input, k, mouse); k++)
         play(live, &input.frame[k], timed, window,
              !mouse && k == input.n - 1 ? shot : NULL, &sum);
     table_end();

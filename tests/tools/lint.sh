@@ -14,7 +14,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status clock tensor material banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body step readable scene user model integrate study options table'
+layers='status clock tensor material banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body step readable scene user model integrate pointer live window study options table'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -34,9 +34,9 @@ rule 'solutions and studies include libc, GSL and common/ only' \
         header=$(echo "$text" | sed 's/.*"\(.*\)".*/\1/')
         [ -f "common/$header" ] || echo "$file:$line"
     done)"
-rule 'only options, study, table and status print in common/' \
+rule 'only options, pointer, study, table and status print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*.c |
-        grep -vE 'common/(options|study|table|status)\.c')"
+        grep -vE 'common/(options|pointer|study|table|status)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \
