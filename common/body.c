@@ -1,23 +1,26 @@
 /* body.c - see body.h. */
 #include "body.h"
 
+#include "modes.h"
+
 #include <assert.h>
-#include <gsl/gsl_math.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Number the free unknowns, row by row from right to left; how many. */
+/* Number the free unknowns, row by row from right to left, or in columns from
+ * the top down where these are shorter; how many. */
 static int number_equations(const struct mesh *mesh, const int held[],
                             int equation[])
 {
+    const int n = mesh->n, rows = mesh->rows, by_rows = n <= rows;
     int next = 0;
-    for (int j = 0; j <= mesh->n; j++)
-        for (int i = mesh->n; i >= 0; i--) {
-            const int a = j * (mesh->n + 1) + i;
-            for (int k = 0; k < 2; k++)
-                equation[2 * a + k] = held[a] ? -1 : next++;
+    for (int line = 0; line <= (by_rows ? rows : n); line++)
+        for (int k = by_rows ? n : rows; k >= 0; k--) {
+            const int a = by_rows ? line * (n + 1) + k : k * (n + 1) + line;
+            for (int i = 0; i < 2; i++)
+                equation[2 * a + i] = held[a] ? -1 : next++;
         }
     return next;
 }
@@ -130,6 +133,11 @@ static inline mat2 deformation(const struct body *body, const double u[], int e)
     return F;
 }
 
+mat2 body_deformation(const struct body *body, const double u[], int e)
+{
+    return deformation(body, u, e);
+}
+
 /* int N_a N_b / area of a triangle, or its row sums [eq:mass]. */
 static double mass_share(enum mass mass, int a, int b)
 {
@@ -148,6 +156,7 @@ enum status body_energy(const struct body *body, const double u[],
             return isnan(J) ? NONFINITE : INVERTED;
         *energy += body->area[e] * material2_psi(&body->material, F);
     }
+    if (body->add) body->add(body, 1.0, u, NO_TANGENT, energy, NULL);
     return isfinite(*energy) ? OK : NONFINITE;
 }
 
@@ -213,22 +222,8 @@ static inline void add_exact(struct factors s, const double g[6],
         }
 }
 
-/*
- * The same with the negative eigenvalues of dP/dF clamped to 0.
- *
- * With F = R(x) diag(s1, s2) R(y)^T, dP/dF has the eigenvectors
- * R(x) E R(y)^T and eigenvalues [eq:projection]
- *
- *     E = (0 -1; 1 0)/sqrt 2   mu + G'         E = (0 1; 1 0)/sqrt 2   mu - G'
- *     E = diag(cos z, sin z)   those of ( mu + G'' s2^2   G'' J + G'   )
- *                                       ( G'' J + G'      mu + G'' s1^2 )
- *
- * None is negative if |G'| <= mu and G'' >= 0: the determinant of the last two
- * is mu^2 - G'^2 + G'' (mu F:F - 2 G' J), and F:F >= 2 |J|.
- *
- * Source: Irving, Teran & Fedkiw, Graph. Models 68 (2006), sec. 3 (the idea);
- * Smith, de Goes & Kim, ACM Trans. Graph. 38 (2019), sec. 4 (closed forms).
- */
+/* The same with the negative eigenvalues of dP/dF clamped to 0, modes.h; none
+ * is negative if |G'| <= mu and G'' >= 0 [eq:projection]. */
 static void add_projected(struct factors s, const double g[6],
                           const double c[6], mat2 F, const int place[6],
                           size_t stride, double entries[])
@@ -237,43 +232,21 @@ static void add_projected(struct factors s, const double g[6],
         add_exact(s, g, c, place, stride, entries);
         return;
     }
-    const double half_sum = hypot(F.m[0][0] + F.m[1][1],
-                                  F.m[1][0] - F.m[0][1]) / 2.0;
-    const double half_difference = hypot(F.m[0][0] - F.m[1][1],
-                                         F.m[1][0] + F.m[0][1]) / 2.0;
-    const double turn = atan2(F.m[1][0] - F.m[0][1], F.m[0][0] + F.m[1][1]);
-    const double axes = atan2(F.m[1][0] + F.m[0][1], F.m[0][0] - F.m[1][1]);
-    const mat2 U = mat2_rotation((axes + turn) / 2.0);
-    const mat2 V = mat2_rotation((axes - turn) / 2.0);
-    const double s1 = half_sum + half_difference;
-    const double s2 = s1 > 0.0 ? mat2_det(F) / s1 : 0.0; /* no difference */
-    const double A = s.mu + s.ddG * s2 * s2, C = s.mu + s.ddG * s1 * s1;
-    const double B = s.ddG * s1 * s2 + s.dG;
-    const double z = 0.5 * atan2(2.0 * B, A - C);
-    const double root = hypot((A - C) / 2.0, B);
-    const double value[4] = {s.mu + s.dG, s.mu - s.dG, (A + C) / 2.0 + root,
-                             (A + C) / 2.0 - root};
-    const mat2 E[4] = {{{{0.0, -M_SQRT1_2}, {M_SQRT1_2, 0.0}}},
-                       {{{0.0, M_SQRT1_2}, {M_SQRT1_2, 0.0}}},
-                       {{{cos(z), 0.0}, {0.0, sin(z)}}},
-                       {{{-sin(z), 0.0}, {0.0, cos(z)}}}};
-
+    const struct modes modes = modes_of(F, s.mu, s.dG, s.ddG);
     double d[4][6]; /* dF/du_a in direction m */
-    for (int m = 0; m < 4; m++) {
-        const mat2 D =
-            mat2_multiply(U, mat2_multiply(E[m], mat2_transpose(V)));
+    for (int m = 0; m < 4; m++)
         for (int r = 0; r < 6; r++)
-            d[m][r] = D.m[r % 2][0] * g[r / 2 * 2] +
-                      D.m[r % 2][1] * g[r / 2 * 2 + 1];
-    }
+            d[m][r] = modes.direction[m].m[r % 2][0] * g[r / 2 * 2] +
+                      modes.direction[m].m[r % 2][1] * g[r / 2 * 2 + 1];
     for (int a = 0, k = 0; a < 3; a++)
         for (int b = 0; b <= a; b++, k++) {
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
             for (int m = 0; m < 4; m++)
-                for (int i = 0; i < 4 && value[m] > 0.0; i++)
-                    block.m[i / 2][i % 2] +=
-                        value[m] * d[m][2 * a + i / 2] * d[m][2 * b + i % 2];
+                for (int i = 0; i < 4 && modes.value[m] > 0.0; i++)
+                    block.m[i / 2][i % 2] += modes.value[m] *
+                                             d[m][2 * a + i / 2] *
+                                             d[m][2 * b + i % 2];
             add_block(block, a, b, place[k], stride, entries);
         }
 }
@@ -282,7 +255,6 @@ enum status body_assemble(struct body *body, double dt, const double w[],
                           const double f[], const double u[],
                           enum tangent tangent, double q[])
 {
-    const double mu = body->material.mu, lambda = body->material.lambda;
     const double rho_aa = body->rho * mass_share(body->mass, 0, 0);
     const double rho_ab = body->rho * mass_share(body->mass, 0, 1);
     const int n_dof = 2 * body->mesh->n_vertex;
@@ -299,11 +271,11 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
         if (!material_defined(&body->material, J))
             return isnan(J) ? NONFINITE : INVERTED;
-        const struct volumetric v = material_r(&body->material, J);
-        const struct factors s = {
-            rho_aa * body->area[e], rho_ab * body->area[e], area * mu,
-            area * (lambda * v.r - mu) * v.dr,
-            area * (lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr)};
+        const struct volume v = material_volume(&body->material, J);
+        const struct factors s = {rho_aa * body->area[e],
+                                  rho_ab * body->area[e],
+                                  area * body->material.mu, area * v.dG,
+                                  area * v.ddG};
         double c[6], move[6];
 
 #pragma GCC unroll 3
@@ -328,6 +300,7 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         else
             add_projected(s, g, c, F, &body->place[6 * e], stride, entries);
     }
+    if (body->add) body->add(body, dt, u, tangent, NULL, q);
     for (int r = 0; r < n_dof; r++)
         if (!isfinite(q[r])) return NONFINITE;
     return OK;

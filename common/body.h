@@ -1,7 +1,7 @@
 /*
  * body.h - a two-dimensional elastic body: energy, residual, tangent, fast.
  *
- * Linear triangles on the square of mesh.h; u and v are flat, component i of
+ * Linear triangles on a rectangle of mesh.h; u and v are flat, component i of
  * vertex a at [2a + i].  With f the nodal forces (body force and tractions
  * integrated against N_a), rho the density, F_e = I + sum_a u_a (x) grad N_a:
  *
@@ -18,7 +18,8 @@
  *
  * Only free vertices have equations.  They are numbered row by row from right
  * to left, so that the diagonals of the mesh do not widen the band: half
- * bandwidth 2 n - 1 with both ends prescribed.
+ * bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer than
+ * the columns it is by columns from the top down: 2 rows + 3.
  *
  * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
  * dpsi = mu (F:dF) + G' (cof F:dF), G' = (lambda r - mu) r', G'' its derivative
@@ -35,6 +36,17 @@
 #include "mesh.h"
 
 enum mass { CONSISTENT, LUMPED };
+enum tangent { NO_TANGENT, EXACT, PROJECTED };
+
+/*
+ * What a body has besides its material, fibres for example (fibre.h), adds its
+ * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
+ * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.
+ */
+struct body;
+typedef void body_addition(const struct body *body, double dt,
+                           const double u[], enum tangent tangent,
+                           double *energy, double q[]);
 
 struct body {
     const struct mesh *mesh;  /* borrowed */
@@ -50,6 +62,8 @@ struct body {
                        * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
                        * element begin; -1: a vertex is prescribed */
     struct matrix *K; /* tangent of the free unknowns, banded */
+    body_addition *add; /* NULL, from body_alloc(): nothing besides */
+    const void *added;  /* what add needs; borrowed */
 };
 
 /*
@@ -67,7 +81,8 @@ enum status body_energy(const struct body *body, const double u[],
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);
 
-/* The least det F of all triangles. */
+/* F of triangle e; the least det F of all triangles. */
+mat2 body_deformation(const struct body *body, const double u[], int e);
 double body_min_J(const struct body *body, const double u[]);
 
 /* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as
@@ -100,8 +115,6 @@ double body_max_free(const struct body *body, const double v[]);
  */
 enum status body_increment(const struct body *body, struct matrix *A,
                            const double q[], double du[]);
-
-enum tangent { NO_TANGENT, EXACT, PROJECTED };
 
 /*
  * q at u, of all vertices (at prescribed ones it is what holds them), and K of

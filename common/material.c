@@ -49,18 +49,14 @@ double material1_psi(const struct material *material, double F)
 
 double material1_pk1(const struct material *material, double F)
 {
-    const double mu = material->mu, lambda = material->lambda;
     if (material->law == LINEAR) return material_modulus(material) * (F - 1.0);
-    const struct volumetric v = material_r(material, F);
-    return mu * F + (lambda * v.r - mu) * v.dr;
+    return material->mu * F + material_volume(material, F).dG;
 }
 
 double material1_dpk1(const struct material *material, double F)
 {
-    const double mu = material->mu, lambda = material->lambda;
     if (material->law == LINEAR) return material_modulus(material);
-    const struct volumetric v = material_r(material, F);
-    return mu + lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+    return material->mu + material_volume(material, F).ddG;
 }
 
 /* With H = F - I and s = J - 1: F:F - 2 = H:H + 2 tr H = H:H + 2 (s - det H).
@@ -89,9 +85,8 @@ mat2 material2_pk1(const struct material *material, mat2 F)
         return mat2_add(mat2_scale(mu, mat2_add(H, mat2_transpose(H))),
                         mat2_scale(lambda * mat2_trace(H), mat2_identity()));
     }
-    const struct volumetric v = material_r(material, mat2_det(F));
-    return mat2_add(mat2_scale(mu, F), mat2_scale((lambda * v.r - mu) * v.dr,
-                                                  mat2_cofactor(F)));
+    const double dG = material_volume(material, mat2_det(F)).dG;
+    return mat2_add(mat2_scale(mu, F), mat2_scale(dG, mat2_cofactor(F)));
 }
 
 /* cof is linear in two dimensions: d(cof F) = cof(dF). */
@@ -101,11 +96,9 @@ mat2 material2_dpk1(const struct material *material, mat2 F, mat2 dF)
     if (material->law == LINEAR)
         return mat2_add(mat2_scale(mu, mat2_add(dF, mat2_transpose(dF))),
                         mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
-    const struct volumetric v = material_r(material, mat2_det(F));
+    const struct volume v = material_volume(material, mat2_det(F));
     const mat2 cof = mat2_cofactor(F);
-    const double dg = (lambda * v.r - mu) * v.dr;
-    const double ddg = lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
     return mat2_add(mat2_scale(mu, dF),
-                    mat2_add(mat2_scale(ddg * mat2_dot(cof, dF), cof),
-                             mat2_scale(dg, mat2_cofactor(dF))));
+                    mat2_add(mat2_scale(v.ddG * mat2_dot(cof, dF), cof),
+                             mat2_scale(v.dG, mat2_cofactor(dF))));
 }

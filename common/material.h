@@ -65,6 +65,20 @@ static inline struct volumetric material_r(const struct material *material,
                                1.0 - s + s * s, -1.0 + 2.0 * s};
 }
 
+/* G' and G'' of psi = mu/2 (F:F - d) + G(J), G = -mu r + lambda/2 r^2: all that
+ * a body has to know of a law beside mu. */
+struct volume {
+    double dG, ddG;
+};
+static inline struct volume material_volume(const struct material *material,
+                                            double J)
+{
+    const struct volumetric v = material_r(material, J);
+    const double slope = material->lambda * v.r - material->mu; /* dG/dr */
+    return (struct volume){
+        slope * v.dr, material->lambda * v.dr * v.dr + slope * v.ddr};
+}
+
 /* One dimension.  F must be where the material is defined (asserted). */
 double material1_psi(const struct material *material, double F);
 double material1_pk1(const struct material *material, double F);

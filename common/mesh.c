@@ -8,23 +8,29 @@
 
 struct mesh *mesh_square(int n)
 {
-    assert(n > 0);
+    return mesh_rectangle(n, n, 1.0, 1.0);
+}
+
+struct mesh *mesh_rectangle(int n, int rows, double a, double b)
+{
+    assert(n > 0 && rows > 0);
     struct mesh *mesh = allocate(1, sizeof *mesh);
     mesh->n = n;
-    mesh->n_vertex = (n + 1) * (n + 1);
-    mesh->n_triangle = 2 * n * n;
+    mesh->rows = rows;
+    mesh->n_vertex = (n + 1) * (rows + 1);
+    mesh->n_triangle = 2 * n * rows;
     mesh->X = allocate(2 * (size_t)mesh->n_vertex, sizeof *mesh->X);
     mesh->triangle = allocate(3 * (size_t)mesh->n_triangle, sizeof(int));
-    for (int a = 0; a < mesh->n_vertex; a++) {
-        mesh->X[2 * a] = -1.0 + 2.0 * (a % (n + 1)) / n;
-        mesh->X[2 * a + 1] = -1.0 + 2.0 * (a / (n + 1)) / n;
+    for (int v = 0; v < mesh->n_vertex; v++) {
+        mesh->X[2 * v] = a * (-1.0 + 2.0 * (v % (n + 1)) / n);
+        mesh->X[2 * v + 1] = b * (-1.0 + 2.0 * (v / (n + 1)) / rows);
     }
     int *t = mesh->triangle;
-    for (int j = 0; j < n; j++)
+    for (int j = 0; j < rows; j++)
         for (int i = 0; i < n; i++) {
-            const int a = j * (n + 1) + i, b = a + n + 1; /* left corners */
-            *t++ = a, *t++ = a + 1, *t++ = b + 1;
-            *t++ = a, *t++ = b + 1, *t++ = b;
+            const int low = j * (n + 1) + i, up = low + n + 1; /* on the left */
+            *t++ = low, *t++ = low + 1, *t++ = up + 1;
+            *t++ = low, *t++ = up + 1, *t++ = up;
         }
     return mesh;
 }

@@ -1,23 +1,28 @@
 /*
- * mesh.h - the square (-1,1)^2 cut into triangles.
+ * mesh.h - a rectangle, most often the square (-1,1)^2, cut into triangles.
  *
- *     6---7---8      vertex a = j (n + 1) + i at X = (-1 + 2i/n, -1 + 2j/n);
- *     | / | / |      each of the n x n squares is cut from its lower left to
- *     3---4---5      its upper right corner: the triangle below the cut, then
- *     | / | / |      the one above it, both counter-clockwise
- *     0---1---2
+ *     6---7---8      n cells per row, so many rows: vertex a = j (n + 1) + i at
+ *     | / | / |      X = (-1 + 2i/n, -1 + 2j/n) in the square, where rows = n;
+ *     3---4---5      each cell is cut from its lower left to its upper right
+ *     | / | / |      corner: the triangle below the cut, then the one above it,
+ *     0---1---2      both counter-clockwise
  */
 #ifndef COMMON_MESH_H
 #define COMMON_MESH_H
 
 struct mesh {
-    int n; /* squares a side */
+    int n;    /* cells per row, along X1 */
+    int rows; /* of cells, along X2 */
     int n_vertex, n_triangle;
     double *X;     /* [2 n_vertex] (m): vertex a at X[2a], X[2a+1]; owned */
     int *triangle; /* [3 n_triangle] vertices; owned */
 };
 
-struct mesh *mesh_square(int n);
+struct mesh *mesh_square(int n); /* (-1, 1) x (-1, 1), n rows */
+
+/* (-a, a) x (-b, b); the column of Lecture 3 is 80 cells by 8, a = 1, b = 0.1.
+ */
+struct mesh *mesh_rectangle(int n, int rows, double a, double b);
 void mesh_free(struct mesh *mesh);
 
 /* The first triangle whose area is not > 0 (clockwise or flat), or -1. */

@@ -1,9 +1,12 @@
 /* scene.c - see scene.h. */
 #include "scene.h"
 
+#include <assert.h>
+#include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const char *scene_name(enum reading reading)
 {
@@ -18,7 +21,17 @@ struct scene_setting scene_notes(enum reading reading, enum law law, int n)
     return (struct scene_setting){.reading = reading, .n = n, .law = law,
                                   .mass = CONSISTENT, .E = 1000.0, .nu = 0.3,
                                   .rho = 1.0, .dt = 1.0 / 30.0, .reach = 1.0,
-                                  .force = 50.0, .spin = 6.0};
+                                  .force = 50.0, .spin = 6.0, .slender = 1};
+}
+
+struct scene_setting scene_column(enum law law, int n, double e)
+{
+    struct scene_setting set = scene_notes(COMPRESS, law, n);
+    set.slender = 10;
+    set.rho = 0.0;
+    set.dt = 1.0;
+    set.reach = e;
+    return set;
 }
 
 /* f_a = int density N_a + int over the right end of traction N_a: a third of
@@ -35,7 +48,7 @@ static void nodal_forces(struct scene *scene)
                 scene->f[2 * mesh->triangle[3 * e + a] + i] +=
                     area / 3.0 * scene->density[i];
     }
-    for (int j = 0; j < n; j++) /* edges of length 2/n */
+    for (int j = 0; j < mesh->rows; j++) /* edges of length 2/n */
         for (int end = 0; end < 2; end++)
             for (int i = 0; i < 2; i++)
                 scene->f[2 * ((j + end) * (n + 1) + n) + i] +=
@@ -45,7 +58,9 @@ static void nodal_forces(struct scene *scene)
 struct scene *scene_alloc(const struct scene_setting *set)
 {
     struct scene *scene = allocate(1, sizeof *scene);
-    struct mesh *mesh = mesh_square(set->n);
+    assert(set->n % set->slender == 0);
+    struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,
+                                       1.0 / set->slender);
     const size_t n_dof = 2 * (size_t)mesh->n_vertex;
     const int n = set->n;
 
@@ -101,6 +116,18 @@ void scene_hold(struct scene *scene, double t)
         if (reading == COMPRESS) g[0] = -X1 * s;
         if (reading == STEADY) g[0] = scene->set.reach * t * sin(1.0);
     }
+}
+
+void scene_press(struct scene *scene, double e, double push)
+{
+    scene->set.reach = e;
+    scene_hold(scene, M_PI_2); /* sin t = 1 */
+    memset(scene->u, 0, (size_t)scene->n_dof * sizeof *scene->u);
+    step_boundary(scene->body, scene->g, 1, scene->u);
+    for (int y = 1; y < scene->n_dof; y += 2)
+        if (!scene->held[y / 2])
+            scene->u[y] +=
+                0.5 * push * (1.0 + cos(M_PI * scene->mesh->X[y - 1]));
 }
 
 struct step_report scene_step(struct scene *scene,

@@ -30,7 +30,9 @@ const char *scene_name(enum reading reading);
 
 struct scene_setting {
     enum reading reading;
-    int n; /* squares per side */
+    int n;       /* cells per row */
+    int slender; /* the body is (-1, 1) x (-b, b) with b = 1 / slender; 1: the
+                  * square.  A divisor of n, for the cells are squares. */
     enum law law;
     enum mass mass;
     double E, nu;   /* (N/m^2), - */
@@ -43,6 +45,10 @@ struct scene_setting {
 /* The notes' numbers: E = 1000, nu = 0.3, rho = 1, dt = 1/30, reach 1,
  * consistent mass; force 50, spin 6. */
 struct scene_setting scene_notes(enum reading reading, enum law law, int n);
+
+/* The column of Lecture 3, (-1, 1) x (-0.1, 0.1), both ends moved inwards by e:
+ * `compress` at sin t = 1, quasistatic (dt = 1, rho = 0). */
+struct scene_setting scene_column(enum law law, int n, double e);
 
 /* A body in motion; the pointers are owned. */
 struct scene {
@@ -65,6 +71,10 @@ void scene_free(struct scene *scene);
 
 /* g := the prescribed values at time t (0 where nothing is held). */
 void scene_hold(struct scene *scene, double t);
+
+/* u := the ends of a column moved inwards by e, the rest in proportion, and
+ * pushed sideways, by `push` in the middle (m). */
+void scene_press(struct scene *scene, double e, double push);
 
 /* The next step of backward Euler of step.h.  u, v and steps stay as they are
  * when the status is not OK. */

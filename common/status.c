@@ -8,8 +8,8 @@
 const char *status_name(enum status status)
 {
     static const char *const name[] = {
-        "OK",       "NOT_SPD", "INCOMPATIBLE",  "NONFINITE",
-        "INVERTED", "STALLED", "MAX_ITERATIONS"};
+        "OK",      "NOT_SPD", "INCOMPATIBLE",   "NONFINITE", "INVERTED",
+        "STALLED", "SADDLE",  "MAX_ITERATIONS", "OUTSIDE"};
     return name[status];
 }
 

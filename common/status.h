@@ -18,7 +18,9 @@ enum status {
     NONFINITE,    /* a NaN or an infinity where a number is due */
     INVERTED,     /* det F left the domain of the material */
     STALLED,      /* no step makes progress, and the residual is not small */
-    MAX_ITERATIONS
+    SADDLE,       /* in balance, but not a minimum: K is not SPD there */
+    MAX_ITERATIONS,
+    OUTSIDE       /* a particle is where the grid has no nodes for it */
 };
 
 /* The status as the word that programs print: "OK", "NOT_SPD", ... */

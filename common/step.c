@@ -101,6 +101,23 @@ static enum status line_search(const struct body *body, double dt,
     return STALLED;
 }
 
+enum status step_search(const struct body *body, double dt, const double w[],
+                        const double f[], const double q[], const double du[],
+                        double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *memory = allocate(5 * n_dof, sizeof *memory);
+    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+                              memory + 3 * n_dof};
+    int halved;
+    memcpy(work.q, q, n_dof * sizeof *q);
+    memcpy(work.du, du, n_dof * sizeof *du);
+    const enum status status =
+        line_search(body, dt, w, f, work, u, &halved);
+    free(memory);
+    return status;
+}
+
 /*
  * Factor K, which has been assembled at u.  When it is not SPD: project it, or
  * (*as_it_is) leave it assembled for matrix_solve_indefinite(), or give up.
@@ -208,11 +225,20 @@ struct step_report step_solve(struct body *body,
     return report;
 }
 
+enum status step_certify(struct body *body, double dt, const double u[])
+{
+    double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
+    enum status status = body_assemble(body, dt, u, NULL, u, EXACT, q);
+    if (status == OK && matrix_factor(body->K) != OK) status = SADDLE;
+    free(q);
+    return status;
+}
+
 void step_boundary(const struct body *body, const double g[], int lift,
                    double u[])
 {
     const int n = body->mesh->n;
-    for (int j = 0; j <= n; j++)
+    for (int j = 0; j <= body->mesh->rows; j++)
         for (int k = 0; k < 2; k++) {
             const int left = 2 * j * (n + 1) + k, right = left + 2 * n;
             const int held[2] = {body->equation[left] < 0,

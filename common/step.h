@@ -77,6 +77,20 @@ struct step_report step_solve(struct body *body,
                               const struct step_control *control, double dt,
                               const double w[], const double f[], double u[]);
 
+/* u := u + length du, the length by the line search that step_solve() has, for
+ * q at u and du = 0 at prescribed vertices [alg:line-search].  STALLED: none
+ * decreases Phi; u is unchanged. */
+enum status step_search(const struct body *body, double dt, const double w[],
+                        const double f[], const double q[], const double du[],
+                        double u[]);
+
+/*
+ * Converged is not stable.  At the u that step_solve() ends in, K is factored
+ * once more [alg:certify]: OK when it is positive definite, so that Phi has a
+ * minimum there, else SADDLE; statuses of body_energy() where u has no K.
+ */
+enum status step_certify(struct body *body, double dt, const double u[]);
+
 /*
  * Write the boundary values g (read at prescribed vertices only) into the guess
  * u.  With lift the jump g - u is carried on into the body, linearly in X1

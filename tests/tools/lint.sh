@@ -14,7 +14,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status clock tensor material banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body step readable scene user model integrate pointer live window study options table'
+layers='status clock tensor particles particle_scene material modes banded matrix machine poisson bar stretch bar_fast bar_gsl bar_scene mesh body fibre step readable scene user model integrate pointer live window study options table'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")

@@ -1,0 +1,65 @@
+/*
+ * particle_scene.h - particles and motions that lessons and studies share.
+ *
+ *     seven   particles with irregular data, for identities to round-off
+ *     disc    of a square lattice, to be turned
+ *     wave    v = cos kx along a bar; what a transfer leaves of it is a filter
+ *
+ * APIC knows a motion's gradient from B.  Where a motion is set, a grid stands
+ * for "APIC, with the B that this grid gives"; NULL is for PIC and FLIP, B = 0.
+ */
+#ifndef COMMON_PARTICLE_SCENE_H
+#define COMMON_PARTICLE_SCENE_H
+
+#include "particles.h"
+
+/* Seven particles in 0.8 < x < 1.6, 0.75 < y < 1.55, with irregular v, m, F,
+ * V0, and C = B D^{-1} unless grid is NULL; all must be inside it (asserted).
+ */
+struct particles *particles_seven(const struct grid *grid);
+
+/* The particles of a square lattice, at (i + 1/2, j + 1/2) spacing, that are
+ * within the radius of the centre. */
+struct particles *particles_disc(const double centre[2], double radius,
+                                 double spacing, double rho);
+
+/* v_p := v + omega x (x_p - centre), B_p = omega x D_p.  Statuses as
+ * grid_support(); v and B are then incomplete. */
+enum status particles_turn(struct particles *p, const struct grid *grid,
+                           const double v[2], double omega,
+                           const double centre[2]);
+
+/* next := grid->v + v + omega x x_a at all nodes: a rigid kick. */
+void grid_kick(struct grid *grid, const double v[2], double omega);
+
+/* v_p := (cos kx, 0), B_p by its slope; statuses as particles_turn(). */
+enum status particles_wave(struct particles *p, const struct grid *grid,
+                           double k);
+
+/* The part of cos kx in the first component of v: sum v cos / sum cos^2. */
+double particles_wave_part(const struct particles *p, double k);
+
+/*
+ * Particles with their first motion and a grid with room for them: the seven
+ * (h = 0.385 m); a disc of radius 0.3 m that turns by 1 rad/s about 0, four
+ * particles per cell of 1 / cells; the wave cos kx on a periodic bar of unit
+ * cells, ppc particles in each.  With B for APIC.
+ */
+struct cloud {
+    struct grid *grid; /* owned, both */
+    struct particles *p;
+};
+struct cloud cloud_seven(int order, enum transfer transfer);
+struct cloud cloud_disc(int order, int cells, enum transfer transfer);
+struct cloud cloud_wave(int order, int cells, int ppc, double k,
+                        enum transfer transfer);
+void cloud_free(struct cloud cloud);
+
+/*
+ * What one transfer leaves of the wave in the limit of many particles per cell
+ * [eq:pic-filter]: with z = k h and S = (sin(z/2) / (z/2))^(order + 1),
+ * S^2 for PIC, 1 for FLIP, S (S - z S'(z)) for APIC.
+ */
+double transfer_factor(int order, enum transfer transfer, double z);
+
+#endif

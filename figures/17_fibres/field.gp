@@ -1,0 +1,57 @@
+# field.gp - a block with bent fibres: at rest, activated between two held ends,
+# and activated with one end held; coloured by the stretch of the fibres.
+# Reads   data  tables fibres, outline, history
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 940,285
+set output out
+set multiplot
+unset key
+unset grid
+unset border
+unset tics
+set size ratio -1
+set datafile nocolumnheaders
+set xrange [-1.1:1.1]
+set yrange [-0.78:0.60]
+set palette defined (0.76 "#0072B2", 0.9 "#8AB9DA", 1.0 "#BBBBBB", 1.08 "#D55E00")
+set cbrange [0.76:1.08]
+unset colorbox
+of(table, block) = sprintf( \
+    "< awk -F'\t' '$0 == \"# %s\" { on = 1; next } NF == 0 { on = 0 } \
+     on && $1 == \"%s\"' '%s'", table, block, data)
+last(block, field) = system(sprintf( \
+    "awk -F'\t' '$0 == \"# history\" { on = 1; next } NF == 0 { on = 0 } \
+     on && $1 == \"%s\" { v = $%d } END { print v }' '%s'", block, field, data)) + 0.0
+first(field) = system(sprintf( \
+    "awk -F'\t' '$0 == \"# history\" { on = 1; next } NF == 0 { on = 0 } \
+     on && $2 == \"0\" && !n++ { print $%d }' '%s'", field, data)) + 0.0
+array Block[3] = ["rest", "both", "left"]
+array Title[3] = ["at rest", "activated, both ends held", "activated, left end held"]
+array Says[3]
+Says[1] = sprintf("fibres bent by %.0f° (root mean square)", first(3))
+Says[2] = sprintf("straightened to %.1f°, pulls with %.0f N/m", last("both", 3), last("both", 4))
+Says[3] = sprintf("%.1f°, %.0f %% shorter", last("left", 3), -last("left", 5) / 2 * 100)
+set tmargin at screen 0.97
+set bmargin at screen 0.19
+h = 0.055 # half of a piece at rest (m)
+do for [i = 1:3] {
+    set lmargin at screen 0.005 + 0.332 * (i - 1)
+    set rmargin at screen 0.33 + 0.332 * (i - 1)
+    set label 1 Title[i] at first 0, screen 0.93 center
+    set label 2 Says[i] at first 0, screen 0.18 center font ",12"
+    if (i > 1) { set arrow 1 from -1, -0.56 to -1, 0.56 nohead lw 4 }
+    if (i == 2) { set arrow 2 from 1, -0.56 to 1, 0.56 nohead lw 4 }
+    else { unset arrow 2 }
+    if (i == 3) {
+        set colorbox user horizontal origin screen 0.40, screen 0.075 \
+            size screen 0.28, screen 0.03
+        set cbtics 0.08 scale 0.4 offset 0, 0.5 font ",11"
+        set label 3 "stretch l of the fibres" at screen 0.385, screen 0.09 right font ",12"
+    }
+    plot of("outline", Block[i]) using 2:3 with filledcurves closed fc rgb "#F4EDE4", \
+         of("outline", Block[i]) using 2:3 with lines lw 1 lc rgb "#999999", \
+         of("fibres", Block[i]) using ($2 - h * $4):($3 - h * $5):(2 * h * $4):(2 * h * $5):6 \
+             with vectors nohead lw 2.4 lc palette
+}
+unset multiplot

@@ -1,0 +1,120 @@
+/*
+ * localise.c - what happens to a muscle that is pulled down its descending
+ * limb?
+ *
+ * A strip of 2 m by 0.5 m, cubic law, fibres along it, fully activated, sigma =
+ * 700: too strong for its material.  Both ends move outwards by 0.02 m at a
+ * time.  Newton's method with a line search, and with projection on demand too;
+ * after each step K is factored once more.  Tables: uniform (a strip that stays
+ * uniform), pull, strip (the triangles at 1.26 times the length).
+ */
+#include "fibre.h"
+#include "scene.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CELLS = 24, SLENDER = 4, LOADS = 20, SHOWN = 13 };
+
+static mat2 stress(double l, double w)
+{
+    const struct material material = material_notes(CUBIC);
+    return material2_pk1(&material, (mat2){{{l, 0.0}, {0.0, w}}});
+}
+
+static double P22(double w, void *l)
+{
+    return stress(*(double *)l, w).m[1][1];
+}
+
+/* Mean stress on the right end; the share of the strip with l > 1 + w. */
+static double measure(const struct scene *s, const struct fibres *fibres,
+                      double *share)
+{
+    double *q = allocate((size_t)s->n_dof, sizeof *q), sum = 0.0;
+    int left = 0;
+    for (int e = 0; e < s->mesh->n_triangle; e++)
+        left += fibres_stretch(s->body, fibres, s->u, e, NULL) >
+                1.0 + fibres->fibre.width;
+    *share = left / (double)s->mesh->n_triangle;
+    if (body_force(s->body, s->u, q) != OK) die("no force");
+    for (int r = 0; r < s->n_dof; r += 2)
+        if (s->mesh->X[r] == 1.0) sum += q[r] * SLENDER / 2.0;
+    free(q);
+    return sum;
+}
+
+/* The next load from the last state; a row of table pull. */
+static enum status pull(struct scene *s, const struct fibres *fibres,
+                        const char *method, double l, double *share)
+{
+    const struct step_control control = step_method(method);
+    s->set.reach = l - 1.0;
+    scene_hold(s, 2.0 * atan(1.0));
+    step_boundary(s->body, s->g, 1, s->u);
+    const struct step_report r =
+        step_solve(s->body, &control, 1.0, s->g, s->f, s->u);
+    const enum status state = step_certify(s->body, 1.0, s->u);
+    const double P = measure(s, fibres, share);
+    table_row(method, l, cell_if(r.status == OK, P),
+              cell_if(r.status == OK, *share), r.iterations, r.projections,
+              status_name(r.status), status_name(state));
+    return r.status == OK ? state : r.status;
+}
+
+int main(void)
+{
+    struct fibre muscle = fibre_muscle(1.0);
+    double share[2], fails = 0.0, top = 0.0, peak = 0.0, x[6];
+    int certified = 0;
+    gsl_set_error_handler_off();
+    muscle.sigma = 700.0;
+    table_begin("uniform", "l P");
+    for (int i = 0; i <= 42; i++) {
+        double l = 1.0 + 0.01 * i;
+        const double P = stress(l, root_of(P22, &l, 0.3, 1.5)).m[0][0] +
+                         fibre_tension(&muscle, l).T;
+        table_row(l, P);
+        if (P > top) top = P, peak = l;
+    }
+    table_end();
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, CELLS);
+    set.slender = SLENDER;
+    set.rho = 0.0;
+    struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+    const struct fibres fibres = {muscle, fibres_bent(s[0]->mesh, 0.0, 0.0)};
+    for (int m = 0; m < 2; m++) fibres_attach(s[m]->body, &fibres);
+    table_begin("pull", "method l P share iterations projections reason state");
+    for (double l = 1.02; fails == 0.0 && l < 1.4; l += 0.02)
+        if (pull(s[0], &fibres, "search", l, share) == NOT_SPD) fails = l;
+    for (int k = 1; k <= LOADS; k++) {
+        certified += pull(s[1], &fibres, "demand+search", 1.0 + 0.02 * k,
+                          &share[k == LOADS]) == OK;
+        if (k == SHOWN)
+            memcpy(s[0]->u, s[1]->u, (size_t)s[0]->n_dof * sizeof *s[0]->u);
+    }
+    table_end();
+    table_begin("strip", "x0 y0 x1 y1 x2 y2 l");
+    for (int e = 0; e < s[0]->mesh->n_triangle; e++) {
+        scene_triangle(s[0], e, x);
+        table_row(x[0], x[1], x[2], x[3], x[4], x[5],
+                  fibres_stretch(s[0]->body, &fibres, s[0]->u, e, NULL));
+    }
+    table_end();
+    measure(s[0], &fibres, &share[0]);
+    for (int m = 0; m < 2; m++) scene_free(s[m]);
+    free((void *)fibres.angle);
+
+    claim(fabs(fails - peak) < 0.03, "the line search ends with NOT_SPD at %g, "
+          "near the peak of the uniform strip, %g", fails, peak);
+    claim(certified == LOADS, "with projection all %d loads end in a stable "
+          "state (%d)", LOADS, certified);
+    claim(share[0] > 0.15 && share[0] < 0.35 && share[1] > share[0],
+          "a part of the strip has left the limb: %g at 1.26, %g at 1.4",
+          share[0], share[1]);
+    return table_finish();
+}

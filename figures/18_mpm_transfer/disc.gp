@@ -1,0 +1,40 @@
+# disc.gp - velocities of a disc after a hundred transfers, four ways.
+# Reads   data  tables disc, left
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 960,270
+set output out
+array Way[4] = ["FLIP", "APIC", "95 % FLIP", "PIC"]
+left(way) = real(system(sprintf("awk -F'\t' '/^# left/ { on = 1 } \
+    on && $1 == \"%s\" { print $2; exit }' '%s'", way, data)))
+unset key
+unset grid
+unset colorbox
+set size ratio -1
+set xrange [-0.33:0.33]
+set yrange [-0.33:0.33]
+set border 0
+unset tics
+set palette defined (0 "#C6DBEF", 0.5 "#4292C6", 1 "#08306B")
+set cbrange [0:0.3]
+set multiplot
+do for [k = 1:4] {
+    set lmargin at screen 0.005 + 0.225 * (k - 1)
+    set rmargin at screen 0.225 + 0.225 * (k - 1)
+    set tmargin at screen 0.89
+    set bmargin at screen 0.02
+    set label 1 sprintf("%s: %.1f %% of the spin", Way[k], 100 * left(Way[k])) \
+        at graph 0.5, graph 1.07 center
+    if (k == 4) {
+        set colorbox user origin screen 0.925, screen 0.16 \
+            size screen 0.014, screen 0.58
+        set cbtics 0.1 offset -0.5
+        set cblabel "speed (m/s)" offset -0.5 }
+    set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5
+    plot data index "disc" using \
+        (strcol("way") eq Way[k] ? column("x") - 0.09 * column("v_x") : NaN): \
+        (column("y") - 0.09 * column("v_y")): \
+        (0.18 * column("v_x")):(0.18 * column("v_y")):"speed" \
+        with vectors head size 0.012,22 filled lw 1.4 lc palette
+}
+unset multiplot

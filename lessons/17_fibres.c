@@ -1,0 +1,180 @@
+/*
+ * 17_fibres.c - fibres in a body: what one preferred direction costs and adds.
+ *
+ * Notes: Lecture 1, the anisotropic energy, Figures 2 and 3.
+ *
+ * Problem.  At rest a fibre lies along the unit vector g; l = |F g| is its
+ * stretch.  Its energy W(l) adds to that of the material, and T = W' pulls
+ * along n = F g / l [eq:fibre-tension].
+ *
+ *     T |       .--.         /  MUSCLE: a passive part from l = 1 on, and an
+ *       |     .'    '.  __.-'   active one, a parabola for |l - 1| < w, on
+ *       |    /     __:-'        whose descending limb T' < 0
+ *     0 +---+----+-----+---- l                        [eq:force-length]
+ *          1-w   1    1+w
+ *
+ * Run       make lesson-17, or with options: -h lists them
+ * Expect    the free strip contracts to 0.807570777793 of its length
+ * Plot: force_length l T
+ */
+#include "fibre.h"
+#include "options.h"
+#include "scene.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+
+/* W, T and T' of a fibre of stretch l >= 0, and W = 0 at l = 1; the two laws
+ * are in fibre.h [eq:force-length]. */
+static struct tension tension(const struct fibre *fibre, double l)
+{
+    const double k = fibre->k, w = fibre->width, e = l - 1.0;
+    const double active = fibre->activation * fibre->sigma;
+    struct tension t = {0.0, 0.0, 0.0};
+    /* SLOT 17a(fibre, l, k, w, e, active, &t): t.W, t.T and t.dT, for CORD and
+     * for MUSCLE; at a kink of T the T' of either side will do. */
+    todo("17a", fibre, l, k, w, e, active, &t);
+    /* END 17a */
+    return t;
+}
+
+/* P of a fibre along g in a material deformed by F, and its change dP for a
+ * small change dF [eq:fibre-pk1] [eq:fibre-dpk1]; returns the stretch l.
+ * PROJECTED: negative eigenvalues of dP/dF are set to 0.  At l = 0 the fibre
+ * points nowhere: P and dP are 0. */
+static double stress(const struct fibre *fibre, const double g[2], mat2 F,
+                     mat2 dF, enum tangent kind, mat2 *P, mat2 *dP)
+{
+    double l = 0.0;
+    /* SLOT 17b(fibre, g, F, dF, kind, tension, P, dP, &l): l and n first; then
+     * *P; then *dP, from what dF does to n and to T. */
+    todo("17b", fibre, g, F, dF, kind, tension, P, dP, &l);
+    /* END 17b */
+    return l;
+}
+
+/* The law over l, and in one F over the angle of the fibre. */
+static void print_law(const struct fibre *fibre)
+{
+    const struct fibre passive = {MUSCLE, fibre->k, 0.0, fibre->width, 0.0};
+    const struct fibre cord = {CORD, 2000.0, fibre->sigma, 0.5, 0.0};
+    const mat2 F = {{{1.17, 0.23}, {-0.31, 0.88}}};
+    table_begin("force_length", "l passive active T dT W cord_T");
+    for (int i = 8; i <= 32; i++) {
+        const double l = i / 20.0, taut = tension(&passive, l).T;
+        const struct tension t = tension(fibre, l);
+        table_row(l, taut, t.T - taut, t.T, t.dT, t.W, tension(&cord, l).T);
+    }
+    table_end();
+    table_begin("law", "angle activation l T dT T_l P11 P12 P21 P22");
+    for (double angle = 0.0; angle < 2.0; angle += 0.7) {
+        mat2 P, dP;
+        const double g[2] = {cos(angle), sin(angle)};
+        const double l = stress(fibre, g, F, F, EXACT, &P, &dP);
+        const struct tension t = tension(fibre, l);
+        table_row(angle, fibre->activation, l, t.T, t.dT, t.T / l, P.m[0][0],
+                  P.m[0][1], P.m[1][0], P.m[1][1]);
+    }
+    table_end();
+}
+
+/* Each triangle's fibre in the square: angles at rest and now, l, T. */
+static void print_field(const struct scene *s, const struct fibres *fibres)
+{
+    table_begin("field", "e angle angle_now l T");
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        double now;
+        const double l = fibres_stretch(s->body, fibres, s->u, e, &now);
+        table_row(e, fibres->angle[e], now, l, tension(&fibres->fibre, l).T);
+    }
+    table_end();
+}
+
+/* The fibres of body->added all over a body: to *energy, or to q and K, what
+ * body.h says of a body_addition. */
+static void add_fibres(const struct body *body, double dt, const double u[],
+                       enum tangent kind, double *energy, double q[])
+{
+    const struct fibres *fibres = body->added;
+    /* SLOT 17c(body, dt, u, kind, energy, q, fibres, tension, stress): g from
+     * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
+     * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
+     * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
+    todo("17c", body, dt, u, kind, energy, q, fibres, tension, stress);
+    /* END 17c */
+}
+
+enum { CAP = 40 }; /* linear systems of two equations, at most */
+/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
+ * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
+ * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
+ * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
+static enum status strip(const struct material *material,
+                         const struct fibre *fibre, double load, double x[2])
+{
+    const double g[2] = {1.0, 0.0}, enough = 1e-13 * material_modulus(material);
+    enum status status = MAX_ITERATIONS;
+    x[0] = x[1] = 1.0;
+    /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
+     * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
+    todo("17d", material, fibre, load, x, enough, g, stress, &status);
+    /* END 17d */
+    return status;
+}
+
+/* At rising activations; isometric: the tension at l = 1. */
+static enum status print_strip(const struct material *material, double load,
+                               struct fibre fibre)
+{
+    enum status status = OK;
+    table_begin("strip", "activation length width isometric status");
+    for (int k = 0; k <= 8 && status == OK; k++) {
+        double x[2];
+        fibre.activation = k / 8.0;
+        status = strip(material, &fibre, load, x);
+        table_row(fibre.activation, cell_if(status == OK, x[0]),
+                  cell_if(status == OK, x[1]), tension(&fibre, 1.0).T,
+                  status_name(status));
+    }
+    table_end();
+    return status;
+}
+
+int main(int argc, char *argv[])
+{
+    int law = 1;
+    double load = 0.0, bend = -45.0;
+    struct fibre muscle = fibre_muscle(1.0);
+    const struct option options[] = {
+        {"law", .choice = &law, .choices = "log cubic", .help = "r"},
+        {"activation", .real = &muscle.activation, .min = 0, .max = 1,
+         .help = "of the fibres"},
+        {"sigma", .real = &muscle.sigma, .min = 0, .max = 1e4, .unit = "N/m^2",
+         .help = "largest active tension"},
+        {"load", .real = &load, .min = -1e4, .max = 1e4, .unit = "N/m^2",
+         .help = "that the strip carries"},
+        {"bend", .real = &bend, .min = -90, .max = 90, .unit = "degrees/m",
+         .help = "by which they turn along X1"},
+    };
+    options_parse("17_fibres", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+    struct scene_setting set = scene_notes(GRAVITY, law ? CUBIC : LOG, 8);
+    set.rho = set.force = 0.0;
+    struct scene *s = scene_alloc(&set);
+    double *angle = fibres_bent(s->mesh, 0.0, bend);
+    const struct fibres fibres = {muscle, angle};
+    const struct step_control newton = step_method("search");
+    print_law(&muscle);
+    const enum status status = print_strip(&s->body->material, load, muscle);
+    s->body->add = add_fibres;
+    s->body->added = &fibres;
+    const enum status square =
+        step_solve(s->body, &newton, 1.0, s->g, s->f, s->u).status;
+    print_field(s, &fibres);
+    if (status != OK || square != OK)
+        die("strip: %s, square: %s", status_name(status), status_name(square));
+    free(angle);
+    scene_free(s);
+    return table_finish();
+}

@@ -1,0 +1,180 @@
+/*
+ * 18_mpm_transfer.c - what survives the way from particles to a grid and back.
+ * Notes: the material point method, interpolating functions, P2G and G2P.
+ *
+ * Problem.  Particles carry a body's mass and motion, a grid finds the forces:
+ * in every step the particles give mass and velocity to the nodes around them,
+ * P2G [eq:p2g], and take a velocity back, G2P [eq:g2p], by PIC, FLIP or APIC.
+ *
+ *     o - o - o - o     node a = j nodes[0] + i has v[2a] and v[2a + 1], as
+ *     |. .|. .| . |     particle p has x[2p], x[2p + 1], v alike, and B[p]
+ *     o - o - o - o     (particles.h).  Order 1 reaches 2 nodes per axis,
+ *     |  .|. .|  .|     order 2 reaches 3 and order 3 reaches 4.
+ * Run       make lesson-18, or with options: -h lists them
+ * Expect    seven particles: L = 0.47704535, and 0.389267052 after PIC
+ * Plot: spin transfers ratio
+ */
+#include "options.h"
+#include "particle_scene.h"
+#include "table.h"
+
+#include <math.h>
+
+static int weights(int order, double h, double x, double w[], double dw[]);
+static enum status p2g(const struct particles *p, struct grid *grid);
+static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
+                       struct particles *p);
+static double angular(const struct particles *p);
+
+/* There and back; `kick` times a rigid motion is added to the nodes between. */
+static void transfer(struct cloud c, enum transfer how, double dt, double kick)
+{
+    c.grid->kernel = weights;
+    enum status status = p2g(c.p, c.grid);
+    grid_kick(c.grid, (double[]){0.31 * kick, -0.47 * kick}, 1.7 * kick);
+    if (status == OK) status = g2p(c.grid, how, dt, c.p);
+    if (status != OK) die("the place of a particle is %s", status_name(status));
+}
+
+/* The nodes around x (m), and the sums that the derivation needs. */
+static void print_weights(int order, double h, double x)
+{
+    const char *const name[] = {"w", "w_x", "D", "dw", "dw_x"};
+    const double exact[] = {1.0, x, kernel_inertia(order, h, x), 0.0, 1.0};
+    double w[ORDER_MAX + 1] = {0.0}, dw[ORDER_MAX + 1] = {0.0}, sum[5] = {0.0};
+    const int first = weights(order, h, x, w, dw);
+    table_begin("weights", "node w h_dw");
+    for (int q = 0; q <= order; q++) {
+        const double at = h * (first + q), D = (at - x) * (at - x);
+        const double term[] = {w[q], w[q] * at, w[q] * D, dw[q], dw[q] * at};
+        for (int k = 0; k < 5; k++) sum[k] += term[k];
+        table_row(first + q, w[q], h * dw[q]);
+    }
+    table_end();
+    table_begin("sums", "of sum exact");
+    for (int k = 0; k < 5; k++) table_row(name[k], sum[k], exact[k]);
+    table_end();
+}
+
+/* Seven particles go there and back by each scheme; then the nodes by APIC. */
+static void print_transfer(int order, double dt, double kick)
+{
+    struct cloud c = {NULL, NULL};
+    table_begin("transfer", "scheme momentum_x momentum_y L_before L_grid "
+                "L_kicked L_after E_before E_grid E_kicked E_after");
+    for (int s = PIC; s <= APIC; s++) {
+        cloud_free(c);
+        c = cloud_seven(order, (enum transfer)s);
+        const double L = angular(c.p), E = particles_moments(c.p).kinetic;
+        transfer(c, (enum transfer)s, dt, kick);
+        const struct moments on = grid_moments(c.grid, c.grid->v);
+        const struct moments kicked = grid_moments(c.grid, c.grid->next);
+        const struct moments end = particles_moments(c.p);
+        table_row(transfer_name((enum transfer)s), end.momentum[0],
+                  end.momentum[1], L, on.angular, kicked.angular, angular(c.p),
+                  E, on.kinetic, kicked.kinetic, end.kinetic);
+    }
+    table_end();
+    table_begin("grid", "node mass v_x v_y");
+    const double *v = c.grid->v;
+    for (int a = 0; a < c.grid->n_node; a++)
+        if (c.grid->mass[a] > 0.0)
+            table_row(a, c.grid->mass[a], v[2 * a], v[2 * a + 1]);
+    table_end();
+    cloud_free(c);
+}
+
+/* A turning disc goes there and back in its place; what is left of its L. */
+static void print_spin(int order, enum transfer scheme, int steps)
+{
+    struct cloud c = cloud_disc(order, 32, scheme);
+    const double L = angular(c.p);
+    table_begin("spin", "transfers ratio");
+    for (int step = 0; step <= steps; step++) {
+        if (step > 0) transfer(c, scheme, 0.0, 0.0);
+        table_row(step, angular(c.p) / L);
+    }
+    table_end();
+    cloud_free(c);
+}
+
+/* One transfer of cos kx on a periodic bar; wavelengths in cells. */
+static void print_filter(int order, int ppc)
+{
+    table_begin("filter", "wavelength scheme factor predicted");
+    for (int row = 0; row < 9; row++) {
+        const enum transfer scheme = (enum transfer)(row % 3);
+        const double cells = 16 >> row / 3, k = 2.0 * acos(-1.0) / cells;
+        struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
+        transfer(c, scheme, 0.0, 0.0);
+        table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
+                  transfer_factor(order, scheme, k));
+        cloud_free(c);
+    }
+    table_end();
+}
+
+/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
+ * h i; returns first [eq:bspline].  On a node order 1 takes the next cell. */
+static int weights(int order, double h, double x, double w[], double dw[])
+{
+    int first = 0;
+    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
+    todo("18a", order, h, x, w, dw, &first);
+    /* END 18a */
+    return first;
+}
+
+/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
+ * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
+static enum status p2g(const struct particles *p, struct grid *grid)
+{
+    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
+     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
+     * and D = diag(s.inertia); where that is 0, so are the ways. */
+    todo("18b", p, grid);
+    /* END 18b */
+    return OK;
+}
+
+/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
+ * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
+static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
+                       struct particles *p)
+{
+    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
+    todo("18c", grid, scheme, dt, p);
+    /* END 18c */
+    return OK;
+}
+
+/* The angular momentum of particles about 0, all of it [eq:apic]. */
+static double angular(const struct particles *p)
+{
+    double L = 0.0;
+    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
+    todo("18d", p, &L);
+    /* END 18d */
+    return L;
+}
+
+int main(int argc, char *argv[])
+{
+    int order = 2, scheme = PIC, steps = 100, ppc = 4;
+    double x = 2.385, dt = 0.013, kick = 0.0;
+    const struct option options[] = {
+        {"order", .integer = &order, .min = 1, .max = 3, .help = "of kernels"},
+        {"x", .real = &x, .max = 8, .unit = "cells", .help = "for weights"},
+        {"dt", .real = &dt, .min = 1e-6, .max = 1, .unit = "s", .help = "step"},
+        {"kick", .real = &kick, .min = -9, .max = 9, .help = "for transfer"},
+        {"scheme", .choice = &scheme, .choices = TRANSFERS, .help = "for spin"},
+        {"steps", .integer = &steps, .max = 1000, .help = "for spin"},
+        {"ppc", .integer = &ppc, .min = 1, .max = 64, .help = "for filter"},
+    };
+    options_parse("18_mpm_transfer", options, COUNT(options), argc, argv);
+    print_weights(order, 0.385, 0.385 * x);
+    print_transfer(order, dt, kick);
+    print_spin(order, (enum transfer)scheme, steps);
+    print_filter(order, ppc);
+    return table_finish();
+}
