@@ -61,24 +61,26 @@ void live_free(struct live *live)
     free(live);
 }
 
+/* Where the pointer is, or would be if it had stayed within LIVE_FAR. */
+static void within_reach(const struct pointer *pointer, double at[2])
+{
+    at[0] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x));
+    at[1] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y));
+}
+
 /* The hand takes what is near the pointer; false: there is nothing. */
 static int grab(struct live *live, const struct pointer *pointer)
 {
     const struct mesh *mesh = live->mesh;
     int *take = allocate((size_t)mesh->n_vertex, sizeof *take), taken = 0;
-    live->hand[0] = pointer->x;
-    live->hand[1] = pointer->y;
+    within_reach(pointer, live->hand);
     for (int a = 0; a < mesh->n_vertex; a++) {
-        double place[2];
-        for (int i = 0; i < 2; i++) {
-            const int r = 2 * a + i;
-            place[i] = mesh->X[r] + live->now.u[r];
-            live->grip[r] = place[i] - live->hand[i];
-        }
+        for (int r = 2 * a; r < 2 * a + 2; r++)
+            live->grip[r] = mesh->X[r] + live->now.u[r] - live->hand[r % 2];
         const int near = live->set.grab == SIDE
                              ? mesh->X[2 * a] == 1.0
-                             : hypot(place[0] - pointer->x,
-                                     place[1] - pointer->y) <= LIVE_RADIUS;
+                             : hypot(live->grip[2 * a],
+                                     live->grip[2 * a + 1]) <= LIVE_RADIUS;
         take[a] = near && !on_left_side(mesh, a);
         taken += take[a];
     }
@@ -124,8 +126,8 @@ void live_input(struct live *live, const struct pointer *pointer)
 void live_hand(const double from[2], const struct pointer *pointer,
                double to[2])
 {
-    const double target[2] = {fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x)),
-                              fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y))};
+    double target[2];
+    within_reach(pointer, target);
     const double way = hypot(target[0] - from[0], target[1] - from[1]);
     const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
     for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);

@@ -121,7 +121,7 @@ struct pointers pointers_read(const char *path)
         if (!strchr(text, '\n') && !feof(file))
             refuse(path, "line %d is longer than %d characters", line,
                    (int)sizeof text - 2);
-        if (sscanf(text, "%lf %lf %d %c %c", &p.x, &p.y, &p.down, &p.key,
+        if (sscanf(text, "%lf %lf %1d %c %c", &p.x, &p.y, &p.down, &p.key,
                    &rest) != 4 ||
             !isfinite(p.x) || !isfinite(p.y) || (p.down != 0 && p.down != 1) ||
             !strchr(POINTER_KEYS, p.key))
