@@ -179,7 +179,8 @@ static void a_law_is_not_given_what_it_cannot_have(void)
 {
     struct live *live = live_of(4, CUBIC, BACKWARD_EULER);
     const int n = live->mesh->n_vertex;
-    for (int a = 0; a < n; a++) live->now.u[2 * a] = -1.5 * live->mesh->X[2 * a];
+    for (int a = 0; a < n; a++)
+        live->now.u[2 * a] = -1.5 * live->mesh->X[2 * a];
     press(live, "l");
     ck_assert(live->set.law == CUBIC && live->body->material.law == CUBIC);
     press(live, "rl");
@@ -392,13 +393,12 @@ static void midpoint_is_asked_for_its_J(void)
     for (double speed = 5.0; speed < 80.0; speed += 5.0) {
         struct live *live = live_of(2, LOG, IMPLICIT_MIDPOINT);
         live->set.start = LAST_STATE;
+        live->set.ladder = 0;
         for (int r = 0; r < live->n_dof; r += 2)
             live->now.v[r] = -speed * (1.0 + live->mesh->X[r]);
         for (int k = 0; k < 20; k++) {
-            const struct live_report report =
-                play(live, (struct pointer){0.0, 0.0, 0, '.'});
+            play(live, (struct pointer){0.0, 0.0, 0, '.'});
             ck_assert(body_min_J(live->body, live->now.u) > 0.0);
-            ck_assert_str_ne(report.rung, "lost");
         }
         live_free(live);
     }
