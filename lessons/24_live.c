@@ -47,6 +47,21 @@ static void print_summary(const struct live *live, const struct summary *sum)
     table_end();
 }
 
+/* A row of the table, and what is counted. */
+static void print_frame(const struct live *live, int knots, struct cell ms,
+                        const struct live_report *report, struct summary *sum)
+{
+    const double energy = live_energy(live);
+    table_row(++sum->frames, report->rung, status_name(report->first),
+              status_name(report->status), report->systems, report->part,
+              body_min_J(live->body, live->now.u), knots, energy,
+              live->hand[0], live->hand[1], ms);
+    sum->lost += strcmp(report->rung, "lost") == 0;
+    sum->downhill += strcmp(report->rung, "downhill") == 0;
+    if (report->systems > sum->most) sum->most = report->systems;
+    if (energy > sum->energy) sum->energy = energy;
+}
+
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
  * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
  * LIVE_REACH [eq:live-hand]. */
@@ -149,16 +164,8 @@ static void play(struct live *live, const struct pointer *pointer, int timed,
     const struct live_report report =
         live_frame_by(live, elastic_lift, downhill, to);
     const double seconds = clock_seconds() - begin;
-    const double energy = live_energy(live);
-    table_row(++sum->frames, report.rung, status_name(report.first),
-              status_name(report.status), report.systems, report.part,
-              body_min_J(live->body, live->now.u),
-              count_knots(live->mesh, live->now.u), energy, live->hand[0],
-              live->hand[1], cell_if(timed, 1e3 * seconds));
-    sum->lost += strcmp(report.rung, "lost") == 0;
-    sum->downhill += strcmp(report.rung, "downhill") == 0;
-    if (report.systems > sum->most) sum->most = report.systems;
-    if (energy > sum->energy) sum->energy = energy;
+    print_frame(live, count_knots(live->mesh, live->now.u),
+                cell_if(timed, 1e3 * seconds), &report, sum);
     if (window) window_draw(window, live, &report, seconds, shot);
 }
 
