@@ -49,8 +49,10 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
-# Studies are named as NN_slug/what; speed/what are measured by `make bench`.
-STUDIES := $(patsubst figures/%.c,%,$(sort $(wildcard figures/*/*.c)))
+# Studies are named as NN_slug/what; speed/what are measured by `make bench`,
+# many/many, which needs PETSc, by `make many`.
+STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(wildcard \
+               figures/*/*.c))))
 SPEED   := $(filter speed/%,$(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
@@ -100,6 +102,7 @@ help:
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make live         lesson 24 in a window (needs SDL2)'
 	@echo '  make bench        solvers and time steps against others, here'
+	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  mutants-07  memcheck'
 	@echo '                    clean'
@@ -205,11 +208,19 @@ LAPACK = $(shell for l in -lopenblas -llapack; do \
              echo 'int dpbtrf_(void); int main(void) { return dpbtrf_(); }' | \
              $(CC) -w -x c - -o /dev/null $$l 2>/dev/null && echo $$l && break; \
          done)
+# CHOLMOD, too, for the study that asks for it.
+CHOLMOD = $(shell for f in "$$(pkg-config --cflags --libs cholmod \
+              2>/dev/null)" -lcholmod '-I/usr/include/suitesparse -lcholmod'; do \
+              echo 'int main(void) { return !cholmod_start; }' | $(CC) -w \
+              -include cholmod.h -x c - -o /dev/null $$f 2>/dev/null && \
+              echo $$f && break; done)
 $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && $(COMPILE) \
-	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' \
-	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $@ $(LINK) $$lapack
+	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && \
+	    rival='$(if $(filter %/solvers,$*),$(CHOLMOD))' && $(COMPILE) \
+	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
+	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $@ $(LINK) \
+	    $$rival $$lapack
 # One after the other, each time anew, and the pictures with seconds in them in
 # their place in the tree.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
@@ -217,7 +228,8 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 	@for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
 	    data=$(BUILD)/data/$$s.tsv; mkdir -p $${data%/*}; \
 	    printf '  %-8s %s\n' bench "$$s" >&2; \
-	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(BUILD)/figures/$$s \
+	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
+	        $(BUILD)/figures/$$s \
 	        > $$data.part && mv $$data.part $$data && cat $$data || exit 1; \
 	done
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \

@@ -2,54 +2,52 @@
 #include "body.h"
 
 #include "modes.h"
+#include "sparse.h"
 
 #include <assert.h>
-#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Number the free unknowns, row by row from right to left, or in columns from
- * the top down where these are shorter; how many. */
-static int number_equations(const struct mesh *mesh, const int held[],
-                            int equation[])
+/* Number the unknowns that have a number, as the pattern has it, or row by row
+ * from right to left, or in columns from the top down where these are shorter;
+ * how many. */
+static int number_equations(const struct body *body)
 {
-    const int n = mesh->n, rows = mesh->rows, by_rows = n <= rows;
+    const int n = body->mesh->n, rows = body->mesh->rows, by_rows = n <= rows;
     int next = 0;
     for (int line = 0; line <= (by_rows ? rows : n); line++)
         for (int k = by_rows ? n : rows; k >= 0; k--) {
             const int a = by_rows ? line * (n + 1) + k : k * (n + 1) + line;
-            for (int i = 0; i < 2; i++)
-                equation[2 * a + i] = held[a] ? -1 : next++;
+            for (int i = 0; i < 2; i++) {
+                int *r = &body->equation[2 * a + i];
+                if (*r < 0) continue;
+                *r = body->pattern ? 2 * body->pattern->place[a] + i : next;
+                next++;
+            }
         }
     return next;
 }
 
 /* The vertices of triangle e in the order of their equations, so that block
- * (a, b) of its matrix, a >= b, belongs to the lower triangle of K. */
-static void sort_vertices(const struct body *body, int e, int vertex[3])
+ * (a, b) of its matrix, a >= b, belongs to the lower triangle of K; with them
+ * the gradients. */
+static void sort_vertices(struct body *body, int e)
 {
+    int *vertex = &body->vertex[3 * e];
+    double *gradient = &body->gradient[6 * e];
     memcpy(vertex, &body->mesh->triangle[3 * e], 3 * sizeof *vertex);
+    body->area[e] = mesh_gradients(body->mesh, e, gradient);
     for (int k = 0; k < 3; k++) { /* compare 0 1, 1 2, 0 1 */
         int *pair = &vertex[k % 2];
+        double *g = &gradient[k % 2 * 2];
         if (body->equation[2 * pair[0]] > body->equation[2 * pair[1]]) {
             const int first = pair[0];
-            pair[0] = pair[1];
-            pair[1] = first;
+            const double x = g[0], y = g[1];
+            pair[0] = pair[1], pair[1] = first;
+            g[0] = g[2], g[1] = g[3], g[2] = x, g[3] = y;
         }
     }
-}
-
-/* Gradients of the sorted vertices; returns the area. */
-static double sort_gradients(const struct body *body, int e, double gradient[6])
-{
-    double unsorted[6];
-    const double area = mesh_gradients(body->mesh, e, unsorted);
-    for (int a = 0; a < 3; a++)
-        for (int b = 0; b < 3; b++)
-            if (body->vertex[3 * e + a] == body->mesh->triangle[3 * e + b])
-                memcpy(&gradient[2 * a], &unsorted[2 * b], 2 * sizeof(double));
-    return area;
 }
 
 static int half_bandwidth(const struct body *body)
@@ -73,11 +71,30 @@ static void scatter_map(const struct body *body, int place[])
             for (int b = 0; b <= a; b++) {
                 const int row = body->equation[2 * body->vertex[3 * e + a]];
                 const int column = body->equation[2 * body->vertex[3 * e + b]];
-                const size_t at = (size_t)column * body->K->stride +
-                                  (size_t)(row - column);
-                assert(column < 0 || at < INT_MAX);
-                *place++ = column < 0 ? -1 : (int)at;
+                *place++ =
+                    column < 0 ? -1 : matrix_place(body->K, row, column);
             }
+}
+
+void body_store(struct body *body, enum storage storage)
+{
+    const int vertices = body->mesh->n_vertex;
+    assert(storage != DENSE);
+    matrix_free(body->K);
+    sparse_free(body->pattern);
+    body->pattern = NULL;
+    if (storage == SPARSE) {
+        int *held = allocate((size_t)vertices, sizeof *held);
+        for (int a = 0; a < vertices; a++) held[a] = body->equation[2 * a] < 0;
+        body->pattern = sparse_alloc(body->mesh, held, SPARSE_LEAF);
+        free(held);
+    }
+    body->n_equation = number_equations(body);
+    for (int e = 0; e < body->mesh->n_triangle; e++) sort_vertices(body, e);
+    body->K = body->pattern ? matrix_alloc_sparse(body->pattern)
+                            : matrix_alloc(BANDED, body->n_equation,
+                                           half_bandwidth(body));
+    scatter_map(body, body->place);
 }
 
 struct body *body_alloc(const struct mesh *mesh, struct material material,
@@ -86,22 +103,17 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
     const size_t triangles = (size_t)mesh->n_triangle;
     struct body *body = allocate(1, sizeof *body);
     assert(material.law != LINEAR && mesh_clockwise(mesh) < 0);
-    body->mesh = mesh;
-    body->material = material;
-    body->rho = rho;
-    body->mass = mass;
+    *body = (struct body){
+        .mesh = mesh, .material = material, .rho = rho, .mass = mass};
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
-    body->n_equation = number_equations(mesh, held, body->equation);
+    for (int r = 0; r < 2 * mesh->n_vertex; r++)
+        body->equation[r] = held[r / 2] ? -1 : 0;
     body->vertex = allocate(3 * triangles, sizeof(int));
     body->area = allocate(triangles, sizeof(double));
     body->gradient = allocate(6 * triangles, sizeof(double));
-    for (int e = 0; e < mesh->n_triangle; e++) {
-        sort_vertices(body, e, &body->vertex[3 * e]);
-        body->area[e] = sort_gradients(body, e, &body->gradient[6 * e]);
-    }
-    body->K = matrix_alloc(BANDED, body->n_equation, half_bandwidth(body));
     body->place = allocate(6 * triangles, sizeof(int));
-    scatter_map(body, body->place);
+    const int shorter = mesh->n < mesh->rows ? mesh->n : mesh->rows;
+    body_store(body, shorter < BODY_SPARSE_FROM ? BANDED : SPARSE);
     return body;
 }
 
@@ -114,6 +126,7 @@ void body_free(struct body *body)
     free(body->gradient);
     free(body->place);
     matrix_free(body->K);
+    sparse_free(body->pattern);
     free(body);
 }
 
@@ -232,6 +245,7 @@ static void add_projected(struct factors s, const double g[6],
         add_exact(s, g, c, place, stride, entries);
         return;
     }
+    static const enum mode order[4] = {TWIST, FLIP, SCALE_HIGH, SCALE_LOW};
     const struct modes modes = modes_of(F, s.mu, s.dG, s.ddG);
     double d[4][6]; /* dF/du_a in direction m */
     for (int m = 0; m < 4; m++)
@@ -242,11 +256,13 @@ static void add_projected(struct factors s, const double g[6],
         for (int b = 0; b <= a; b++, k++) {
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
-            for (int m = 0; m < 4; m++)
-                for (int i = 0; i < 4 && modes.value[m] > 0.0; i++)
-                    block.m[i / 2][i % 2] += modes.value[m] *
-                                             d[m][2 * a + i / 2] *
-                                             d[m][2 * b + i % 2];
+            for (int i = 0; i < 16; i++) {
+                const enum mode m = order[i / 4];
+                if (modes.value[m] > 0.0)
+                    block.m[i / 2 % 2][i % 2] += modes.value[m] *
+                                                 d[m][2 * a + i / 2 % 2] *
+                                                 d[m][2 * b + i % 2];
+            }
             add_block(block, a, b, place[k], stride, entries);
         }
 }
@@ -271,11 +287,11 @@ enum status body_assemble(struct body *body, double dt, const double w[],
         const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
         if (!material_defined(&body->material, J))
             return isnan(J) ? NONFINITE : INVERTED;
-        const struct volume v = material_volume(&body->material, J);
+        const struct volume v =
+            material_volume_weighted(&body->material, J, area);
         const struct factors s = {rho_aa * body->area[e],
                                   rho_ab * body->area[e],
-                                  area * body->material.mu, area * v.dG,
-                                  area * v.ddG};
+                                  area * body->material.mu, v.dG, v.ddG};
         double c[6], move[6];
 
 #pragma GCC unroll 3
@@ -325,6 +341,7 @@ enum status body_force(const struct body *body, const double u[], double q[])
 
 struct matrix *body_matrix(const struct body *body)
 {
+    if (body->pattern) return matrix_alloc_sparse(body->pattern);
     return matrix_alloc(BANDED, body->n_equation, body->K->p);
 }
 
@@ -361,8 +378,8 @@ double body_max_free(const struct body *body, const double v[])
 {
     double largest = 0.0;
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        if (body->equation[r] >= 0)
-            largest = isfinite(v[r]) ? fmax(largest, fabs(v[r])) : INFINITY;
+        if (body->equation[r] >= 0 && !(fabs(v[r]) <= largest))
+            largest = isfinite(v[r]) ? fabs(v[r]) : INFINITY;
     return largest;
 }
 

@@ -16,13 +16,15 @@
  * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; with dt = 1 and
  * rho = 0 it is quasistatics.
  *
- * Only free vertices have equations.  They are numbered row by row from right
- * to left, so that the diagonals of the mesh do not widen the band: half
- * bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer than
- * the columns it is by columns from the top down: 2 rows + 3.
+ * Only free vertices have equations.  In a band they are numbered row by row
+ * from right to left, so that the diagonals of the mesh do not widen the band:
+ * half bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer
+ * than the columns it is by columns from the top down: 2 rows + 3.  In sparse
+ * storage they are numbered as sparse.h eliminates them.
  *
  * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
- * dpsi = mu (F:dF) + G' (cof F:dF), G' = (lambda r - mu) r', G'' its derivative
+ * dpsi = mu (F:dF) + G' (cof F:dF), G', G'' of
+ * material_volume()
  *
  *     dPsi/du_a = area (mu F g_a + G' c_a)                  [eq:element-force]
  *     K_ab      = area ((mu g_a.g_b) I + G'' c_a c_b^T
@@ -50,7 +52,7 @@ typedef void body_addition(const struct body *body, double dt,
 
 struct body {
     const struct mesh *mesh;  /* borrowed */
-    struct material material; /* LOG or CUBIC */
+    struct material material; /* not LINEAR */
     double rho;               /* density (kg/m^2) */
     enum mass mass;
     int n_equation;
@@ -61,10 +63,15 @@ struct body {
     int *place;       /* [6 n_triangle] scatter map: where in K->a the 2x2
                        * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
                        * element begin; -1: a vertex is prescribed */
-    struct matrix *K; /* tangent of the free unknowns, banded */
+    struct sparse *pattern; /* of K when it is sparse, NULL when banded */
+    struct matrix *K; /* tangent of the free unknowns */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
     const void *added;  /* what add needs; borrowed */
 };
+
+/* From so many cells across the shorter side on, dissection is faster than the
+ * band, and body_alloc() makes K sparse; measured, then fixed. */
+enum { BODY_SPARSE_FROM = 44 };
 
 /*
  * held[a] != 0: both components of vertex a are prescribed; not all may be.
@@ -73,6 +80,10 @@ struct body {
 struct body *body_alloc(const struct mesh *mesh, struct material material,
                         double rho, enum mass mass, const int held[]);
 void body_free(struct body *body);
+
+/* Number the equations anew, for a zero K in this storage, BANDED or SPARSE.
+ * Matrices of body_matrix() that were made before are of no use any more. */
+void body_store(struct body *body, enum storage storage);
 
 /* Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
 enum status body_energy(const struct body *body, const double u[],

@@ -7,7 +7,8 @@
 
 const char *material_law(enum law law)
 {
-    static const char *const name[] = {"linear", "log", "cubic"};
+    static const char *const name[] = {"linear", "log", "cubic", "extended",
+                                       "stable"};
     return name[law];
 }
 
@@ -36,15 +37,54 @@ static double s_minus_r(const struct material *material, double s, double J)
     return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s);
 }
 
-/* mu/2 (F^2 - 1) = mu e^2/2 + mu e with e = F - 1; see s_minus_r. */
+/* G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
+ * order about eps, or about J itself. */
+static inline void extended(const struct material *material, double J,
+                            double G[3])
+{
+    const double mu = material->mu, lambda = material->lambda;
+    const double at = J < EXTENDED_BELOW ? EXTENDED_BELOW : J, t = J - at;
+    const double r = log(at), over = 1.0 / at, dG = (lambda * r - mu) * over;
+    G[2] = (lambda + mu - lambda * r) * over * over;
+    G[1] = dG + G[2] * t;
+    G[0] = -mu * r + 0.5 * lambda * r * r + dG * t + 0.5 * G[2] * t * t;
+}
+
+struct volume material_volume_beyond(const struct material *material, double J,
+                                     double weight)
+{
+    const double mu = material->mu, l = material->lambda + mu;
+    if (material->law == STABLE)
+        return (struct volume){weight * (l * (J - 1.0) - mu), weight * l};
+    double G[3];
+    extended(material, J, G);
+    return (struct volume){weight * G[1], weight * G[2]};
+}
+
+/* shape + mu s + G(J) with s = J - 1; see s_minus_r. */
+static double add_volume(const struct material *material, double shape,
+                         double J, double s)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law == STABLE) return shape + 0.5 * (lambda + mu) * s * s;
+    if (material->law == EXTENDED && J < EXTENDED_BELOW) {
+        double G[3];
+        extended(material, J, G);
+        return shape + mu * s + G[0];
+    }
+    struct material like = *material;
+    if (material->law == EXTENDED) like.law = LOG;
+    const double r = material_r(&like, J).r;
+    return shape + mu * s_minus_r(&like, s, J) + 0.5 * lambda * r * r;
+}
+
+/* mu/2 (F^2 - 1) = mu e^2/2 + mu e with e = F - 1; see add_volume. */
 double material1_psi(const struct material *material, double F)
 {
-    const double mu = material->mu, lambda = material->lambda, e = F - 1.0;
+    const double mu = material->mu, e = F - 1.0;
     if (material->law == LINEAR)
         return 0.5 * material_modulus(material) * e * e;
-    const double r = material_r(material, F).r;
-    return 0.5 * mu * e * e + mu * s_minus_r(material, e, F) +
-           0.5 * lambda * r * r;
+    return add_volume(material, 0.5 * mu * e * e, F, e);
 }
 
 double material1_pk1(const struct material *material, double F)
@@ -56,7 +96,11 @@ double material1_pk1(const struct material *material, double F)
 double material1_dpk1(const struct material *material, double F)
 {
     if (material->law == LINEAR) return material_modulus(material);
-    return material->mu + material_volume(material, F).ddG;
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law > CUBIC)
+        return mu + material_volume_beyond(material, F, 1.0).ddG;
+    const struct volumetric v = material_r(material, F);
+    return mu + lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
 }
 
 /* With H = F - I and s = J - 1: F:F - 2 = H:H + 2 tr H = H:H + 2 (s - det H).
@@ -72,9 +116,8 @@ double material2_psi(const struct material *material, mat2 F)
     }
     const double s = mat2_trace(H) + mat2_det(H);
     const double J = s < -0.5 ? mat2_det(F) : 1.0 + s;
-    const double r = material_r(material, J).r;
-    return 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H) +
-           mu * s_minus_r(material, s, J) + 0.5 * lambda * r * r;
+    return add_volume(material, 0.5 * mu * mat2_dot(H, H) - mu * mat2_det(H), J,
+                      s);
 }
 
 mat2 material2_pk1(const struct material *material, mat2 F)

@@ -7,11 +7,20 @@
  *     CUBIC   the same with r = s - s^2/2 + s^3/3, s = J - 1
  *                                              [eq:psi-neohookean] [eq:r-cubic]
  *
+ *     All but LINEAR are psi = mu/2 (F:F - d) + G(J) and differ in G alone; two
+ *     more exist for every F:
+ *
+ *     EXTENDED  the G of LOG for J >= eps = EXTENDED_BELOW, and below it the
+ *               polynomial of second order that continues it  [eq:g-extended]
+ *     STABLE    G = l/2 (J - 1)^2 - mu (J - 1), l = lambda + mu, which is
+ *               l/2 (J - 1 - mu/l)^2 up to a constant          [eq:psi-stable]
+ *
  * J = det F, d the dimension: 1 (uniaxial strain, F a number) or 2 (plane
  * strain).  P = d psi / d F; stresses in the unit of E, per undeformed area.
  *
  * Source: Bonet & Wood, Nonlinear Continuum Mechanics for Finite Element
- * Analysis, 2nd ed., sec. 6.4.3 (LOG); the cubic r is the lecture notes'.
+ * Analysis, 2nd ed., sec. 6.4.3 (LOG); the cubic r is the lecture notes';
+ * Smith, de Goes & Kim, ACM Trans. Graph. 37 (2018), sec. 3 (STABLE).
  */
 #ifndef COMMON_MATERIAL_H
 #define COMMON_MATERIAL_H
@@ -21,9 +30,10 @@
 #include <assert.h>
 #include <math.h>
 
-enum law { LINEAR, LOG, CUBIC };
-#define MATERIAL_LAWS "linear log cubic" /* as words, in this order */
-const char *material_law(enum law law);  /* "linear", "log", "cubic" */
+enum law { LINEAR, LOG, CUBIC, EXTENDED, STABLE };
+#define MATERIAL_LAWS "linear log cubic" /* the notes' three as words */
+const char *material_law(enum law law);  /* "linear" ... "stable" */
+#define EXTENDED_BELOW 0.25              /* eps */
 
 struct material {
     enum law law;
@@ -65,18 +75,29 @@ static inline struct volumetric material_r(const struct material *material,
                                1.0 - s + s * s, -1.0 + 2.0 * s};
 }
 
-/* G' and G'' of psi = mu/2 (F:F - d) + G(J), G = -mu r + lambda/2 r^2: all that
- * a body has to know of a law beside mu. */
+/* G' and G'' of psi = mu/2 (F:F - d) + G(J), for every law but LINEAR: all that
+ * a body has to know of a law beside mu.  LOG, CUBIC: G = -mu r + lambda/2 r^2.
+ * Weighted: both times weight, in element loops. */
 struct volume {
     double dG, ddG;
 };
+struct volume material_volume_beyond(const struct material *material, double J,
+                                     double weight); /* EXTENDED, STABLE */
+static inline struct volume material_volume_weighted(
+    const struct material *material, double J, double weight)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    if (material->law > CUBIC)
+        return material_volume_beyond(material, J, weight);
+    const struct volumetric v = material_r(material, J);
+    return (struct volume){
+        weight * (lambda * v.r - mu) * v.dr,
+        weight * (lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr)};
+}
 static inline struct volume material_volume(const struct material *material,
                                             double J)
 {
-    const struct volumetric v = material_r(material, J);
-    const double slope = material->lambda * v.r - material->mu; /* dG/dr */
-    return (struct volume){
-        slope * v.dr, material->lambda * v.dr * v.dr + slope * v.ddr};
+    return material_volume_weighted(material, J, 1.0);
 }
 
 /* One dimension.  F must be where the material is defined (asserted). */

@@ -1,21 +1,35 @@
-/* matrix.c - see matrix.h.  GSL does what is dense, banded.h the wide bands. */
+/* matrix.c - see matrix.h.  GSL does what is dense, banded.h the wide bands,
+ * and sparse.h what is sparse. */
 #include "matrix.h"
 
 #include "banded.h"
+#include "sparse.h"
 
 #include <assert.h>
 #include <float.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_sort_vector.h>
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Where entry (i, j) lives; banded storage holds i >= j only. */
+const char *storage_name(enum storage storage)
+{
+    static const char *const name[] = {"dense", "banded", "sparse"};
+    return name[storage];
+}
+
+/* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
+ * storage hold i >= j only. */
 static double *entry(const struct matrix *A, int i, int j)
 {
+    if (A->storage == SPARSE) {
+        const int block = sparse_block(A->pattern, i / 2, j / 2);
+        return block < 0 ? NULL : &A->a[4 * block + j % 2 * 2 + i % 2];
+    }
     const size_t row = (size_t)(A->storage == DENSE ? i : j);
     const size_t at = (size_t)(A->storage == DENSE ? j : i - j);
     return &A->a[row * A->stride + at];
@@ -32,21 +46,35 @@ static double *allocate_lines(size_t n)
 
 struct matrix *matrix_alloc(enum storage storage, int n, int p)
 {
-    assert(n > 0);
+    assert(n > 0 && storage != SPARSE);
     struct matrix *A = allocate(1, sizeof *A);
     A->storage = storage;
     A->n = n;
     A->p = storage == DENSE || p >= n ? n - 1 : p;
     A->stride = A->p >= BAND_WIDE && storage == BANDED ? band_stride(A->p)
                                                        : (size_t)A->p + 1;
-    A->a = allocate_lines((size_t)n * A->stride);
+    A->size = (size_t)n * A->stride;
+    A->a = allocate_lines(A->size);
+    return A;
+}
+
+struct matrix *matrix_alloc_sparse(const struct sparse *pattern)
+{
+    struct matrix *A = allocate(1, sizeof *A);
+    const int n = 2 * pattern->n_vertex;
+    *A = (struct matrix){.storage = SPARSE, .n = n, .p = n - 1, .stride = 3,
+                         .pattern = pattern};
+    A->size = 4 * (size_t)pattern->start[pattern->n_vertex];
+    A->a = allocate_lines(A->size);
     return A;
 }
 
 struct matrix *matrix_copy(const struct matrix *A)
 {
-    struct matrix *copy = matrix_alloc(A->storage, A->n, A->p);
-    memcpy(copy->a, A->a, matrix_bytes(A));
+    struct matrix *copy = A->storage == SPARSE
+                              ? matrix_alloc_sparse(A->pattern)
+                              : matrix_alloc(A->storage, A->n, A->p);
+    memcpy(copy->a, A->a, A->size * sizeof *A->a);
     return copy;
 }
 
@@ -65,26 +93,38 @@ void matrix_free(struct matrix *A)
 {
     if (!A) return;
     free(A->a);
+    free(A->factor);
     free(A);
 }
 
 void matrix_zero(struct matrix *A)
 {
-    memset(A->a, 0, matrix_bytes(A));
+    memset(A->a, 0, A->size * sizeof *A->a);
 }
 
 void matrix_add(struct matrix *A, int i, int j, double value)
 {
     assert(0 <= i && i < A->n && 0 <= j && j < A->n && abs(i - j) <= A->p);
-    if (A->storage == DENSE || i >= j) *entry(A, i, j) += value;
+    if (A->storage != DENSE && i < j) return;
+    double *A_ij = entry(A, i, j);
+    assert(A_ij);
+    *A_ij += value;
 }
 
 double matrix_get(const struct matrix *A, int i, int j)
 {
     assert(0 <= i && i < A->n && 0 <= j && j < A->n);
     if (abs(i - j) > A->p) return 0.0;
-    if (A->storage == BANDED && i < j) return *entry(A, j, i);
-    return *entry(A, i, j);
+    const double *A_ij = A->storage != DENSE && i < j ? entry(A, j, i)
+                                                      : entry(A, i, j);
+    return A_ij ? *A_ij : 0.0;
+}
+
+int matrix_place(const struct matrix *A, int i, int j)
+{
+    const double *A_ij = entry(A, i, j);
+    assert(i >= j && A_ij && A_ij - A->a < INT_MAX);
+    return (int)(A_ij - A->a);
 }
 
 static void set(struct matrix *A, int i, int j, double value)
@@ -96,6 +136,7 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
                       const int node[], const double value[],
                       enum diagonal diagonal)
 {
+    assert(A->storage != SPARSE);
     for (int f = 0; f < n_fixed; f++) {
         const int k = node[f];
         const int first = k - A->p > 0 ? k - A->p : 0;
@@ -166,6 +207,11 @@ static void narrow_solve(const struct matrix *L, double b[])
 
 enum status matrix_factor(struct matrix *A)
 {
+    if (A->storage == SPARSE) {
+        const struct sparse *s = A->pattern;
+        if (!A->factor) A->factor = allocate_lines(s->factor + s->work);
+        return sparse_factor(s, A->a, A->factor, A->factor + s->factor);
+    }
     if (A->storage == DENSE) return dense_factor(A);
     if (A->p < BAND_WIDE) return narrow_factor(A);
     return band_factor(A->n, A->p, A->stride, A->a);
@@ -173,7 +219,10 @@ enum status matrix_factor(struct matrix *A)
 
 void matrix_solve(const struct matrix *L, double b[])
 {
-    if (L->storage == BANDED && L->p < BAND_WIDE) {
+    if (L->storage == SPARSE) {
+        const struct sparse *s = L->pattern;
+        sparse_solve(s, L->factor, L->factor + s->factor, b);
+    } else if (L->storage == BANDED && L->p < BAND_WIDE) {
         narrow_solve(L, b);
     } else if (L->storage == BANDED) {
         band_solve(L->n, L->p, L->stride, L->a, b);
@@ -185,9 +234,40 @@ void matrix_solve(const struct matrix *L, double b[])
     }
 }
 
+/* For a sparse A: its vertices, as the mesh numbers them, make a band. */
+static enum status solve_in_a_band(const struct matrix *A, double b[],
+                                   int *negative)
+{
+    const struct sparse *s = A->pattern;
+    int *rank = allocate((size_t)s->n_vertex, sizeof *rank), next = 0, p = 1;
+    double *x = allocate((size_t)A->n, sizeof *x);
+    for (int a = 0; next < s->n_vertex; a++)
+        if (s->place[a] >= 0) rank[s->place[a]] = next++;
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = s->start[v]; k < s->start[v + 1]; k++)
+            if (2 * abs(rank[s->row[k]] - rank[v]) + 1 > p)
+                p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
+    struct matrix *band = matrix_alloc(BANDED, A->n, p);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = 4 * s->start[v]; k < 4 * s->start[v + 1]; k++) {
+            const int i = 2 * rank[s->row[k / 4]] + k % 2;
+            const int j = 2 * rank[v] + k / 2 % 2;
+            if (A->a[k] != 0.0)
+                matrix_add(band, i > j ? i : j, i > j ? j : i, A->a[k]);
+        }
+    for (int i = 0; i < A->n; i++) x[2 * rank[i / 2] + i % 2] = b[i];
+    const enum status status = matrix_solve_indefinite(band, x, negative);
+    for (int i = 0; i < A->n; i++) b[i] = x[2 * rank[i / 2] + i % 2];
+    matrix_free(band);
+    free(rank);
+    free(x);
+    return status;
+}
+
 enum status matrix_solve_indefinite(const struct matrix *A, double b[],
                                     int *negative)
 {
+    if (A->storage == SPARSE) return solve_in_a_band(A, b, negative);
     /* GSL wants rows of p + 1 numbers, without room behind them */
     const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
     double *copy = allocate(n * row, sizeof *copy);
@@ -215,7 +295,8 @@ void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
 {
     assert(A->storage == B->storage && A->n == B->n && A->p == B->p);
     assert(A->storage == C->storage && A->n == C->n && A->p == C->p);
-    for (size_t i = 0; i < (size_t)A->n * A->stride; i++)
+    assert(A->pattern == B->pattern && A->pattern == C->pattern);
+    for (size_t i = 0; i < A->size; i++)
         C->a[i] = A->a[i] + s * B->a[i];
 }
 
@@ -243,8 +324,34 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[])
     return status;
 }
 
+/* Of every block and of its mirror image; a block of the diagonal is one. */
+static void multiply_blocks(const struct matrix *A, const double x[],
+                            double y[])
+{
+    const struct sparse *s = A->pattern;
+    memset(y, 0, (size_t)A->n * sizeof *y);
+    for (int j = 0; j < s->n_vertex; j++) {
+        const double *x_j = &x[2 * j], *a = &A->a[4 * s->start[j]];
+        y[2 * j] += a[0] * x_j[0] + a[1] * x_j[1];
+        y[2 * j + 1] += a[1] * x_j[0] + a[3] * x_j[1];
+        for (int b = s->start[j] + 1; b < s->start[j + 1]; b++) {
+            const double *x_i = &x[2 * s->row[b]];
+            double *y_i = &y[2 * s->row[b]];
+            a += 4;
+            y_i[0] += a[0] * x_j[0] + a[2] * x_j[1];
+            y_i[1] += a[1] * x_j[0] + a[3] * x_j[1];
+            y[2 * j] += a[0] * x_i[0] + a[1] * x_i[1];
+            y[2 * j + 1] += a[2] * x_i[0] + a[3] * x_i[1];
+        }
+    }
+}
+
 void matrix_multiply(const struct matrix *A, const double x[], double y[])
 {
+    if (A->storage == SPARSE) {
+        multiply_blocks(A, x, y);
+        return;
+    }
     for (int i = 0; i < A->n; i++) {
         const int first = i - A->p > 0 ? i - A->p : 0;
         const int last = i + A->p < A->n - 1 ? i + A->p : A->n - 1;
@@ -287,7 +394,17 @@ double matrix_backward_error(const struct matrix *A, const double u[],
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    return (size_t)A->n * A->stride * sizeof *A->a;
+    return (A->size +
+            (A->factor ? A->pattern->factor + A->pattern->work : 0)) *
+           sizeof *A->a;
+}
+
+double matrix_max_diagonal(const struct matrix *A)
+{
+    double largest = 0.0;
+    for (int r = 0; r < A->n; r++)
+        largest = fmax(largest, matrix_get(A, r, r));
+    return largest;
 }
 
 struct matrix_cost matrix_cost(enum storage storage, int n, int p)

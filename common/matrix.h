@@ -1,7 +1,7 @@
 /*
  * matrix.h - symmetric linear systems: assemble, correct, factor, solve.
  *
- * Two storages behind one interface.  Number the nodes along the bar and
+ * Three storages behind one interface.  Number the nodes along the bar and
  * A[i][j] = 0 whenever |i - j| > p.  Keeping only the band costs n (p + 1)
  * numbers and about n (p + 1)^2 flops to factor, instead of n^2 and n^3 / 3
  * [eq:band-cost].  Half bandwidth p = 1 is the tridiagonal case.
@@ -15,7 +15,8 @@
  * The banded layout is LAPACK's lower band (uplo L, ldab = stride), and for a
  * narrow band, where stride = p + 1, GSL's symmetric band format.  Columns of a
  * wide one (BAND_WIDE, banded.h) have room behind them that holds zeros.  The
- * entries * beyond the last row are zero and stay it.
+ * entries * beyond the last row are zero and stay it.  SPARSE is sparse.h: 2x2
+ * blocks by columns, in the order of nested dissection, and factors elsewhere.
  *
  * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.2, 4.3;
  *         GSL manual, "Linear Algebra", "Symmetric Banded Format".
@@ -27,15 +28,21 @@
 
 #include <stddef.h>
 
-enum storage { DENSE, BANDED };
+struct sparse; /* sparse.h: a pattern and the order of its elimination */
+
+enum storage { DENSE, BANDED, SPARSE };
 enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
 
 struct matrix {
     enum storage storage;
     int n;         /* order */
-    int p;         /* half bandwidth, 0 <= p < n; n - 1 when dense */
-    size_t stride; /* numbers per row (dense) or column (banded) */
+    int p;         /* half bandwidth, 0 <= p < n; n - 1 unless banded */
+    size_t stride; /* numbers per row (dense), per column (banded); sparse: 3,
+                    * from a block's entry (0, 0) to (1, 1) */
+    size_t size;   /* numbers of a */
     double *a;     /* entries, see above; owned */
+    const struct sparse *pattern; /* of sparse storage; borrowed */
+    double *factor; /* sparse: L and room to work, or NULL; owned */
 };
 
 /* What a matrix costs, see matrix_cost(). */
@@ -45,12 +52,16 @@ struct matrix_cost {
     double solve;   /* flops of the two triangular solves */
 };
 
+/* The storage as the word that programs print: "dense", "banded", "sparse". */
+const char *storage_name(enum storage storage);
+
 /* A zero matrix; p is ignored when dense.  The caller frees it. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
+struct matrix *matrix_alloc_sparse(const struct sparse *pattern);
 struct matrix *matrix_copy(const struct matrix *A);
 
 /* A new matrix, of A's storage: rows and columns first .. first + n - 1 of A,
- * which is what is left when the others are struck out. */
+ * which is what is left when the others are struck out.  Not sparse. */
 struct matrix *matrix_block(const struct matrix *A, int first, int n);
 void matrix_free(struct matrix *A);
 
@@ -58,13 +69,18 @@ void matrix_free(struct matrix *A);
 void matrix_zero(struct matrix *A);
 
 /*
- * A[i][j] += value, for |i - j| <= p (asserted: a band that is too narrow is a
- * bug in the caller).  Banded storage drops what lies above the diagonal, so an
- * element loop scatters its whole symmetric matrix into either storage.
+ * A[i][j] += value, for |i - j| <= p, or within the pattern (asserted: a band
+ * that is too narrow is a bug in the caller).  Banded and sparse storage drop
+ * what lies above the diagonal, so an element loop scatters its whole symmetric
+ * matrix into any storage.
  */
 void matrix_add(struct matrix *A, int i, int j, double value);
 
-/* A[i][j]; 0 outside the band. */
+/* Where in a entry (i, j), i >= j, is, for an element loop that adds to a by
+ * itself; of even i and j when sparse. */
+int matrix_place(const struct matrix *A, int i, int j);
+
+/* A[i][j]; 0 outside the band or the pattern. */
 double matrix_get(const struct matrix *A, int i, int j);
 
 /*
@@ -75,14 +91,15 @@ double matrix_get(const struct matrix *A, int i, int j);
  *     row k and column k := 0, A_kk := d, b_k := d u_k,
  *
  * d being the old A_kk (KEEP_DIAGONAL, which leaves the scale of the matrix
- * alone) or 1 (UNIT_DIAGONAL).  The order of the nodes does not matter.
+ * alone) or 1 (UNIT_DIAGONAL).  The order of the nodes does not matter.  Not
+ * sparse: there what is prescribed is left out.
  */
 void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
                       const int node[], const double value[],
                       enum diagonal diagonal);
 
 /*
- * Cholesky factorisation A = L L^T in place [eq:cholesky].
+ * Cholesky factorisation A = L L^T [eq:cholesky], in place unless sparse.
  *
  * NOT_SPD when a pivot is not above n eps times its own diagonal entry, which
  * is where round-off leaves the last pivot of a singular matrix; NaN is caught
@@ -97,10 +114,10 @@ enum status matrix_factor(struct matrix *A);
 void matrix_solve(const struct matrix *L, double b[]);
 
 /*
- * b := A^{-1} b for a banded A that is not factored and need not be positive
- * definite, by GSL's L D L^T without pivoting.  *negative (or NULL) is the
- * number of negative pivots D_jj, which is the number of negative eigenvalues
- * of A (Sylvester's law of inertia).
+ * b := A^{-1} b for an A that is not factored, not dense, and need not be
+ * positive definite, by GSL's L D L^T without pivoting, in a band.  *negative
+ * (or NULL) is the number of negative pivots D_jj, which is the number of
+ * negative eigenvalues of A (Sylvester's law of inertia).
  *
  * NOT_SPD: a pivot is 0 to round-off, |D_jj| <= eps |A_jj|; b and *negative are
  * then meaningless.
@@ -136,8 +153,11 @@ double matrix_residual(const struct matrix *A, const double x[],
 double matrix_backward_error(const struct matrix *A, const double u[],
                              const double b[]);
 
-/* Bytes that the entries occupy. */
+/* Bytes that the entries occupy; sparse: and the factor, when there is one. */
 size_t matrix_bytes(const struct matrix *A);
+
+/* The largest entry of the diagonal, or 0; NaN is not looked at. */
+double matrix_max_diagonal(const struct matrix *A);
 
 /*
  * What order n and half bandwidth p cost, without a matrix [eq:band-cost]; p is

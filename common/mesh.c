@@ -5,6 +5,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct mesh *mesh_square(int n)
 {
@@ -32,6 +33,18 @@ struct mesh *mesh_rectangle(int n, int rows, double a, double b)
             *t++ = low, *t++ = low + 1, *t++ = up + 1;
             *t++ = low, *t++ = up + 1, *t++ = up;
         }
+    return mesh;
+}
+
+/* For body.c: a row of three vertices, and no cells above it. */
+struct mesh *mesh_triangle(const double X[6])
+{
+    struct mesh *mesh = allocate(1, sizeof *mesh);
+    *mesh = (struct mesh){.n = 2, .rows = 0, .n_vertex = 3, .n_triangle = 1};
+    mesh->X = allocate(6, sizeof *mesh->X);
+    mesh->triangle = allocate(3, sizeof *mesh->triangle);
+    memcpy(mesh->X, X, 6 * sizeof *X);
+    for (int a = 0; a < 3; a++) mesh->triangle[a] = a;
     return mesh;
 }
 

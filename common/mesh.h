@@ -23,6 +23,9 @@ struct mesh *mesh_square(int n); /* (-1, 1) x (-1, 1), n rows */
 /* (-a, a) x (-b, b); the column of Lecture 3 is 80 cells by 8, a = 1, b = 0.1.
  */
 struct mesh *mesh_rectangle(int n, int rows, double a, double b);
+/* One triangle, its corners at (X[0], X[1]), (X[2], X[3]), (X[4], X[5]),
+ * counter-clockwise. */
+struct mesh *mesh_triangle(const double X[6]);
 void mesh_free(struct mesh *mesh);
 
 /* The first triangle whose area is not > 0 (clockwise or flat), or -1. */

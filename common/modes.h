@@ -39,7 +39,7 @@ struct modes {
     mat2 direction[4]; /* dF, of length 1 */
 };
 
-/* From mu, G'(J) and G''(J); or those of a material, LOG or CUBIC, at F. */
+/* From mu, G'(J) and G''(J); or those of a material, not LINEAR, at F. */
 struct modes modes_of(mat2 F, double mu, double dG, double ddG);
 struct modes modes_at(const struct material *material, mat2 F);
 

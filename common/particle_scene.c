@@ -116,6 +116,19 @@ enum status particles_turn(struct particles *p, const struct grid *grid,
     return OK;
 }
 
+void grid_shake(const struct grid *grid, double size, double u[])
+{
+    for (int r = 0; r < 2 * grid->n_node; r++) {
+        double x[2];
+        grid_place(grid, r / 2, x);
+        const long i = lround(x[0] / grid->h), j = lround(x[1] / grid->h);
+        /* three primes, so that neighbours have nothing in common */
+        const long mixed =
+            7919 * (i + 11) + 104729 * (j + 13) + 1299709 * (r % 2 + 1);
+        u[r] = size * ((double)(mixed % 1009) / 1009.0 - 0.5);
+    }
+}
+
 void grid_kick(struct grid *grid, const double v[2], double omega)
 {
     for (int a = 0; a < grid->n_node; a++) {
@@ -188,6 +201,41 @@ struct cloud cloud_wave(int order, int cells, int ppc, double k,
     assert(status == OK);
     (void)status;
     return cloud;
+}
+
+struct cloud cloud_bar(int order, int cells, int ppc, double F, double shift)
+{
+    const double h = 1.0 / cells, low[2] = {-2.0 * h, -0.5};
+    const int nodes[2] = {(int)ceil(F * cells + shift) + 5, 1};
+    const double ends[2][2] = {{0.0, -0.5}, {1.0, 0.5}};
+    const int count[2] = {cells * ppc, 1};
+    struct cloud bar = {grid_alloc(order, low, h, nodes),
+                        particles_box(ends[0], ends[1], count, 1.0)};
+    for (int q = 0; q < bar.p->n; q++) {
+        bar.p->x[2 * q] = F * bar.p->x[2 * q] + shift * h;
+        bar.p->F[q].m[0][0] = F;
+    }
+    const enum status status = grid_p2g(bar.grid, bar.p);
+    assert(status == OK);
+    (void)status;
+    return bar;
+}
+
+struct inner cloud_bar_inner(struct cloud bar, const double f[])
+{
+    const double first = bar.p->x[0], last = bar.p->x[2 * (bar.p->n - 1)];
+    const double edge = 0.5 * (last - first) / (bar.p->n - 1);
+    const double room = 2.0 * bar.grid->h - edge;
+    struct inner worst = {0.0, 0.0};
+    for (int a = 0; a < bar.grid->n_node; a++) {
+        double x[2];
+        grid_place(bar.grid, a, x);
+        if (x[0] < first + room || x[0] > last - room) continue;
+        worst.force = fmax(worst.force, fabs(f[2 * a]));
+        worst.acceleration =
+            fmax(worst.acceleration, fabs(f[2 * a]) / bar.grid->mass[a]);
+    }
+    return worst;
 }
 
 void cloud_free(struct cloud cloud)

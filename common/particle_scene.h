@@ -3,6 +3,8 @@
  *
  *     seven   particles with irregular data, for identities to round-off
  *     disc    of a square lattice, to be turned
+ *     bar     stretched, under one stress
+ *     shake   of the nodes, for forces
  *     wave    v = cos kx along a bar; what a transfer leaves of it is a filter
  *
  * APIC knows a motion's gradient from B.  Where a motion is set, a grid stands
@@ -22,6 +24,10 @@ struct particles *particles_seven(const struct grid *grid);
  * within the radius of the centre. */
 struct particles *particles_disc(const double centre[2], double radius,
                                  double spacing, double rho);
+
+/* u := an irregular displacement of every node within +-size/2 per axis (m),
+ * which depends on size and on where the node is, in cells from 0. */
+void grid_shake(const struct grid *grid, double size, double u[]);
 
 /* v_p := v + omega x (x_p - centre), B_p = omega x D_p.  Statuses as
  * grid_support(); v and B are then incomplete. */
@@ -53,7 +59,20 @@ struct cloud cloud_seven(int order, enum transfer transfer);
 struct cloud cloud_disc(int order, int cells, enum transfer transfer);
 struct cloud cloud_wave(int order, int cells, int ppc, double k,
                         enum transfer transfer);
+/*
+ * A bar of length 1 and density 1 with ppc particles in each cell of 1 / cells,
+ * which has been stretched already: x = F X + shift h, F_p = F.  The grid goes
+ * from -2 h to 2 h or more beyond the bar and has the masses of P2G.
+ */
+struct cloud cloud_bar(int order, int cells, int ppc, double F, double shift);
 void cloud_free(struct cloud cloud);
+
+/* The largest |f_a| and |f_a| / m_a along a bar's axis, at nodes that are two
+ * cells or more away from both of its ends. */
+struct inner {
+    double force, acceleration;
+};
+struct inner cloud_bar_inner(struct cloud bar, const double f[]);
 
 /*
  * What one transfer leaves of the wave in the limit of many particles per cell

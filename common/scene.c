@@ -118,11 +118,16 @@ void scene_hold(struct scene *scene, double t)
     }
 }
 
+void scene_rest(struct scene *scene)
+{
+    memset(scene->u, 0, 3 * (size_t)scene->n_dof * sizeof *scene->u);
+    scene->steps = 0;
+}
+
 void scene_press(struct scene *scene, double e, double push)
 {
     scene->set.reach = e;
     scene_hold(scene, M_PI_2); /* sin t = 1 */
-    memset(scene->u, 0, (size_t)scene->n_dof * sizeof *scene->u);
     step_boundary(scene->body, scene->g, 1, scene->u);
     for (int y = 1; y < scene->n_dof; y += 2)
         if (!scene->held[y / 2])

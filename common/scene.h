@@ -72,8 +72,11 @@ void scene_free(struct scene *scene);
 /* g := the prescribed values at time t (0 where nothing is held). */
 void scene_hold(struct scene *scene, double t);
 
-/* u := the ends of a column moved inwards by e, the rest in proportion, and
- * pushed sideways, by `push` in the middle (m). */
+/* u, v, v_before and steps := 0. */
+void scene_rest(struct scene *scene);
+
+/* The guess for a column whose ends have moved on to e inwards: the way there
+ * lifted into u [eq:lift-2d], and pushed sideways, `push` in the middle (m). */
 void scene_press(struct scene *scene, double e, double push);
 
 /* The next step of backward Euler of step.h.  u, v and steps stay as they are

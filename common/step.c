@@ -34,14 +34,6 @@ const char *step_reason(const struct step_control *control,
     return blown_up && !control->line_search ? "fails" : status_name(status);
 }
 
-static double max_diagonal(const struct matrix *K)
-{
-    double largest = 0.0;
-    for (int r = 0; r < K->n; r++)
-        largest = fmax(largest, matrix_get(K, r, r));
-    return largest;
-}
-
 /*
  * Phi(u) [eq:incremental-potential], and in *noise the size of what is added
  * up, on which its round-off depends.  work: [4 n_vertex].
@@ -169,7 +161,8 @@ static struct step_report newton(struct body *body,
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
-    struct step_report report = {.increment = INFINITY};
+    struct step_report report = {.increment = INFINITY,
+                                 .storage = body->K->storage};
     double scale = 0.0;
     int fresh = 1, as_it_is = 0, halved = 0;
 
@@ -179,7 +172,7 @@ static struct step_report newton(struct body *body,
         report.status = body_assemble(body, dt, w, f, u,
                                       with_K ? kind : NO_TANGENT, work.q);
         if (report.status != OK) break;
-        if (with_K) scale = max_diagonal(body->K);
+        if (with_K) scale = matrix_max_diagonal(body->K);
         report.residual = body_max_free(body, work.q) / scale;
         if (small && report.residual <= control->tolerance) break;
         /* |du| cannot change u any more, and still q is not small */

@@ -58,6 +58,7 @@ struct step_report {
     int indefinite;     /* of them with a K that was not SPD, as it was */
     double residual;    /* the last max|q| / max K_ii of free unknowns (m) */
     double increment;   /* the last max|du| (m) */
+    enum storage storage; /* of K: body_alloc() chose it, or body_store() */
 };
 
 /*

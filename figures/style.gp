@@ -10,6 +10,7 @@ set style line 1 lc rgb "#0072B2" lw 2 pt 7 ps 0.6     # computed, first
 set style line 2 lc rgb "#D55E00" lw 2 pt 5 ps 0.6     # computed, second
 set style line 3 lc rgb "#009E73" lw 2 pt 9 ps 0.7     # computed, third
 set style line 4 lc rgb "#CC79A7" lw 2 pt 13 ps 0.7    # computed, fourth
+set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7    # computed, fifth
 set style line 8 lc rgb "#000000" lw 1 dt 2            # exact or expected
 set style line 9 lc rgb "#999999" lw 0.5               # axes and grid
 

@@ -125,6 +125,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
     table_begin("descent", "state definite never demand always");
     for (int k = 0, definite = 0; k < 3; k++) {
         double slope[3] = {0.0, 0.0, 0.0};
+        scene_rest(s);
         scene_press(s, load[k], 1e-3);
         if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
@@ -151,6 +152,7 @@ static void print_column(struct scene *s, double e, double *q, double *du)
         struct step_control control = step_method(method[m]);
         double energy;
         control.max_iterations = 400;
+        scene_rest(s);
         scene_press(s, e, push);
         direction(s->body, m, s->u, q, du, &start);
         const struct step_report report =

@@ -79,14 +79,14 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     const double z = 0.5 * atan2(2.0 * (G.ddG * s1 * s2 + G.dG),
                                  G.ddG * (s2 * s2 - s1 * s1));
     const double half = sqrt(0.5);
-    const mat2 E[4] = {{{{0.0, -half}, {half, 0.0}}},
-                       {{{0.0, half}, {half, 0.0}}},
-                       {{{-sin(z), 0.0}, {0.0, cos(z)}}},
-                       {{{cos(z), 0.0}, {0.0, sin(z)}}}};
+    const mat2 E[] = {{{{0.0, -half}, {half, 0.0}}},
+                      {{{0.0, half}, {half, 0.0}}},
+                      {{{-sin(z), 0.0}, {0.0, cos(z)}}},
+                      {{{cos(z), 0.0}, {0.0, sin(z)}}}};
     const mat2 turned = mat2_multiply(mat2_transpose(svd.U),
                                       mat2_multiply(dF, svd.V));
     mat2 sum = {0};
-    for (int m = 0; m < 4; m++) {
+    for (int m = TWIST; m <= SCALE_HIGH; m++) {
         const double factor = fmax(value[m], floor) * mat2_dot(E[m], turned);
         sum = mat2_add(sum, mat2_scale(factor, E[m]));
     }
@@ -150,6 +150,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
     table_begin("descent", "state definite never demand always");
     for (int k = 0, definite = 0; k < 3; k++) {
         double slope[3] = {0.0, 0.0, 0.0};
+        scene_rest(s);
         scene_press(s, load[k], 1e-3);
         if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
@@ -176,6 +177,7 @@ static void print_column(struct scene *s, double e, double *q, double *du)
         struct step_control control = step_method(method[m]);
         double energy;
         control.max_iterations = 400;
+        scene_rest(s);
         scene_press(s, e, push);
         direction(s->body, m, s->u, q, du, &start);
         const struct step_report report =

@@ -27,7 +27,7 @@ static struct scene *unloaded(int start)
     return scene_alloc(&set);
 }
 
-enum end { REST, STABLE, SADDLE, STOPPED /* as not SPD */, FAILS, ENDS };
+enum end { REST, MINIMUM, NO_MINIMUM, STOPPED /* as not SPD */, FAILS, ENDS };
 static enum end settle(struct scene *s, int start, int seed, const char *name,
                        struct times *systems)
 {
@@ -41,7 +41,7 @@ static enum end settle(struct scene *s, int start, int seed, const char *name,
     times_record(systems, to.iterations, 1);
     if (fabs(s->u[cblas_idamax(s->n_dof, s->u, 1)]) < 1e-6) return REST;
     body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g);
-    return matrix_factor(s->body->K) == OK ? STABLE : SADDLE;
+    return matrix_factor(s->body->K) == OK ? MINIMUM : NO_MINIMUM;
 }
 
 struct census {
@@ -74,7 +74,7 @@ static void print_tangled(void)
     struct scene *s = unloaded(4), from = *s;
     struct times systems = {0};
     from.u = s->v;
-    for (int k = 1; settle(s, 4, k, method[3], &systems) != STABLE; k++)
+    for (int k = 1; settle(s, 4, k, method[3], &systems) != MINIMUM; k++)
         if (k == SEEDS) die("every run comes to rest");
     table_begin("tangled", "X0 Y0 X1 Y1 X2 Y2 J_start x0 y0 x1 y1 x2 y2 J");
     for (int e = 0; e < s->mesh->n_triangle; e++) {
@@ -98,12 +98,12 @@ int main(void)
             c[k][m] = take_census(k, method[m]);
             const int *end = c[k][m].end, some = c[k][m].systems.runs > 0;
             table_row(k < BOTH_ENDS ? "both" : "left", amplitude[k], method[m],
-                      SEEDS, c[k][m].inverted, end[REST], end[STABLE],
-                      end[SADDLE], end[STOPPED], end[FAILS],
+                      SEEDS, c[k][m].inverted, end[REST], end[MINIMUM],
+                      end[NO_MINIMUM], end[STOPPED], end[FAILS],
                       cell_if(some, times_median(&c[k][m].systems)),
                       cell_if(some, times_quantile(&c[k][m].systems, 0.9)),
                       cell_if(some, c[k][m].least_J),
-                      1.0 * end[REST] / SEEDS, 1.0 * end[STABLE] / SEEDS);
+                      1.0 * end[REST] / SEEDS, 1.0 * end[MINIMUM] / SEEDS);
         }
     table_end();
     print_tangled();
@@ -114,7 +114,7 @@ int main(void)
     claim(fabs(c[0][0].end[FAILS] - 0.5 * SEEDS) < 0.15 * SEEDS,
           "from h / 2 every other run of the notes' method fails");
     const struct census *left = &c[4][3];
-    claim(left->end[REST] + left->end[STABLE] == SEEDS && left->least_J > 0 &&
-          left->end[STABLE] > 0.3 * SEEDS, "there are other stable answers");
+    claim(left->end[REST] + left->end[MINIMUM] == SEEDS && left->least_J > 0 &&
+          left->end[MINIMUM] > 0.3 * SEEDS, "there are other stable answers");
     return table_finish();
 }

@@ -70,6 +70,7 @@ int main(void)
         const struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
         struct scene *s = scene_alloc(&set);
         struct readable *r = readable_alloc(s->body, set.dt);
+        body_store(s->body, BANDED);
         double *q = allocate((size_t)s->n_dof, sizeof *q), ns[ASSEMBLIES];
         static struct times t[ASSEMBLIES];
         for (int i = 0; i < s->n_dof; i++)

@@ -8,20 +8,21 @@
 load "figures/style.gp"
 set terminal svg size 860,500
 set output out
-array Method[4] = ["readable", "lapack", "blocked", "best"]
-array Name[4] = ["readable, GSL banded", "dpbtrf of ".lapack(data), \
-                 "blocked band", "blocked band, lift, chord rule"]
-array Style[4] = [2, 4, 3, 1]
+array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
+array Name[5] = ["readable, GSL banded", "dpbtrf of ".lapack(data), \
+                 "blocked band", "blocked band, lift, chord rule", \
+                 "nested dissection, lift, chord rule"]
+array Style[5] = [2, 4, 3, 1, 5]
 # The largest n of a method that is ready in time, 0 where there is none.
 within(k) = system(sprintf("awk -F'\t' '$1 == \"%s\" && /\tyes\t/ \
     { n = $2 } END { print n + 0 }' '%s'", Method[k], data)) + 0
 has(k) = system(sprintf("grep -c '^%s\t' '%s'", Method[k], data)) > 0
 of(k) = strcol("method") eq Method[int(k)] ? column("n") : NaN
 there = ""
-do for [k = 1:4] { if (has(k)) { there = there." ".k } }
+do for [k = 1:5] { if (has(k)) { there = there." ".k } }
 
-set multiplot layout 1,2 margins 0.075,0.985,0.155,0.735 spacing 0.10,0
-set key above left vertical maxrows 6 reverse Left samplen 2 font ",12"
+set multiplot layout 1,2 margins 0.075,0.985,0.155,0.705 spacing 0.10,0
+set key above left vertical maxrows 7 reverse Left samplen 2 font ",12"
 set label 1 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format y "10^{%T}"

@@ -398,6 +398,7 @@ static void projected_directions_lead_downhill(void)
         expect_solved(s, m == NEVER ? EXACT : PROJECTED, &found, how[m]);
         expect(found.definite == 0, "%s: K of the straight column at e = 0.05 "
                "is not positive definite, *definite says it is", how[m]);
+        expect(step_certify(s->body, 1.0, s->u) == SADDLE, "step.h disagrees");
         expect((found.slope > 0.0) == (m == NEVER), "%s: du.q = %g", how[m],
                found.slope);
     }
@@ -427,6 +428,8 @@ static void newton_leaves_the_saddle(void)
            "ON_DEMAND from a bent column: %d systems, K was not positive "
            "definite %d times, at the end it is %s", systems, passed,
            definite ? "so" : "not so");
+    expect(step_certify(s->body, 1.0, s->u) == OK, "step.h does not call the "
+           "buckled column a minimum");
     body_energy(s->body, s->u, &energy);
     expect_close(energy, at_start[1], 1e-9, 1.0, "energy of the buckled column "
                  "(straight: %g)", at_start[0]);
@@ -505,12 +508,12 @@ static void numbers_are_the_oracles(void)
         const char *want = oracle_column[k].stable ? "OK" : "SADDLE";
         expect(strcmp(word(out, "column", "status", 0), want) == 0,
                "80 x 8, e = %g, notes: %s", oracle_column[k].e, want);
-        expect_close(cell(out, "column", "energy", 0), oracle_column[k].straight,
-                     1e-11, 1.0, "80 x 8, e = %g, straight: energy",
-                     oracle_column[k].e);
-        expect_close(cell(out, "column", "energy", 3), oracle_column[k].buckled,
-                     1e-11, 1.0, "80 x 8, e = %g, pushed: energy",
-                     oracle_column[k].e);
+        expect_close(cell(out, "column", "energy", 0),
+                     oracle_column[k].straight, 1e-11, 1.0,
+                     "80 x 8, e = %g, straight: energy", oracle_column[k].e);
+        expect_close(cell(out, "column", "energy", 3),
+                     oracle_column[k].buckled, 1e-11, 1.0,
+                     "80 x 8, e = %g, pushed: energy", oracle_column[k].e);
         if (oracle_column[k].out >= 0.0)
             expect_close(cell(out, "column", "deflection", 3),
                          oracle_column[k].out, 1e-6, 1.0,
@@ -574,9 +577,9 @@ static const struct lesson lesson = {
     "K of the body is positive definite up to the load at which it buckles "
     "(figures/15_definiteness/bifurcation.svg). And where it is not, Newton's "
     "method converges all the same, and says nothing.",
-    "Let direction() say that K is positive definite whenever the projected one "
-    "is. Which rows of table `column` change, and which of them would you have "
-    "believed?"};
+    "Let direction() say that K is positive definite whenever the projected "
+    "one is. Which rows of table `column` change, and which of them would you "
+    "have believed?"};
 
 int main(int argc, char *argv[])
 {

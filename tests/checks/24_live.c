@@ -336,7 +336,8 @@ static const char *const runs[] = {
 
 static const struct column_rule rules[] = {
     {"frames", "k", 0.0, "counts frames", 0.0},
-    {"frames", "systems", 0.25, "round-off may decide about three systems", 0.0},
+    {"frames", "systems", 0.25, "round-off may decide about three systems",
+     0.0},
     {"frames", "ms", NOT_COMPARED, "seconds", 0.0},
     {"frames", "knots", 0.0, "counts vertices", 0.0},
     {"frames", "*", 1e-4, FRAME, 0.0},

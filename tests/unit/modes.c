@@ -1,5 +1,5 @@
-/* modes.c - laws of common/modes.h, and of what Lecture 3 has in mesh.h, body.h,
- * scene.h, step.h: the column, and balance that is no minimum. */
+/* modes.c - laws of common/modes.h, and of what Lecture 3 has in mesh.h,
+ * body.h, scene.h, step.h: the column, and balance that is no minimum. */
 #include "modes.h"
 #include "scene.h"
 
@@ -129,7 +129,7 @@ static void projected_stress_clamps_the_eigenvalues(void)
         }
 }
 
-/* ---- the column ----------------------------------------------------------- */
+/* ---- the column ---------------------------------------------------------- */
 
 static void a_rectangle_fills_its_box(void)
 {
@@ -191,11 +191,22 @@ static void the_lift_goes_through_a_column(void)
 static void a_column_is_pressed_and_pushed(void)
 {
     struct scene *scene = column(0.0);
-    for (int r = 0; r < scene->n_dof; r++) scene->u[r] = sin(r);
+    for (int r = 0; r < 3 * scene->n_dof; r++) scene->u[r] = sin(r);
+    scene->steps = 7;
+    scene_rest(scene);
+    ck_assert_int_eq(scene->steps, 0);
     scene_press(scene, 0.036, 0.007);
     for (int a = 0; a < scene->mesh->n_vertex; a++) {
         const double X = scene->mesh->X[2 * a], half = cos(acos(0.0) * X);
         close_to(scene->u[2 * a], -0.036 * X, 1e-15);
+        close_to(scene->u[2 * a + 1], 0.007 * half * half, 1e-15);
+        close_to(scene->v[2 * a], 0.0, 1e-15);
+        close_to(scene->v_before[2 * a + 1], 0.0, 1e-15);
+    }
+    scene_press(scene, 0.05, 0.0); /* on from there */
+    for (int a = 0; a < scene->mesh->n_vertex; a++) {
+        const double X = scene->mesh->X[2 * a], half = cos(acos(0.0) * X);
+        close_to(scene->u[2 * a], -0.05 * X, 1e-15);
         close_to(scene->u[2 * a + 1], 0.007 * half * half, 1e-15);
     }
     scene_free(scene);

@@ -180,7 +180,7 @@ static void no_memory_is_said(void)
     snprintf(want, sizeof want, "error: out of memory: %zu x 16 bytes\n",
              SIZE_MAX / 8);
     ck_assert_int_eq(end.status, 1);
-    ck_assert_str_eq(end.err, want);
+    ck_assert_ptr_nonnull(strstr(end.err, want)); /* a sanitizer says more */
     double *some = allocate(3, sizeof *some), *none = allocate(0, sizeof *none);
     ck_assert(some[0] == 0.0 && some[1] == 0.0 && some[2] == 0.0);
     ck_assert_ptr_nonnull(none);

@@ -1,0 +1,38 @@
+# quadrangles.gp - the four modes of dP/dF at a pressed state: the square as it
+# is there (grey), and moved along the mode to both sides.
+# Reads   data  tables factors, twist, flip, scale_low, scale_high
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 900,300
+set output out
+factor(m) = system("awk -F'\t' '$1 == \"".m."\" { printf \"%.0f\", $2 }' '".data."'")
+set size ratio -1
+set xrange [-0.95:0.95]
+set yrange [-0.95:0.95]
+unset tics
+unset border
+unset grid
+unset key
+set label 11 "■" at screen 0.20, 0.06 textcolor rgb "#CCCCCC"
+set label 12 "the pressed square" at screen 0.225, 0.06
+set arrow 1 from screen 0.42, 0.06 to screen 0.46, 0.06 nohead ls 1
+set label 13 "moved along the mode" at screen 0.47, 0.06
+set arrow 2 from screen 0.68, 0.06 to screen 0.72, 0.06 nohead ls 2 dt (6,3)
+set label 14 "and against it" at screen 0.73, 0.06
+set multiplot layout 1,4 margins 0.02,0.98,0.13,0.86 spacing 0.02,0
+do for [k = 1:4] {
+    m = word("twist flip scale_low scale_high", k)
+    set label 1 (k == 1 ? "twist" : k == 2 ? "flip" : \
+        k == 3 ? "scaling, the lower" : "scaling, the higher") \
+        at graph 0.5, 1.10 center font ",15"
+    set label 2 factor(m)." N/m²" at graph 0.5, 1.0 center \
+        textcolor rgb (k == 1 ? "#D55E00" : "#0072B2")
+    plot data index m using "x":"y" with filledcurves closed \
+             fc rgb "#DDDDDD" fs solid, \
+         data index m using "x_plus":"y_plus" with lines ls 1, \
+         data index m using "x_minus":"y_minus" with lines ls 2 dt (6,3)
+    do for [i = 11:14] { unset label i }
+    unset arrow 1
+    unset arrow 2
+}
+unset multiplot

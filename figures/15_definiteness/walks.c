@@ -1,0 +1,99 @@
+/*
+ * walks.c - what does each Newton's method end in when the column is pressed?
+ *
+ * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while
+ * it is straight.  Table: linear systems (400 at most), deflection of the
+ * middle, energy, elements with a negative eigenvalue; SADDLE: converged, and K
+ * there is not positive definite.
+ */
+#include "modes.h"
+#include "scene.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+
+static struct scene *column(int n)
+{
+    const struct scene_setting set = scene_column(CUBIC, n, 0.0);
+    return scene_alloc(&set);
+}
+
+static double *middle(const struct scene *s)
+{
+    return &s->u[(s->mesh->rows + 1) * (s->mesh->n + 1)];
+}
+
+/* On to the load e from where the column is; pushed if it is straight. */
+static struct step_report walk(struct scene *s, const char *method, double e,
+                               double push)
+{
+    struct step_control control = step_method(method);
+    control.max_iterations = 400;
+    scene_press(s, e, fabs(*middle(s)) < 1e-3 ? push : 0.0);
+    struct step_report report =
+        step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+    if (report.status == OK) report.status = step_certify(s->body, 1.0, s->u);
+    return report;
+}
+
+static int negative_elements(const struct scene *s)
+{
+    int count = 0;
+    for (int t = 0; t < s->mesh->n_triangle; t++)
+        count += modes_at(&s->body->material, body_deformation(
+                              s->body, s->u, t)).value[TWIST] < 0.0;
+    return count;
+}
+
+static double energy(const struct scene *s)
+{
+    double psi;
+    if (body_energy(s->body, s->u, &psi) != OK) die("the column has no energy");
+    return psi;
+}
+
+int main(void)
+{
+    const double load[] = {0.02, 0.034, 0.036, 0.04, 0.05};
+    const char *const method[] = {"notes", "demand+search", "always+search"};
+    double psi[6][5], out[6][5];
+    enum status status[6][5];
+    int elements[6][5];
+    table_begin("walks",
+                "method push load systems deflection energy elements status");
+    for (int k = 0; k < 6; k++) {
+        struct scene *s = column(80);
+        for (int l = 0; l < 5; l++) {
+            const double push = k % 2 ? 1e-3 : 0.0;
+            const struct step_report r = walk(s, method[k / 2], load[l], push);
+            status[k][l] = r.status;
+            psi[k][l] = energy(s), out[k][l] = fabs(*middle(s));
+            elements[k][l] = negative_elements(s);
+            table_row(method[k / 2], push, load[l], r.iterations, out[k][l],
+                      psi[k][l], elements[k][l], status_name(r.status));
+        }
+        scene_free(s);
+    }
+    table_end();
+
+    claim(elements[0][0] == 1280 && status[0][0] == OK,
+          "at e = 0.02 all 1280 elements have a negative eigenvalue (%d), and "
+          "the body is stable", elements[0][0]);
+    for (int l = 2; l < 5; l++)
+        claim(status[0][l] == SADDLE && status[1][l] == SADDLE &&
+                  status[3][l] == OK && psi[3][l] < psi[0][l],
+              "at e = %g the notes' method ends in a saddle, pushed or not; "
+              "projected and pushed it is a minimum, of less energy", load[l]);
+    claim(status[2][2] == SADDLE && status[4][2] == SADDLE,
+          "projection does not leave a symmetric start at e = 0.036");
+    claim(fabs(psi[0][2] - 0.2926138038403667) < 1e-11 &&
+              fabs(psi[3][3] - 0.35422048584304616) < 1e-11 &&
+              fabs(out[3][3] - 0.10107347482842402) < 1e-6 &&
+              fabs(psi[3][4] - 0.5104410137736349) < 1e-11,
+          "energies and deflections are those of another program");
+    claim(status[3][1] == OK && status[5][1] == MAX_ITERATIONS,
+          "just below the bifurcation always projecting has not arrived after "
+          "400 systems");
+    return table_finish();
+}

@@ -1,0 +1,63 @@
+# principal.gp - what five laws make of a triangle that is pushed flat and on:
+# P^2 over s2, and the same near rest.
+# Reads   data  table principal (law s1 s2 P1 P2 log)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 860,400
+set output out
+
+set multiplot
+unset key
+set tmargin at screen 0.96
+set bmargin at screen 0.15
+set lmargin at screen 0.10
+set rmargin at screen 0.57
+of(l) = stringcolumn("law") eq l ? column("s2") : NaN
+P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
+log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
+stats data index "principal" using "s1" nooutput
+set xlabel sprintf("s_2 (-), with s_1 = %.4g", STATS_max)
+set ylabel "principal stress P_2 (kN/m^2)" offset 0.5
+set xrange [-1:1.5]
+set yrange [-35:5]
+set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
+    fc rgb "#eeeeee" fs solid noborder behind
+set label 1 "inside out" at -0.03, 3.2 right font ",12" textcolor rgb "#555555"
+set label 2 "log law" at 0.10, -26 left
+set label 3 "stable" at -0.97, -1.4 left textcolor rgb "#B07800"
+set label 4 "energy" at -0.97, -7.6 left textcolor rgb "#CC79A7"
+set label 5 "cubic" at -0.50, -14.5 right textcolor rgb "#D55E00"
+set label 6 "stress" at -0.485, -25.2 left textcolor rgb "#009E73"
+set label 7 "extended" at -0.30, -29.5 left textcolor rgb "#0072B2"
+plot data index "principal" using (of("stress")):(P("stress")) \
+         with lines ls 3, \
+     "" index "principal" using (of("energy")):(P("energy")) \
+         with lines ls 4, \
+     "" index "principal" using (of("extended")):(P("extended")) \
+         with lines ls 1, \
+     "" index "principal" using (of("cubic")):(P("cubic")) \
+         with lines ls 2, \
+     "" index "principal" using (of("stable")):(P("stable")) \
+         with lines lw 2 lc rgb "#E69F00", \
+     "" index "principal" using (of("cubic")):(log_P("cubic")) \
+         with lines ls 8 lw 1.5
+unset label
+unset object
+set label 3 "stable" at 1.17, 0.66 right textcolor rgb "#B07800"
+set label 5 "all others" at 1.2, 0.22 left
+set lmargin at screen 0.67
+set rmargin at screen 0.98
+set xrange [0.6:1.4]
+set yrange [-0.9:0.9]
+set xtics 0.2
+set xlabel "s_2, near rest"
+unset ylabel
+plot data index "principal" using (of("extended")):(P("extended")) \
+         with lines ls 1, \
+     "" index "principal" using (of("cubic")):(P("cubic")) with lines ls 2, \
+     "" index "principal" using (of("stable")):(P("stable")) \
+         with lines lw 2 lc rgb "#E69F00", \
+     "" index "principal" using (of("cubic")):(log_P("cubic")) \
+         with lines ls 8 lw 1.5
+unset multiplot
+set output

@@ -1,0 +1,42 @@
+# indefinite.gp - a body is pressed until K is no longer positive definite: its
+# least eigenvalue, and how many iterations CG takes until it ends; crosses: it
+# ends with NOT_SPD.
+# Reads   data  tables squeeze, limits
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 860,400
+set output out
+set datafile missing "-"
+stats data index "limits" using "squeeze" every ::0::0 nooutput name "E"
+array Name[3] = ["rough", "middle", "fine"]
+array Text[3] = ["to 10^{-1}", "to 10^{-4}", "to 10^{-10}"]
+ends(k, word) = strcol(Name[k]) eq word ? column(Name[k]."_iterations") : NaN
+
+set multiplot layout 1,2 margins 0.1,0.985,0.145,0.86 spacing 0.085,0
+set xrange [0.56:0.68]
+set xtics 0.56, 0.03, 0.68
+set xlabel "squeeze of the body"
+set ylabel "least eigenvalue over largest K_{ii}" offset 1
+set format y "%g"
+set yrange [-0.009:0.0045]
+set arrow 1 from E_max,-0.009 to E_max,0.0045 nohead ls 8 lc rgb "#999999"
+set arrow 2 from 0.56,0 to 0.68,0 nohead ls 8
+set label 1 "K is positive definite" at 0.5625,-0.0012 font ",11"
+set label 2 "indefinite" at E_max+0.003,0.0009 font ",11"
+unset key
+plot data index "squeeze" using "squeeze":"least" with lines ls 1 lw 3
+unset label 1
+unset label 2
+unset arrow 2
+set key above left maxrows 2 reverse Left samplen 2
+set yrange [0:70]
+set ylabel "iterations of CG"
+set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"
+set label 3 "CG to 10^{-1}  solves\nwhat is indefinite" at 0.638,20.5 font ",11"
+set arrow 3 from 0.637,18 to 0.626,15.5 size 0.002,20 lw 0.8
+plot for [k = 1:3] data index "squeeze" using "squeeze":(ends(k, "OK")) \
+         with lines ls k lw 3 title Text[k], \
+     for [k = 1:3] "" index "squeeze" using "squeeze":(ends(k, "NOT_SPD")) \
+         with points ls k pt 2 ps 0.5 lw 1.2 notitle, \
+     NaN with points pt 2 ps 0.7 lw 1.5 lc rgb "black" title "NOT\\_SPD"
+unset multiplot

@@ -1,0 +1,120 @@
+/*
+ * chart.c - which method, and which law, for which scene?
+ *     stretch         ends pulled apart by sin t each, n = 8, 45 steps
+ *     jerk            ends moved to and fro, dt = 0.12 s, n = 16, 20 steps
+ *     press           a column shortened by 5 %; its limit is 3.4 %; no saddle
+ *     crushed         a square, n = 4, flat or inside out, let go: 4 ways
+ *     scrambled_held  its inner vertices at random, let go: 25 ways
+ *     scrambled_free  all of them; error: of the stress at a stretch of 1.1
+ */
+#include "clock.h"
+#include "release.h"
+#include "scene.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+
+enum { STRETCHED, JERKED, PRESSED, CRUSHED, HELD, FREE, SCENE, METHOD = 9 };
+static const struct {
+    const char *name;
+    int starts, steps;
+} scene[SCENE] = {{"stretch", 1, 45}, {"jerk", 1, 20}, {"press", 1, 1},
+    {"crushed", 4, 1}, {"scrambled_held", 25, 1}, {"scrambled_free", 25, 1}};
+static const struct {
+    const char *name;
+    enum law law;
+} method[METHOD] = {{"notes", LOG}, {"notes", CUBIC}, {"search", LOG},
+    {"search", CUBIC}, {"demand+search", LOG}, {"demand+search", CUBIC},
+    {"demand+search", EXTENDED}, {"demand+search", STABLE},
+    {"always+search", CUBIC}};
+
+/* Steps of a body that is moved; whether all are OK; counts linear systems. */
+static int move(int which, enum law law, struct step_control control,
+                int *systems)
+{
+    struct scene_setting set = scene_notes(STRETCH, law, 8);
+    if (which == JERKED) set = scene_notes(RIGID, law, 16), set.dt = 0.12;
+    if (which == PRESSED) set = scene_column(law, 40, 0.05 / sin(1.0));
+    struct scene *s = scene_alloc(&set);
+    int ok = 1;
+    if (which == PRESSED) control.lift = 1, scene_scatter(s, 1, 1e-3);
+    while (ok && s->steps < scene[which].steps) {
+        const struct step_report report = scene_step(s, &control);
+        *systems += report.iterations;
+        ok = report.status == OK;
+    }
+    if (which == PRESSED && ok) ok = step_certify(s->body, 1.0, s->u) == OK;
+    scene_free(s);
+    return ok;
+}
+
+/* System after system, a tiny mass on what turns freely; whether to rest. */
+static int let_go(int which, int k, enum law law, struct step_control control,
+                  int *systems)
+{
+    struct mesh *mesh = mesh_square(4);
+    int held[25] = {0}, rest = 0;
+    double u[50] = {0.0}, w[50], energy;
+    for (int a = 0; a < 25 && which == HELD; a++)
+        held[a] = a % 5 == 0 || a % 5 == 4 || a / 5 == 0 || a / 5 == 4;
+    struct body *body =
+        body_alloc(mesh, material_notes(law), 1e-4, CONSISTENT, held);
+    if (which == CRUSHED) release_place(body, RELEASE_CRUSHED[k].F, u);
+    if (which != CRUSHED) release_scramble(body, (unsigned)k + 1, u);
+    control.max_iterations = 1;
+    for (enum status s = MAX_ITERATIONS;
+         s == MAX_ITERATIONS && *systems < 200 && !rest; ++*systems) {
+        for (int r = 0; r < 50; r++) w[r] = u[r];
+        s = step_solve(body, &control, 1.0, w, NULL, u).status;
+        rest = body_energy(body, u, &energy) == OK &&
+               energy <= RELEASE_ENERGY && body_min_J(body, u) > 0.0;
+    }
+    body_free(body);
+    mesh_free(mesh);
+    return rest;
+}
+
+/* A row: systems and milliseconds per step and start; whether all pass. */
+static int try(int which, int m)
+{
+    const struct step_control control = step_method(method[m].name);
+    const struct material law = material_notes(method[m].law);
+    const struct material exact = material_notes(LOG);
+    double ms = 0.0, passed = 0.0, all = 0.0;
+    for (int k = 0; k < scene[which].starts; k++) {
+        int systems = 0;
+        const double start = clock_seconds();
+        if (which < CRUSHED ? !move(which, law.law, control, &systems)
+                            : !let_go(which, k, law.law, control, &systems))
+            continue;
+        ms += 1e3 * (clock_seconds() - start);
+        all += systems, passed++;
+    }
+    const double share = passed * scene[which].steps;
+    table_row(method[m].name, material_law(law.law), scene[which].name,
+              100.0 * passed / scene[which].starts,
+              cell_if(passed > 0.0, all / share),
+              cell_if(passed > 0.0, ms / share), 100.0 * fabs(
+                  material1_pk1(&law, 1.1) / material1_pk1(&exact, 1.1) - 1.0));
+    return passed == scene[which].starts;
+}
+
+int main(void)
+{
+    int all[METHOD][SCENE];
+    study_machine();
+    table_begin("chart", "method law scene passed systems ms error");
+    for (int m = 0; m < METHOD; m++)
+        for (int k = 0; k < SCENE; k++) all[m][k] = try(k, m);
+    table_end();
+
+    claim(all[0][STRETCHED] && !all[1][JERKED] && all[3][JERKED],
+          "a stretch needs nothing, a jerk a line search");
+    claim(!all[2][PRESSED] && !all[3][PRESSED] && all[4][PRESSED] &&
+              !all[4][HELD] && all[5][HELD] && all[5][CRUSHED],
+          "past its limit a column needs a projection, a tangle another law");
+    for (int m = 0; m < METHOD; m++)
+        claim(all[m][FREE] == (m == 7), "only the stable law brings all back");
+    return table_finish();
+}

@@ -1,0 +1,169 @@
+/*
+ * ladder.c - six ways to solve one system, from the full matrix to multigrid.
+ *
+ * K x = b of system.h, n = 8 to 256, from the assembled K to x; CG to |r| <=
+ * 1e-12 |b|.  An x whose backward error is above 1e-12 has no time.  What is
+ * made once per mesh (the order of elimination) is not counted; factors and
+ * coarser grids are.  The six take turns; medians.
+ *
+ * Flops are counted: for Cholesky by its columns; for CG two per entry in each
+ * product, sweep and triangle, 10 per unknown in each iteration, and what makes
+ * the preconditioner.  Tables: ladder, exponents (of the last doubling of n).
+ */
+#include "cg.h"
+#include "clock.h"
+#include "machine.h"
+#include "multigrid.h"
+#include "sparse.h"
+#include "study.h"
+#include "system.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum rung { FULL, BAND, FRONTS, JACOBI, INCOMPLETE, MULTIGRID, RUNGS };
+static const char *const name[] = {"dense",  "band",       "dissection",
+                                   "jacobi", "incomplete", "multigrid"};
+static const int largest[] = {32, 128, 256, 128, 128, 256};
+enum { SIZES = 6 }; /* n = 8, 16, ..., 256 */
+
+struct measured {
+    struct times seconds;
+    int iterations;
+    double flops, numbers;
+};
+
+/* Flops that make a V-cycle's grids, and of one cycle; numbers of the grids. */
+static void count_grids(const struct multigrid *m, double *make, double *cycle,
+                        double *numbers)
+{
+    const struct matrix *L = m->coarsest;
+    const struct matrix_cost last = matrix_cost(L->storage, L->n, L->p);
+    *make = last.flops, *cycle = last.solve, *numbers = last.numbers;
+    for (int g = 0; g < m->grids - 1; g++) {
+        *make += 2.0 * 16.0 * m->K[g]->start[m->K[g]->n];
+        *cycle += 2.0 * (2.0 * SWEEPS + 1.0) * m->K[g]->start[m->K[g]->n] +
+                  2.0 * 2.0 * 4.0 * m->K[g]->n;
+        *numbers += m->K[g + 1]->start[m->K[g + 1]->n] + 3.0 * m->K[g]->n;
+    }
+}
+
+static void by_cg(int rung, const struct csr *K, int n, const double b[],
+                  double x[], struct measured *m)
+{
+    preconditioner *with = cg_jacobi;
+    const void *context = K;
+    struct factor *L = NULL;
+    struct multigrid *grids = NULL;
+    double make = 0.0, apply = K->n, numbers = 0.0;
+    const double start = clock_seconds();
+    if (rung == INCOMPLETE) context = L = incomplete(K), with = cg_incomplete;
+    if (rung == MULTIGRID)
+        context = grids = multigrid_alloc(K, n), with = multigrid_cycle;
+    const struct cg_report r =
+        context ? cg_solve(K, with, context, 1e-12, 9999, b, x)
+                : (struct cg_report){.status = NOT_SPD};
+    const double seconds = clock_seconds() - start;
+    for (int j = 0; L && j < L->n; j++) /* m^2 at most, with m entries */
+        make += pow(L->start[j + 1] - L->start[j], 2.0);
+    if (L) apply = 4.0 * (numbers = L->start[L->n]);
+    if (grids) count_grids(grids, &make, &apply, &numbers);
+    m->iterations = r.iterations;
+    m->flops = make + r.iterations * (apply + 2.0 * K->start[K->n] +
+                                      10.0 * K->n);
+    m->numbers = K->start[K->n] + 4.0 * K->n + numbers;
+    times_record(&m->seconds, seconds,
+                 r.status == OK && csr_backward_error(K, x, b) <= 1e-12);
+    factor_free(L);
+    multigrid_free(grids);
+}
+
+static void by_factors(int rung, struct system *s, const struct csr *K,
+                       const double b[], double x[], struct measured *m)
+{
+    struct body *body = s->scene->body;
+    const enum storage storage[] = {DENSE, BANDED, SPARSE};
+    struct matrix *A = body->K, *full = NULL;
+    double *y = allocate((size_t)K->n, sizeof *y);
+    if (rung != FULL) system_store(s, storage[rung]), A = body->K;
+    body_gather(body, s->b, y);
+    if (rung == FULL) {
+        A = full = matrix_alloc(DENSE, K->n, 0);
+        for (int i = 0; i < K->n; i++)
+            for (int k = K->start[i]; k < K->start[i + 1]; k++)
+                matrix_add(A, i, K->index[k], K->value[k]);
+        for (int i = 0; i < K->n; i++) y[i] = b[i];
+    }
+    const double start = clock_seconds();
+    const enum status status = matrix_factor(A);
+    if (status == OK) matrix_solve(A, y);
+    const double seconds = clock_seconds() - start;
+    for (int v = 0; v < K->n; v++)
+        x[v] = full ? y[v]
+                    : y[body->equation[2 * s->vertex[v / 2] + v % 2]];
+    const struct sparse *p = body->pattern;
+    const struct matrix_cost cost =
+        rung == FRONTS ? (struct matrix_cost){p->numbers, p->flops, p->solve}
+                       : matrix_cost(storage[rung], A->n, A->p);
+    m->flops = cost.flops + cost.solve;
+    m->numbers = cost.numbers;
+    times_record(&m->seconds, seconds,
+                 status == OK && csr_backward_error(K, x, b) <= 1e-12);
+    matrix_free(full);
+    free(y);
+}
+
+int main(void)
+{
+    static struct measured m[RUNGS][SIZES];
+    gsl_set_error_handler_off();
+    study_machine();
+    for (int i = 0; i < SIZES; i++) {
+        const int n = 8 << i, turns = n <= 64 ? 9 : 3;
+        struct system *s = system_alloc(n);
+        struct csr *K = system_matrix(s, NULL);
+        double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
+        system_right_side(s, NULL, b);
+        for (int turn = 0; turn < turns; turn++)
+            for (int k = 0; k < RUNGS; k++) {
+                if (n > largest[k] || (k == FULL && turn > 0)) continue;
+                if (k <= FRONTS) by_factors(k, s, K, b, x, &m[k][i]);
+                else by_cg(k, K, n, b, x, &m[k][i]);
+            }
+        free(b), csr_free(K), system_free(s);
+    }
+    table_begin("ladder", "solver n iterations flops numbers milliseconds");
+    for (int k = 0; k < RUNGS; k++)
+        for (int i = 0; i < SIZES && 8 << i <= largest[k]; i++) {
+            const double t = times_median(&m[k][i].seconds);
+            table_row(name[k], 8 << i,
+                      cell_if(k > FRONTS, m[k][i].iterations), m[k][i].flops,
+                      m[k][i].numbers, cell_if(!isnan(t), 1e3 * t));
+        }
+    table_end();
+    table_begin("exponents", "solver n flops numbers seconds");
+    for (int k = 0; k < RUNGS; k++) {
+        int i = SIZES - 1;
+        while (8 << i > largest[k]) i--;
+        const struct measured *a = &m[k][i], *c = &m[k][i - 1];
+        const double t = order_of(times_median(&a->seconds),
+                                  times_median(&c->seconds), 2.0);
+        table_row(name[k], 8 << i, order_of(a->flops, c->flops, 2.0),
+                  order_of(a->numbers, c->numbers, 2.0), cell_if(!isnan(t), t));
+    }
+    table_end();
+    const struct measured *mg = m[MULTIGRID];
+    table_begin("crossover", "solver flops_n"); /* least work from */
+    for (int k = 0; k < MULTIGRID; k++) {
+        int i = 0;
+        while (8 << i < largest[k] && mg[i].flops >= m[k][i].flops) i++;
+        const int less = mg[i].flops < m[k][i].flops;
+        table_row(name[k], cell_if(less, 8 << i));
+    }
+    table_end();
+    claim(order_of(mg[5].flops, mg[3].flops, 4.0) <= 2.2,
+          "from n = 64 to 256 the work with multigrid grows like n^2");
+    return table_finish();
+}

@@ -1,0 +1,41 @@
+# ladder.gp - six ways to solve one system: counted work, and seconds.
+# Expected slopes of the work: 6 full, 4 band, 3 dissection and CG without a
+# coarser grid, 2 with.
+# Reads   data  tables ladder (solver n flops milliseconds), exponents, machine;
+#               from `make bench`
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 900,470
+set output out
+set datafile missing "-"
+array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
+                 "multigrid"]
+array Text[6] = ["full Cholesky", "band", "nested dissection", \
+                 "CG, Jacobi", "CG, incomplete Cholesky", "CG, V-cycle"]
+array Colour[6] = ["#999999", "#0072B2", "#56B4E9", "#D55E00", "#CC79A7", \
+                   "#009E73"]
+array Point[6] = [4, 7, 6, 5, 13, 9]
+of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
+slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
+    { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
+
+set multiplot layout 1,2 margins 0.075,0.985,0.15,0.80 spacing 0.09,0
+set key at screen 0.06,0.985 left top maxrows 3 reverse Left samplen 2 \
+    font ",12"
+set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set logscale xy
+set format y "10^{%T}"
+set xtics (8, 16, 32, 64, 128, 256)
+set xrange [7:300]
+set yrange [2e4:2e10]
+set xlabel "squares per side n"
+set ylabel "flops of a solve, counted"
+plot for [k = 1:6] data index "ladder" using (of(k)):"flops" with linespoints \
+         lw 2 pt Point[k] ps 0.6 lc rgb Colour[k] \
+         title sprintf("%s (slope %.2f)", Text[k], slope(k, 3))
+unset label 1
+set ylabel "time of a solve (ms)"
+set yrange [2e-3:5e3]
+plot for [k = 1:6] data index "ladder" using (of(k)):"milliseconds" \
+         with linespoints lw 2 pt Point[k] ps 0.6 lc rgb Colour[k] notitle
+unset multiplot

@@ -1,0 +1,170 @@
+/*
+ * solvers.c - which solver does a step need, and when does the answer change?
+ *
+ * K of system.h: analysis, factorisation and solve by the band, by nested
+ * dissection, and by CHOLMOD, where there is one, in the same order (by
+ * supernodes, analysed once); and whole steps of the stretch with each.
+ * They take turns.  A backward error above 1e-12 has no time.
+ */
+#include "machine.h"
+#include "sparse.h"
+#include "study.h"
+#include "system.h"
+#include "table.h"
+
+
+enum solver { BAND, DISSECTION, CHOLMOD_SAME, SOLVERS };
+static const char *const name[] = {"band", "dissection", "cholmod"};
+static const int sizes[] = {8, 16, 24, 32, 40, 48, 56, 64, 96, 128, 256};
+enum { SIZES = sizeof sizes / sizeof *sizes, STEPS = 30 };
+
+struct measured {
+    struct times analysis, factor, solve, step;
+    double megabytes;
+};
+
+/* The step that step.h makes, with the rival's factors. */
+static enum status rival_step(struct scene *s, struct rival *c)
+{
+    const int n = s->n_dof;
+    double *w = allocate(4 * (size_t)n, sizeof *w), *next = w + n;
+    double *q = next + n, *x = q + n, size = INFINITY;
+    enum status status = OK;
+    for (int r = 0; r < n; r++) {
+        w[r] = s->u[r] + s->set.dt * s->v[r];
+        next[r] = w[r] + s->set.dt * (s->v[r] - s->v_before[r]);
+    }
+    scene_hold(s, ++s->steps * s->set.dt);
+    step_boundary(s->body, s->g, 1, next);
+    for (int k = 0; status == OK; k++) {
+        status = body_assemble(s->body, s->set.dt, w, NULL, next,
+                               k ? NO_TANGENT : EXACT, q);
+        if (status != OK || size <= 1e-10) break;
+        if (k == 0 && !rival_factor(c, s->body->K)) status = NOT_SPD;
+        if (k == 30) status = MAX_ITERATIONS;
+        body_gather(s->body, q, x);
+        rival_solve(c, x);
+        body_scatter(s->body, x, q);
+        size = body_max_free(s->body, q);
+        for (int r = 0; r < n; r++) next[r] -= q[r];
+    }
+    for (int r = 0; r < n; r++) {
+        s->v_before[r] = s->v[r];
+        s->v[r] = (next[r] - s->u[r]) / s->set.dt;
+        s->u[r] = next[r];
+    }
+    free(w);
+    return status;
+}
+
+static void measure_system(struct system *s, int k, struct measured *m)
+{
+    struct body *body = s->scene->body;
+    double t[4] = {clock_seconds()};
+    body_store(body, k == BAND ? BANDED : SPARSE);
+    struct rival *c = k == CHOLMOD_SAME ? rival_alloc(body->K) : NULL;
+    const double analysis = clock_seconds() - t[0];
+    system_store(s, body->K->storage);
+    struct csr *K = system_matrix(s, NULL);
+    double *x = allocate(3 * (size_t)K->n, sizeof *x), *b = x + K->n;
+    t[1] = clock_seconds();
+    body_gather(body, s->b, x);
+    const int fine = k == CHOLMOD_SAME ? rival_factor(c, body->K)
+                                       : matrix_factor(body->K) == OK;
+    t[2] = clock_seconds();
+    if (k == CHOLMOD_SAME) rival_solve(c, x);
+    else matrix_solve(body->K, x);
+    t[3] = clock_seconds();
+    for (int v = 0; v < K->n; v++)
+        b[K->n + v] = x[body->equation[2 * s->vertex[v / 2] + v % 2]];
+    system_right_side(s, NULL, b);
+    const int valid = fine && csr_backward_error(K, b + K->n, b) <= 1e-12;
+    times_record(&m->analysis, analysis, valid);
+    times_record(&m->factor, t[2] - t[1], valid);
+    times_record(&m->solve, t[3] - t[2], valid);
+    m->megabytes = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
+    if (c) rival_free(c);
+    free(x), csr_free(K);
+}
+
+static void measure_step(int k, struct scene *s, struct rival *c,
+                         struct measured *m)
+{
+    struct step_control control = step_method("lift");
+    control.chord = 1;
+    const double before = clock_seconds();
+    const enum status status = k == CHOLMOD_SAME
+                                   ? rival_step(s, c)
+                                   : scene_step(s, &control).status;
+    times_record(&m->step, clock_seconds() - before, status == OK);
+}
+
+static void measure(int n, struct measured m[SOLVERS])
+{
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+    struct scene *scene[SOLVERS];
+    struct system *system = system_alloc(n);
+    const int present = *MACHINE_RIVAL ? SOLVERS : CHOLMOD_SAME;
+    set.reach = 0.5;
+    for (int turn = 0; turn < (n <= 64 ? 15 : n <= 128 ? 5 : 2); turn++)
+        for (int k = 0; k < present; k++) measure_system(system, k, &m[k]);
+    struct rival *c = NULL;
+    for (int k = 0; k < present; k++) {
+        scene[k] = scene_alloc(&set);
+        body_store(scene[k]->body, k == BAND ? BANDED : SPARSE);
+        if (k == CHOLMOD_SAME) c = rival_alloc(scene[k]->body->K);
+    }
+    for (int step = 0; step < (n <= 128 ? STEPS : 6); step++)
+        for (int k = 0; k < present; k++)
+            measure_step(k, scene[k], c, &m[k]);
+    for (int k = 0; k < present; k++) {
+        for (int r = 0; r < scene[k]->n_dof; r++)
+            if (!(fabs(scene[k]->u[r] - scene[0]->u[r]) <= 1e-9))
+                m[k].step.second[0] = NAN; /* another answer has no time */
+        scene_free(scene[k]);
+    }
+    if (c) rival_free(c);
+    system_free(system);
+}
+
+static struct cell ms(const struct times *t)
+{
+    return cell_if(t->runs > 0, 1e3 * times_median(t));
+}
+
+/* How many times longer the band takes for a step. */
+static double gain(const struct measured m[SOLVERS])
+{
+    return times_median(&m[BAND].step) / times_median(&m[DISSECTION].step);
+}
+
+int main(void)
+{
+    static struct measured m[SIZES][SOLVERS];
+    int from = sizes[SIZES - 1];
+    study_machine();
+    for (int i = 0; i < SIZES; i++) measure(sizes[i], m[i]);
+    table_begin_note("solvers", "solver n steps analysis_ms factor_ms solve_ms "
+                     "step_ms over_dissection growth megabytes",
+                     "CHOLMOD: %s", *MACHINE_RIVAL ? "yes" : "not found");
+    for (int k = 0; k < SOLVERS; k++)
+        for (int i = 0; i < SIZES && m[0][k].step.runs > 0; i++) {
+            const struct measured *now = &m[i][k];
+            int half = -1;
+            for (int j = 0; j < i; j++)
+                if (2 * sizes[j] == sizes[i]) half = j;
+            const double step = times_median(&now->step);
+            table_row(name[k], sizes[i], now->step.runs, ms(&now->analysis),
+                      ms(&now->factor), ms(&now->solve), 1e3 * step,
+                      step / times_median(&m[i][DISSECTION].step),
+                      cell_if(half >= 0, log2(step / times_median(
+                                             &m[half < 0 ? 0 : half][k].step))),
+                      cell_if(now->megabytes > 0.0, now->megabytes));
+        }
+    table_end();
+    for (int i = SIZES - 1; i >= 0 && gain(m[i]) > 1.0; i--) from = sizes[i];
+    table_begin("crossover", "step_n chosen_n"); /* dissection is faster from */
+    table_row(from, BODY_SPARSE_FROM);
+    table_end();
+    return table_finish();
+}

@@ -1,0 +1,179 @@
+/*
+ * 16_invertible.c - five laws that exist for every F, inside out too, and a
+ * triangle that is crushed and let go.
+ *
+ * Notes: Lecture 3 (a title and two references) and Figure 5.
+ *
+ * Problem.  With F = U diag(s1, s2) V^T [eq:signed-svd] the stress of an
+ * isotropic law is P = U diag(P^1, P^2) V^T [eq:pk1-principal].  What may P^ be
+ * where s2 <= 0 and the log law has no value?
+ *
+ *     P^2 |         __..--       cubic     r = s - s^2/2 + s^3/3, as it is
+ *       0 +-----+--''------ s2   stress    log law; its P^ goes on straight
+ *         |   .'1                energy    the same, but with an energy
+ *         | ./  below eps the    extended  log law; G(J) goes on as a parabola
+ *         |/    log law is left  stable    G(J) a parabola everywhere
+ *
+ * Run       make lesson-16, or with options: -h lists them
+ * Expect    work 1010.543808 once round the loop by `stress`, 0 by the others
+ * Plot: principal s2 P2
+ */
+#include "circuit.h"
+#include "modes.h"
+#include "options.h"
+#include "release.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum form { BY_CUBIC, BY_STRESS, BY_ENERGY, BY_J, BY_STABLE, N_FORM };
+static const char *const form_name[N_FORM] = {"cubic", "stress", "energy",
+                                              "extended", "stable"};
+
+/* A law of the table: its form, mu and lambda, and eps, below which `stress`
+ * and `energy` leave the log law in s1 and s2, and `extended` in J. */
+struct principal_law {
+    enum form form;
+    double mu, lambda, eps;
+};
+
+/* P^(s) = P^(c) + A (s - c) with ci = max(si, eps) and the log law's P^(c);
+ * for `stress` A is its derivative dP^/ds at c; for `energy` the same, but with
+ * 2 mu + lambda on the diagonal [eq:principal-extended]. */
+static void principal_extended(const struct principal_law *law,
+                               const double s[2], double P[2])
+{
+    const double mu = law->mu, lambda = law->lambda;
+    /* SLOT 16b(law, mu, lambda, s, P): the log law has
+     * P^i = mu si + (lambda ln(s1 s2) - mu) / si. */
+    todo("16b", law, mu, lambda, s, P);
+    /* END 16b */
+}
+
+/* G[0..2] := G, G', G'' at J of psi = mu/2 (F:F - 2) + G(J): the log law's
+ * G = -mu ln J + lambda/2 (ln J)^2 for J >= eps; below it the polynomial of
+ * second order with the same G, G', G'' at eps [eq:g-extended]. */
+static void extended(const struct principal_law *law, double J, double G[3])
+{
+    /* SLOT 16c(law, J, G): J may be 0 or negative. */
+    todo("16c", law, J, G);
+    /* END 16c */
+}
+
+/* P^; for a law of G(J) it is P^i = mu si + G'(J) sk, k the other one. */
+static void principal(const struct principal_law *law, const double s[2],
+                      double P[2])
+{
+    const enum law same = law->form == BY_CUBIC ? CUBIC : STABLE;
+    const struct material material = {same, law->mu, law->lambda};
+    double G[3] = {0.0, material_volume(&material, s[0] * s[1]).dG, 0.0};
+    if (law->form == BY_J) extended(law, s[0] * s[1], G);
+    for (int i = 0; i < 2; i++) P[i] = law->mu * s[i] + G[1] * s[1 - i];
+    if (law->form == BY_STRESS || law->form == BY_ENERGY)
+        principal_extended(law, s, P);
+}
+
+/* P = U diag(P^1, P^2) V^T at F [eq:pk1-principal]. */
+static mat2 stress(const struct principal_law *law, mat2 F)
+{
+    mat2 P = F;
+    /* SLOT 16a(law, F, &P, principal): modes_svd(F) of modes.h gives U, V, s1
+     * and s2; mat2_transpose(). */
+    todo("16a", law, F, &P, principal);
+    /* END 16a */
+    return P;
+}
+
+/* P^ at s, for circuit_work() and the first table. */
+static void diagonal(const double s[2], void *law, double out[2])
+{
+    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
+    out[0] = P.m[0][0];
+    out[1] = P.m[1][1];
+}
+
+/*
+ * Let go: u goes downhill on Psi(u) to where the body rests [alg:release].
+ *
+ *     K du = -q, K projected and shifted; u += du, or less by release_search()
+ *
+ * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
+ * as it is, shifted: if it is not positive definite, the status is SADDLE.
+ * recovered: OK, every J > 0, and Psi <= RELEASE_ENERGY.
+ */
+enum { CAP = 300 };
+static struct release_report release(struct body *body, double u[])
+{
+    const double small = RELEASE_TOLERANCE * material_modulus(&body->material);
+    double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
+    double *du = q + 2 * body->mesh->n_vertex;
+    struct release_report report = {.status = MAX_ITERATIONS};
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
+     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
+     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
+    todo("16d", body, u, small, q, du, &report);
+    /* END 16d */
+    free(q);
+    return report;
+}
+
+/* One triangle, its vertex 0 held. */
+static void print_single(const struct mesh *mesh, enum law law, double nu)
+{
+    struct body *body = body_alloc(mesh, material_make(law, 1000.0, nu), 0.0,
+                                   CONSISTENT, (const int[]){1, 0, 0});
+    for (int k = 0; k < N_CRUSHED; k++) {
+        double u[6] = {0.0};
+        release_place(body, RELEASE_CRUSHED[k].F, u);
+        const struct release_report report = release(body, u);
+        table_row(RELEASE_CRUSHED[k].name, material_law(law),
+                  status_name(report.status), report.iterations, report.energy,
+                  report.min_J, report.recovered ? "yes" : "no");
+    }
+    body_free(body);
+}
+
+int main(int argc, char *argv[])
+{
+    double nu = 0.3, eps = 0.25, s1 = 1.25;
+    const struct option options[] = {
+        {"s1", .real = &s1, .min = 0.01, .max = 10, .help = "of `principal`"},
+        {"eps", .real = &eps, .min = 0.15, .max = 0.99,
+         .help = "where the log law is left", .why = "the loop lies below it"},
+        {"nu", .real = &nu, .min = 0, .max = 0.49, .help = "Poisson's ratio"},
+    };
+    options_parse("16_invertible", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+    const struct material m = material_make(LOG, 1000.0, nu);
+    static const double loop[] = {1.0, -0.5, 1.5, -0.5, 1.5, 0.1, 1.0, 0.1};
+    struct principal_law law[N_FORM];
+    for (int k = 0; k < N_FORM; k++)
+        law[k] = (struct principal_law){(enum form)k, m.mu, m.lambda, eps};
+
+    table_begin("principal", "law s1 s2 P1 P2 log"); /* log: P2, if s2 > 0 */
+    for (int k = 0; k < N_FORM; k++)
+        for (int i = 0; i <= 100; i++) {
+            const double s[2] = {s1, -1.0 + 0.025 * i};
+            const mat2 F = {{{s[0], 0.0}, {0.0, fmax(s[1], 1e-9)}}};
+            double P[2];
+            diagonal(s, &law[k], P);
+            table_row(form_name[k], s[0], s[1], P[0], P[1],
+                      cell_if(s[1] > 1e-9, material2_pk1(&m, F).m[1][1]));
+        }
+    table_end();
+    table_begin("loop", "law work");
+    for (int k = 0; k < N_FORM; k++)
+        table_row(form_name[k], circuit_work(diagonal, &law[k], 4, loop));
+    table_end();
+    table_begin("single", "start law status iterations energy min_J recovered");
+    struct mesh *triangle =
+        mesh_triangle((const double[]){0.0, 0.0, 1.0, 0.1, 0.3, 0.9});
+    print_single(triangle, CUBIC, nu);
+    print_single(triangle, EXTENDED, nu);
+    print_single(triangle, STABLE, nu);
+    mesh_free(triangle);
+    table_end();
+    return table_finish();
+}

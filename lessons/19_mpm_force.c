@@ -1,0 +1,199 @@
+/*
+ * 19_mpm_force.c - what the particles of an elastic body do to their grid.
+ *
+ * Notes: the material point method, weak form to the semi-discrete equations.
+ *
+ * Problem.  Node a moves by u_a.  Each particle has then the gradients F_hat,
+ * since t^n, and F = F_hat F_p, since ever [eq:pull-back]; their energy sum V_p
+ * psi(F) [eq:particle-energy] gives the nodes forces [eq:particle-force], and
+ * these a tangent [eq:particle-tangent].  V_p is the volume at t = 0.
+ *
+ *     o -- o -- o -- o     component k of node a is u[2a + k], as in f, w; the
+ *     |  . |    |.   |     nodes that particle p reaches and grad N_a there are
+ *     o -- o -- o -- o     node[i] and gradient[i] of a struct support
+ *     |    | .  |  . |     (particles.h)
+ * Run       make lesson-19, or with options: -h lists them
+ * Expect    seven particles: torque 0, and 2.816223533 about the old places
+ * Plot: taylor t force
+ */
+#include "options.h"
+#include "particle_force.h"
+#include "particle_scene.h"
+#include "table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A particle whose nodes have moved. */
+struct moved {
+    struct support s;
+    mat2 F_hat, F_n, F; /* F_n is its own, as at t^n */
+};
+static enum status move(const struct particle_body *body, int p,
+                        const double u[], struct moved *m);
+static enum status force(const struct particle_body *body, const double u[],
+                         double f[]);
+static enum status product(const struct particle_body *body, const double u[],
+                           const double w[], double out[]);
+
+static void check(enum status status)
+{
+    if (status != OK)
+        die("the displaced particles are %s", status_name(status));
+}
+
+/* Errors of energy and force after one term of Taylor's series. */
+static void print_taylor(const struct particle_body *body, const double u[],
+                         const double f[])
+{
+    const int n = 2 * body->grid->n_node;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *Kw = w + n;
+    struct taylor error, old = {0.0, 0.0};
+    grid_shake(body->grid, 0.35 * body->grid->h, Kw);
+    for (int r = 0; r < n; r++) w[r] = Kw[n - 1 - r];
+    check(product(body, u, w, Kw));
+    table_begin("taylor", "t energy force energy_order force_order");
+    for (double t = 0.25; t > 0.002; t /= 2.0, old = error) {
+        check(particle_taylor(body, u, w, t, f, Kw, &error));
+        table_row(t, error.energy, error.force,
+                  cell_if(t < 0.25, log2(old.energy / error.energy)),
+                  cell_if(t < 0.25, log2(old.force / error.force)));
+    }
+    table_end();
+    free(w);
+}
+
+/* Seven particles that are strained already, on a grid that is shaken. */
+static void print_seven(int order, struct material material, double shake)
+{
+    struct cloud seven = cloud_seven(order, PIC);
+    const struct particle_body body = {seven.grid, seven.p, material, NULL};
+    const int n = 2 * seven.grid->n_node;
+    const double h = seven.grid->h;
+    double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + n;
+    double *cauchy = f + n, *quotient = cauchy + n;
+    grid_shake(seven.grid, shake * h, u);
+    check(grid_p2g(seven.grid, seven.p));
+    check(force(&body, u, f));
+    check(particle_cauchy_force(&body, u, cauchy));
+    check(particle_difference_force(&body, u, 1e-5 * h, quotient));
+    table_begin("force", "node component force cauchy quotient");
+    for (int r = 0; r < n; r++)
+        if (seven.grid->mass[r / 2] > 0.0)
+            table_row(r / 2, r % 2, f[r], cauchy[r], quotient[r]);
+    table_end();
+    table_begin("balance", "form force_x force_y torque torque_undisplaced");
+    for (int k = 0; k < 2; k++) {
+        const double *of = k ? cauchy : f;
+        const struct balance sum = grid_balance(seven.grid, u, of);
+        table_row(k ? "cauchy" : "force", sum.force[0], sum.force[1],
+                  sum.torque, grid_balance(seven.grid, NULL, of).torque);
+    }
+    table_end();
+    print_taylor(&body, u, f);
+    free(u);
+    cloud_free(seven);
+}
+
+/* A bar under the stress of the stretch F.  Its particles are where that takes
+ * them, F_n = F; or, from_rest, where they were, F_n = I, and the nodes move.
+ */
+static void print_bar(const char *name, struct material material, double F,
+                      int ppc, double shift, int from_rest)
+{
+    static const char *const kernel[] = {"linear", "quadratic", "cubic"};
+    const double stress = material1_pk1(&material, F), old = from_rest ? 1 : F;
+    table_begin(name, "cells ppc kernel force_over_stress acceleration");
+    for (int row = 0; row < 12; row++) {
+        const int order = 1 + row / 4, cells = 8 << row % 4;
+        struct cloud bar = cloud_bar(order, cells, ppc, old, shift);
+        const struct particle_body body = {bar.grid, bar.p, material, NULL};
+        const int n = bar.grid->n_node;
+        double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + 2 * n;
+        for (int a = 0; a < n; a++)
+            u[2 * a] = (F / old - 1.0) * (a - 2) / cells;
+        check(force(&body, u, f));
+        const struct inner worst = cloud_bar_inner(bar, f);
+        table_row(cells, ppc, kernel[order - 1],
+                  cell_if(F != 1.0, worst.force / fabs(stress)),
+                  worst.acceleration);
+        free(u);
+        cloud_free(bar);
+    }
+    table_end();
+}
+
+/* Particle p while the nodes are at x + u.  Statuses of grid_support();
+ * NONFINITE; INVERTED: the material is not defined at F. */
+static enum status move(const struct particle_body *body, int p,
+                        const double u[], struct moved *m)
+{
+    const struct particles *all = body->particles;
+    const enum status status = grid_support(body->grid, &all->x[2 * p], &m->s);
+    if (status != OK) return status;
+    m->F_n = m->F_hat = m->F = all->F[p];
+    /* SLOT 19a(u, m): F_hat and F from u, F_n, and the m->s.n nodes of m->s. */
+    todo("19a", u, m);
+    /* END 19a */
+    const double J = mat2_det(m->F);
+    if (!isfinite(J)) return NONFINITE;
+    return material_defined(&body->material, J) ? OK : INVERTED;
+}
+
+/* The forces f on all nodes at x + u; statuses of move(). */
+static enum status force(const struct particle_body *body, const double u[],
+                         double f[])
+{
+    struct moved m;
+    for (int r = 0; r < 2 * body->grid->n_node; r++) f[r] = 0.0;
+    for (int p = 0; p < body->particles->n; p++) {
+        const enum status status = move(body, p, u, &m);
+        if (status != OK) return status;
+        const double volume = body->particles->volume[p];
+        /* SLOT 19b(body, volume, &m, f): what this particle adds to f, with
+         * its stress material2_pk1(&body->material, m.F). */
+        todo("19b", body, volume, &m, f);
+        /* END 19b */
+    }
+    return OK;
+}
+
+/* out := K w for the tangent K = -df/du at x + u; statuses of move(). */
+static enum status product(const struct particle_body *body, const double u[],
+                           const double w[], double out[])
+{
+    struct moved m;
+    for (int r = 0; r < 2 * body->grid->n_node; r++) out[r] = 0.0;
+    for (int p = 0; p < body->particles->n; p++) {
+        const enum status status = move(body, p, u, &m);
+        if (status != OK) return status;
+        const double volume = body->particles->volume[p];
+        /* SLOT 19c(body, volume, &m, w, out): dF, its dP by material2_dpk1(),
+         * and 19b once more. */
+        todo("19c", body, volume, &m, w, out);
+        /* END 19c */
+    }
+    return OK;
+}
+
+int main(int argc, char *argv[])
+{
+    int order = 2, law = 1, ppc = 2;
+    double nu = 0.3, shake = 0.35, stretch = 1.385, shift = 0.0137;
+    const struct option options[] = {
+        {"order", .integer = &order, .min = 1, .max = 3, .help = "of kernels"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "material"},
+        {"nu", .real = &nu, .max = 0.4999, .help = "Poisson's ratio"},
+        {"shake", .real = &shake, .max = 4, .unit = "cells", .help = "nodes"},
+        {"stretch", .real = &stretch, .min = 0.7, .max = 3, .help = "of bars"},
+        {"ppc", .integer = &ppc, .min = 1, .max = 64, .help = "of bars"},
+        {"shift", .real = &shift, .max = 1, .unit = "cells", .help = "of bars"},
+    };
+    options_parse("19_mpm_force", options, COUNT(options), argc, argv);
+    const struct material material =
+        material_make(law ? CUBIC : LOG, 1000.0, nu);
+    print_seven(order, material, shake);
+    print_bar("crossing", material, stretch, ppc, shift, 0);
+    print_bar("rest", material, stretch, ppc, shift, 1);
+    return table_finish();
+}

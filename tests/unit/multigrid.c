@@ -1,0 +1,328 @@
+/* multigrid.c - laws of common/cg.h and common/multigrid.h. */
+#include "cg.h"
+#include "multigrid.h"
+#include "system.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The system of n squares per side, its grids, and room for four vectors. */
+struct bench {
+    struct system *s;
+    struct csr *K;
+    struct multigrid *m;
+    double *b, *x, *y, *z;
+};
+
+static void fill(int n, double v[], double phase)
+{
+    for (int i = 0; i < n; i++)
+        v[i] = sin(2.385 * i + phase) * cos(0.3714 * i * i + 0.2385);
+}
+
+static struct bench bench_alloc(int n)
+{
+    struct bench t = {.s = system_alloc(n)};
+    t.K = system_matrix(t.s, NULL);
+    t.m = multigrid_alloc(t.K, n);
+    t.b = allocate(4 * (size_t)t.K->n, sizeof *t.b);
+    t.x = t.b + t.K->n;
+    t.y = t.x + t.K->n;
+    t.z = t.y + t.K->n;
+    system_right_side(t.s, NULL, t.b);
+    return t;
+}
+
+static void bench_free(struct bench t)
+{
+    multigrid_free(t.m);
+    csr_free(t.K);
+    system_free(t.s);
+    free(t.b);
+}
+
+static double dot(int n, const double x[], const double y[])
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    return sum;
+}
+
+static void same_size(const void *K, const double r[], double z[])
+{
+    memcpy(z, r, (size_t)((const struct csr *)K)->n * sizeof *z);
+}
+
+static void reversed(const void *K, const double r[], double z[])
+{
+    for (int i = 0; i < ((const struct csr *)K)->n; i++) z[i] = -r[i];
+}
+
+/* A system on a diagonal of three numbers. */
+static struct cg_report diagonal(const double entry[3], preconditioner *with,
+                                 double tolerance, int cap,
+                                 const double b[3], double x[3])
+{
+    struct csr *D = csr_alloc(3, 3);
+    for (int i = 0; i < 3; i++) {
+        D->start[i + 1] = i + 1;
+        D->index[i] = i;
+        D->value[i] = entry[i];
+    }
+    const struct cg_report report =
+        cg_solve(D, with, D, tolerance, cap, b, x);
+    csr_free(D);
+    return report;
+}
+
+static void cg_takes_as_many_steps_as_eigenvalues(void)
+{
+    const double entry[] = {2.385, 0.3714, 2.385}, b[] = {1.0, -3.1, 0.7};
+    double x[3] = {7.0, 7.0, 7.0};
+    struct cg_report r = diagonal(entry, same_size, 1e-12, 9, b, x);
+    ck_assert_int_eq(r.status, OK);
+    ck_assert_int_eq(r.iterations, 2);
+    for (int i = 0; i < 3; i++) close_to(x[i], b[i] / entry[i], 1e-13);
+    r = diagonal(entry, cg_jacobi, 1e-12, 9, b, x);
+    ck_assert_int_eq(r.iterations, 1);
+    for (int i = 0; i < 3; i++) close_to(x[i], b[i] / entry[i], 1e-14);
+}
+
+static void cg_names_its_end(void)
+{
+    const double good[] = {2.385, 0.3714, 1.1}, bad[] = {2.385, 0.3714, -1.1};
+    const double flat[] = {0.0, 1.0, 1.0}, b[] = {1.0, -3.1, 0.7};
+    const double none[] = {0.0, 0.0, 0.0}, nan[] = {1.0, NAN, 0.0};
+    const double one[] = {1.0, 0.0, 0.0};
+    double x[3] = {7.0, 7.0, 7.0};
+    struct cg_report r = diagonal(good, same_size, 1e-12, 2, b, x);
+    ck_assert_int_eq(r.status, MAX_ITERATIONS);
+    ck_assert_int_eq(r.iterations, 2);
+    ck_assert_int_eq(diagonal(bad, same_size, 1e-12, 9, b, x).status, NOT_SPD);
+    ck_assert_int_eq(diagonal(flat, same_size, 1e-12, 9, one, x).status,
+                     NOT_SPD);
+    ck_assert_int_eq(diagonal(good, reversed, 1e-12, 9, b, x).status, NOT_SPD);
+    ck_assert_int_eq(diagonal(good, same_size, 1e-12, 9, nan, x).status,
+                     NONFINITE);
+    ck_assert_int_eq(diagonal(nan, same_size, 1e-12, 9, b, x).status,
+                     NONFINITE);
+    r = diagonal(good, same_size, 1e-12, 9, none, x);
+    ck_assert_int_eq(r.status, OK);
+    ck_assert_int_eq(r.iterations, 0);
+    ck_assert(x[0] == 0.0 && r.residual == 0.0);
+}
+
+static void cg_reports_the_residual_of_x(void)
+{
+    struct bench t = bench_alloc(8);
+    const struct cg_report r =
+        cg_solve(t.K, cg_jacobi, t.K, 1e-5, 200, t.b, t.x);
+    ck_assert_int_eq(r.status, OK);
+    ck_assert_double_le(r.residual, 1e-5);
+    close_to(r.residual / csr_residual(t.K, t.x, t.b), 1.0, 1e-8);
+    struct cg_report before = cg_solve(t.K, cg_jacobi, t.K, 1e-5,
+                                       r.iterations - 1, t.b, t.x);
+    ck_assert_int_eq(before.status, MAX_ITERATIONS);
+    ck_assert_double_ge(before.residual, 1e-5);
+    bench_free(t);
+}
+
+/* L L^T e_j at every row where K has an entry, whatever is beside it. */
+static void incomplete_factor_has_the_entries_of_K(void)
+{
+    struct bench t = bench_alloc(6);
+    struct factor *L = incomplete(t.K);
+    ck_assert_ptr_nonnull(L);
+    ck_assert_int_eq(2 * L->start[L->n] - L->n, t.K->start[t.K->n]);
+    for (int i = 0; i < t.K->n; i++) {
+        memset(t.x, 0, (size_t)t.K->n * sizeof *t.x);
+        for (int j = 0; j <= i; j++) { /* x := L (row i of L)^T */
+            double l = 0.0;
+            for (int p = L->start[j]; p < L->end[j]; p++)
+                if (L->row[p] == i) l = L->value[p];
+            for (int p = L->start[j]; p < L->end[j]; p++)
+                t.x[L->row[p]] += L->value[p] * l;
+        }
+        for (int k = t.K->start[i]; k < t.K->start[i + 1]; k++)
+            if (t.K->index[k] >= i)
+                close_to(t.x[t.K->index[k]], t.K->value[k], 1e-13);
+    }
+    fill(t.K->n, t.x, 0.7);
+    memcpy(t.y, t.x, (size_t)t.K->n * sizeof *t.x);
+    factor_solve(L, t.y);
+    cg_incomplete(L, t.x, t.z);
+    for (int i = 0; i < t.K->n; i++) ck_assert(t.z[i] == t.y[i]);
+    factor_free(L);
+    t.K->value[0] = -1.0;
+    ck_assert_ptr_null(incomplete(t.K));
+    bench_free(t);
+}
+
+static void a_vertex_has_the_mean_of_those_around_it(void)
+{
+    double coarse[3 * 5 * 2], fine[7 * 9 * 2]; /* n = 8 */
+    fill(30, coarse, 0.7);
+    for (int r = 0; r < 126; r++) fine[r] = 2.0;
+    multigrid_prolong(8, coarse, fine);
+    for (int r = 0; r < 126; r++) {
+        const int i = r / 2 % 7 + 1, j = r / 2 / 7;
+        double want = 2.0;
+        for (int V = 0; V < 15; V++) {
+            const double dx = fabs(0.5 * i - V % 3 - 1.0);
+            const double dy = fabs(0.5 * j - V / 3);
+            if (dx < 1.0 && dy < 1.0)
+                want += (1.0 - dx) * (1.0 - dy) * coarse[2 * V + r % 2];
+        }
+        close_to(fine[r], want, 1e-14);
+    }
+}
+
+static void restriction_is_the_transpose(void)
+{
+    double c[30], f[126], up[126] = {0.0}, down[30];
+    fill(30, c, 0.7);
+    fill(126, f, 1.9);
+    for (int r = 0; r < 30; r++) down[r] = 2.0;
+    multigrid_prolong(8, c, up);
+    multigrid_restrict(8, f, down);
+    for (int r = 0; r < 30; r++) down[r] -= 2.0;
+    close_to(dot(30, c, down), dot(126, f, up), 1e-13);
+}
+
+static void coarse_matrix_is_that_of_the_product(void)
+{
+    const int n[] = {8, 12, 20};
+    for (int k = 0; k < COUNT(n); k++) {
+        struct bench t = bench_alloc(n[k]);
+        struct csr *A = multigrid_coarse(t.K, n[k]);
+        ck_assert_int_eq(A->n, 2 * (n[k] / 2 - 1) * (n[k] / 2 + 1));
+        for (int i = 0; i < A->n; i++)
+            for (int q = A->start[i] + 1; q < A->start[i + 1]; q++)
+                ck_assert_int_lt(A->index[q - 1], A->index[q]);
+        fill(A->n, t.x, 0.7);
+        multigrid_prolong(n[k], t.x, t.y); /* y is 0 */
+        csr_multiply(t.K, t.y, t.z);
+        double *want = allocate(2 * (size_t)A->n, sizeof *want);
+        double *got = want + A->n;
+        multigrid_restrict(n[k], t.z, want);
+        csr_multiply(A, t.x, got);
+        for (int i = 0; i < A->n; i++) close_to(got[i], want[i], 1e-13);
+        free(want);
+        csr_free(A);
+        bench_free(t);
+    }
+}
+
+static void grids_are_halved_down_to_four(void)
+{
+    const int want[][5] = {{4, 0}, {7, 0}, {8, 4, 0}, {20, 10, 5, 0},
+                           {32, 16, 8, 4, 0}};
+    for (int k = 0; k < COUNT(want); k++) {
+        struct bench t = bench_alloc(want[k][0]);
+        int g = 0;
+        for (; g < t.m->grids; g++) {
+            ck_assert_int_eq(t.m->n[g], want[k][g]);
+            ck_assert_int_eq(t.m->K[g]->n, 2 * (want[k][g] - 1) *
+                                               (want[k][g] + 1));
+        }
+        ck_assert_int_eq(want[k][g], 0);
+        ck_assert_int_eq(t.m->status, OK);
+        bench_free(t);
+    }
+    struct bench t = bench_alloc(8);
+    for (int k = 0; k < t.K->start[t.K->n]; k++) t.K->value[k] *= -1.0;
+    struct multigrid *m = multigrid_alloc(t.K, 8);
+    ck_assert_int_eq(m->status, NOT_SPD);
+    multigrid_free(m);
+    multigrid_free(NULL);
+    bench_free(t);
+}
+
+static double row_of(const struct csr *K, int i, const double x[])
+{
+    double sum = 0.0;
+    for (int k = K->start[i]; k < K->start[i + 1]; k++)
+        sum += K->value[k] * x[K->index[k]];
+    return sum;
+}
+
+/* Forward, the last equation holds afterwards, and only the last; backward the
+ * first; what comes from the start of a sweep is what a solve by the triangle
+ * gives. */
+static void a_sweep_takes_the_equations_in_turn(void)
+{
+    struct bench t = bench_alloc(5);
+    for (int backward = 0; backward < 2; backward++) {
+        fill(t.K->n, t.x, 0.7);
+        memcpy(t.y, t.x, (size_t)t.K->n * sizeof *t.x);
+        multigrid_sweep(t.K, t.b, backward, t.x);
+        for (int s = 0; s < t.K->n; s++) {
+            const int i = backward ? t.K->n - 1 - s : s;
+            t.y[i] = t.x[i];
+            close_to(row_of(t.K, i, t.y), t.b[i], 1e-14);
+        }
+    }
+    bench_free(t);
+}
+
+static void a_cycle_is_symmetric_and_exact_on_the_coarsest_grid(void)
+{
+    struct bench t = bench_alloc(16);
+    double *r = allocate(2 * (size_t)t.K->n, sizeof *r), *s = r + t.K->n;
+    fill(t.K->n, r, 0.7);
+    fill(t.K->n, s, 1.9);
+    multigrid_cycle(t.m, r, t.x);
+    multigrid_cycle(t.m, s, t.y);
+    close_to(dot(t.K->n, r, t.y) / dot(t.K->n, s, t.x), 1.0, 1e-11);
+    ck_assert_double_ge(dot(t.K->n, r, t.x), 0.0);
+    multigrid_cycle(t.m, r, t.z); /* nothing is left of the one before */
+    for (int i = 0; i < t.K->n; i++) ck_assert(t.z[i] == t.x[i]);
+    free(r);
+    bench_free(t);
+    t = bench_alloc(6);
+    multigrid_cycle(t.m, t.b, t.x);
+    ck_assert_double_le(csr_residual(t.K, t.x, t.b), 1e-14);
+    bench_free(t);
+}
+
+static void iterations_do_not_depend_on_the_mesh(void)
+{
+    for (int n = 8; n <= 64; n *= 2) {
+        struct bench t = bench_alloc(n);
+        struct cg_report r =
+            cg_solve(t.K, multigrid_cycle, t.m, 1e-4, 99, t.b, t.x);
+        ck_assert_int_eq(r.status, OK);
+        ck_assert_int_le(r.iterations, 4);
+        r = cg_solve(t.K, multigrid_cycle, t.m, 1e-10, 99, t.b, t.x);
+        ck_assert_int_eq(r.status, OK);
+        ck_assert_int_le(r.iterations, 10);
+        ck_assert_double_le(csr_residual(t.K, t.x, t.b), 1.1e-10);
+        bench_free(t);
+    }
+}
+
+static const struct unit_law laws[] = {
+    {"cg_takes_as_many_steps_as_eigenvalues",
+     cg_takes_as_many_steps_as_eigenvalues},
+    {"cg_names_its_end", cg_names_its_end},
+    {"cg_reports_the_residual_of_x", cg_reports_the_residual_of_x},
+    {"incomplete_factor_has_the_entries_of_K",
+     incomplete_factor_has_the_entries_of_K},
+    {"a_vertex_has_the_mean_of_those_around_it",
+     a_vertex_has_the_mean_of_those_around_it},
+    {"restriction_is_the_transpose", restriction_is_the_transpose},
+    {"coarse_matrix_is_that_of_the_product",
+     coarse_matrix_is_that_of_the_product},
+    {"grids_are_halved_down_to_four", grids_are_halved_down_to_four},
+    {"a_sweep_takes_the_equations_in_turn",
+     a_sweep_takes_the_equations_in_turn},
+    {"a_cycle_is_symmetric_and_exact_on_the_coarsest_grid",
+     a_cycle_is_symmetric_and_exact_on_the_coarsest_grid},
+    {"iterations_do_not_depend_on_the_mesh",
+     iterations_do_not_depend_on_the_mesh},
+};
+
+UNIT_MAIN("multigrid", laws)

@@ -1,0 +1,543 @@
+/* sparse.c - laws of common/dissection.h, sparse.h and the sparse storage of
+ * matrix.h, body.h and step.h; dense storage and the band are the judges. */
+#include "matrix.h"
+#include "scene.h"
+#include "sparse.h"
+
+#include "unit.h"
+
+#include <float.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A square with some vertices held: both ends, the left one, none; or a
+ * rectangle with any, each with the chance 1/4, by the seed. */
+enum hold { ENDS, LEFT, NONE, ANY, HOLDS };
+struct pattern {
+    struct mesh *mesh;
+    int *held, n; /* n: unknowns */
+    struct sparse *sparse;
+};
+
+static struct pattern pattern_alloc(int n, int hold, unsigned long seed,
+                                    int leaf)
+{
+    struct pattern p = {.mesh = hold == ANY
+                                    ? mesh_rectangle(n, 1 + 2 * n / 3, 2.0, 1.0)
+                                    : mesh_square(n)};
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, seed);
+    p.held = calloc((size_t)p.mesh->n_vertex, sizeof *p.held);
+    for (int a = 1; a < p.mesh->n_vertex; a++) { /* 0 is free */
+        const int left = a % (n + 1) == 0, right = a % (n + 1) == n;
+        p.held[a] = hold == ANY ? gsl_rng_uniform(rng) < 0.25
+                                : (left && hold != NONE) ||
+                                      (right && hold == ENDS && n > 1);
+    }
+    p.held[0] = hold != NONE && hold != ANY;
+    p.sparse = sparse_alloc(p.mesh, p.held, leaf);
+    p.n = 2 * p.sparse->n_vertex;
+    gsl_rng_free(rng);
+    return p;
+}
+
+static void pattern_free(struct pattern p)
+{
+    sparse_free(p.sparse);
+    mesh_free(p.mesh);
+    free(p.held);
+}
+
+/* A random symmetric, diagonally dominant matrix of the pattern, and the same
+ * dense. */
+static void random_pair(struct pattern p, unsigned long seed,
+                        struct matrix **sparse, struct matrix **dense)
+{
+    const struct sparse *s = p.sparse;
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, seed);
+    *sparse = matrix_alloc_sparse(s);
+    *dense = matrix_alloc(DENSE, p.n, 0);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int b = s->start[v]; b < s->start[v + 1]; b++)
+            for (int k = 0; k < 4; k++) {
+                const int i = 2 * s->row[b] + k % 2, j = 2 * v + k / 2;
+                const double value =
+                    gsl_rng_uniform(rng) - 0.5 + (i == j ? 5.385 : 0.0);
+                if (i < j) continue;
+                matrix_add(*sparse, i, j, value);
+                matrix_add(*dense, i, j, value);
+                if (i == j) continue;
+                matrix_add(*sparse, j, i, value); /* dropped */
+                matrix_add(*dense, j, i, value);
+            }
+    gsl_rng_free(rng);
+}
+
+static void fill(int n, double v[])
+{
+    for (int i = 0; i < n; i++) v[i] = sin(2.385 * i + 0.7);
+}
+
+/* max|a - b| <= tolerance max|b| */
+static void same(int n, const double a[], const double b[], double tolerance)
+{
+    double largest = 0.0;
+    for (int i = 0; i < n; i++) largest = fmax(largest, fabs(b[i]));
+    for (int i = 0; i < n; i++) close_to(a[i], b[i], tolerance * largest);
+}
+
+static const int leaves[] = {1, 2, 3, 5, 16, 1000};
+
+static void the_order_takes_every_free_vertex_once(void)
+{
+    for (int n = 1; n <= 12; n++)
+        for (int hold = 0; hold < HOLDS; hold++)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, 7, leaves[l]);
+                const struct dissection *d = p.sparse->order;
+                int *seen = calloc((size_t)d->n_vertex, sizeof *seen);
+                int free_ones = 0, next = 0;
+                for (int a = 0; a < p.mesh->n_vertex; a++) {
+                    ck_assert_int_eq(d->place[a] < 0, p.held[a] != 0);
+                    if (p.held[a]) continue;
+                    ck_assert_int_lt(d->place[a], d->n_vertex);
+                    ck_assert_int_eq(seen[d->place[a]]++, 0);
+                    free_ones++;
+                }
+                ck_assert_int_eq(free_ones, d->n_vertex);
+                for (int k = 0; k < d->n_piece; k++) {
+                    ck_assert_int_eq(d->piece[k].first, next);
+                    next += d->piece[k].count;
+                    for (int c = 0; c < 2; c++)
+                        ck_assert_int_lt(d->piece[k].child[c], k);
+                }
+                ck_assert_int_eq(next, d->n_vertex);
+                free(seen);
+                pattern_free(p);
+            }
+}
+
+/* The piece of every place, and the first piece below every piece. */
+static void pieces(const struct dissection *d, int piece[], int lowest[])
+{
+    for (int k = 0; k < d->n_piece; k++) {
+        const struct piece *q = &d->piece[k];
+        lowest[k] = k;
+        for (int c = 0; c < 2; c++)
+            if (q->child[c] >= 0 && lowest[q->child[c]] < lowest[k])
+                lowest[k] = lowest[q->child[c]];
+        for (int v = q->first; v < q->first + q->count; v++) piece[v] = k;
+    }
+}
+
+static void a_line_separates_its_two_sides(void)
+{
+    for (int hold = 0; hold < HOLDS; hold++)
+        for (int n = 3; n <= 17; n++) {
+            struct pattern p = pattern_alloc(n, hold, 11, 4);
+            const struct dissection *d = p.sparse->order;
+            int piece[400], lowest[400], edges = 0, largest = 0;
+            pieces(d, piece, lowest);
+            for (int v = 0; v < d->n_vertex; v++)
+                for (int b = d->start[v] + 1; b < d->start[v + 1]; b++) {
+                    const int up = piece[d->row[b]], down = piece[v];
+                    ck_assert_int_gt(d->row[b], v);
+                    ck_assert(lowest[up] <= down && down <= up);
+                    edges++;
+                }
+            int expected = 0; /* the edges between free vertices */
+            for (int a = 0; a < p.mesh->n_vertex; a++)
+                for (int k = 0; k < 3; k++) {
+                    const int step[3] = {1, n + 1, n + 2}, b = a + step[k];
+                    if (b >= p.mesh->n_vertex || (k != 1 && a % (n + 1) == n))
+                        continue;
+                    expected += !p.held[a] && !p.held[b];
+                }
+            ck_assert_int_eq(edges, expected);
+            for (int k = 0; k < d->n_piece; k++)
+                if (d->piece[k].count > largest) largest = d->piece[k].count;
+            ck_assert_int_le(largest, n + 1);
+            pattern_free(p);
+        }
+}
+
+/* Rows of every front, by looking at all edges. */
+static void fill_is_what_the_fronts_must_hold(void)
+{
+    for (int hold = 0; hold < HOLDS; hold++)
+        for (int n = 1; n <= 13; n += 3)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, 5, leaves[l]);
+                const struct dissection *d = p.sparse->order;
+                int piece[400], lowest[400];
+                double numbers = 0.0, flops = 0.0, solve = 0.0;
+                pieces(d, piece, lowest);
+                for (int k = 0; k < d->n_piece; k++) {
+                    const int end = d->piece[k].first + d->piece[k].count;
+                    int rest[400] = {0}, m = 0;
+                    for (int v = 0; v < end; v++)
+                        for (int b = d->start[v]; b < d->start[v + 1]; b++)
+                            if (piece[v] >= lowest[k] && d->row[b] >= end)
+                                rest[d->row[b]] = 1;
+                    for (int v = 0; v < d->n_vertex; v++) m += 2 * rest[v];
+                    for (int c = 2 * d->piece[k].count; c > 0; c--, m++) {
+                        numbers += m + 1;
+                        flops += (m + 1.0) * (m + 1.0);
+                        solve += 4.0 * m + 2.0;
+                    }
+                }
+                ck_assert(p.sparse->numbers == numbers);
+                ck_assert(p.sparse->flops == flops);
+                ck_assert(p.sparse->solve == solve);
+                ck_assert((double)p.sparse->factor >= numbers);
+                pattern_free(p);
+            }
+}
+
+/* Entries of L by elimination on the graph, where what a vertex, or a piece as
+ * a whole, leaves is joined. */
+static double eliminate_graph(const struct sparse *s, int by_pieces)
+{
+    const struct dissection *d = s->order;
+    const int n = s->n_vertex, units = by_pieces ? d->n_piece : n;
+    char *joined = calloc((size_t)n * (size_t)n, 1);
+    double entries = 0.0;
+    for (int v = 0; v < n; v++)
+        for (int b = s->start[v]; b < s->start[v + 1]; b++)
+            joined[v * n + s->row[b]] = 1;
+    for (int k = 0; k < units; k++) {
+        const int first = by_pieces ? d->piece[k].first : k;
+        const int end = by_pieces ? first + d->piece[k].count : k + 1;
+        int m = 0, list[400];
+        for (int i = end; i < n; i++) {
+            int next_to = 0;
+            for (int v = first; v < end; v++) next_to |= joined[v * n + i];
+            if (next_to) list[m++] = i;
+        }
+        for (int i = 0; i < m; i++)
+            for (int j = i; j < m; j++) joined[list[i] * n + list[j]] = 1;
+        for (int c = 2 * (end - first); c > 0; c--) entries += 2 * m + c;
+    }
+    free(joined);
+    return entries;
+}
+
+static void fill_is_that_of_elimination(void)
+{
+    for (int hold = ENDS; hold <= NONE; hold++)
+        for (int n = 1; n <= 17; n++)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, 1, leaves[l]);
+                const double numbers = p.sparse->numbers;
+                ck_assert(numbers == eliminate_graph(p.sparse, 1));
+                ck_assert(numbers >= eliminate_graph(p.sparse, 0));
+                pattern_free(p);
+            }
+}
+
+static void solve_equals_dense_for_random_patterns(void)
+{
+    for (int n = 1; n <= 14; n++)
+        for (int hold = 0; hold < HOLDS; hold++)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, (unsigned)(n + l),
+                                                 leaves[l]);
+                struct matrix *A, *B;
+                double x[450], y[450];
+                random_pair(p, 1 + (unsigned)l, &A, &B);
+                fill(p.n, x);
+                fill(p.n, y);
+                ck_assert_int_eq(matrix_factor(A), OK);
+                ck_assert_int_eq(matrix_factor(B), OK);
+                matrix_solve(A, x);
+                matrix_solve(B, y);
+                same(p.n, x, y, 1e-12);
+                fill(p.n, x); /* the factor is still there */
+                matrix_solve(A, x);
+                same(p.n, x, y, 1e-12);
+                matrix_free(A);
+                matrix_free(B);
+                pattern_free(p);
+            }
+}
+
+static void an_analysis_serves_any_number_of_matrices(void)
+{
+    struct pattern p = pattern_alloc(9, ENDS, 1, 6);
+    struct matrix *A[2], *B[2];
+    double x[2][200], y[200];
+    for (int k = 0; k < 2; k++) random_pair(p, 3 + (unsigned)k, &A[k], &B[k]);
+    for (int turn = 0; turn < 2; turn++) /* turn 1: what A[0] was is A[1] */
+        for (int k = 0; k < 2; k++) {
+            ck_assert_int_eq(matrix_factor(A[k]), OK);
+            fill(p.n, x[k]);
+            matrix_solve(A[k], x[k]);
+            if (turn == 1) continue;
+            ck_assert_int_eq(matrix_factor(B[k]), OK);
+            fill(p.n, y);
+            matrix_solve(B[k], y);
+            same(p.n, x[k], y, 1e-12);
+            if (k == 0) continue;
+            matrix_zero(A[0]);
+            matrix_combine(A[0], 1.0, A[1], A[0]);
+        }
+    ck_assert(memcmp(x[0], x[1], (size_t)p.n * sizeof(double)) == 0);
+    for (int k = 0; k < 2; k++) {
+        matrix_free(A[k]);
+        matrix_free(B[k]);
+    }
+    pattern_free(p);
+}
+
+static void what_is_not_spd_is_reported(void)
+{
+    for (int l = 0; l < COUNT(leaves); l++) {
+        struct pattern p = pattern_alloc(6, ENDS, 1, leaves[l]);
+        for (int k = 0; k < p.n; k++)
+            for (int bad = 0; bad < 4; bad++) {
+                struct matrix *A, *B;
+                random_pair(p, 3, &A, &B);
+                matrix_add(A, k, k,
+                           bad == 0   ? -2.0 * matrix_get(A, k, k)
+                           : bad == 1 ? -matrix_get(A, k, k)
+                           : bad == 2 ? (double)INFINITY
+                                      : (double)NAN);
+                ck_assert_int_eq(matrix_factor(A), NOT_SPD);
+                matrix_free(A);
+                matrix_free(B);
+            }
+        pattern_free(p);
+    }
+}
+
+/* Springs between all neighbours, nothing held: the round-off in the last
+ * pivot is large, and what it is compared with is not what the front holds. */
+static void what_is_singular_is_not_spd(void)
+{
+    for (int n = 1; n <= 12; n++)
+        for (int l = 0; l < COUNT(leaves); l++) {
+            struct pattern p = pattern_alloc(n, NONE, 1, leaves[l]);
+            const struct sparse *s = p.sparse;
+            struct matrix *A = matrix_alloc_sparse(s);
+            for (int v = 0; v < s->n_vertex; v++)
+                for (int b = s->start[v] + 1; b < s->start[v + 1]; b++)
+                    for (int d = 0; d < 2; d++) {
+                        const int i = 2 * s->row[b] + d, j = 2 * v + d;
+                        const double k =
+                            2.385e9 * (1.0 + 0.5 * sin(3.714 * i + j));
+                        matrix_add(A, i, i, k);
+                        matrix_add(A, j, j, k);
+                        matrix_add(A, i, j, -k);
+                    }
+            struct matrix *held = matrix_copy(A);
+            matrix_add(held, 0, 0, 1e3); /* weak springs, and it is SPD */
+            matrix_add(held, 1, 1, 1e3);
+            ck_assert_int_eq(matrix_factor(A), NOT_SPD);
+            ck_assert_int_eq(matrix_factor(held), OK);
+            matrix_free(held);
+            matrix_free(A);
+            pattern_free(p);
+        }
+}
+
+/* Unknowns of very different scales. */
+static void a_pivot_is_compared_with_its_own_diagonal(void)
+{
+    for (int l = 0; l < COUNT(leaves); l++) {
+        struct pattern p = pattern_alloc(8, ENDS, 1, leaves[l]);
+        const struct sparse *s = p.sparse;
+        struct matrix *A, *B;
+        random_pair(p, 3, &A, &B);
+        for (int v = 0; v < s->n_vertex; v++)
+            for (int k = 4 * s->start[v]; k < 4 * s->start[v + 1]; k++)
+                A->a[k] *= pow(10.0, 9.0 * sin(s->row[k / 4]) + 9.0 * sin(v));
+        ck_assert_int_eq(matrix_factor(A), OK);
+        matrix_free(A);
+        matrix_free(B);
+        pattern_free(p);
+    }
+}
+
+static void the_verbs_are_those_of_dense_storage(void)
+{
+    for (int hold = 0; hold < HOLDS; hold++) {
+        struct pattern p = pattern_alloc(7, hold, 3, 5);
+        struct matrix *A, *B;
+        double x[200], y[200], z[200];
+        random_pair(p, 3, &A, &B);
+        fill(p.n, x);
+        matrix_multiply(A, x, y);
+        matrix_multiply(B, x, z);
+        same(p.n, y, z, 10 * DBL_EPSILON);
+        for (int i = 0; i < p.n; i++)
+            for (int j = 0; j < p.n; j++)
+                ck_assert(matrix_get(A, i, j) == matrix_get(B, i, j));
+        ck_assert(matrix_max_diagonal(A) == matrix_max_diagonal(B));
+        const size_t entries = 4 * (size_t)p.sparse->start[p.n / 2];
+        ck_assert_uint_eq(matrix_bytes(A), 8 * entries);
+        struct matrix *C = matrix_copy(A);
+        matrix_combine(A, -0.5, A, C);
+        for (int i = 0; i < p.n; i++)
+            ck_assert(matrix_get(C, i, 0) == 0.5 * matrix_get(B, i, 0));
+        ck_assert_int_eq(matrix_factor(A), OK);
+        ck_assert_uint_eq(matrix_bytes(A), 8 * (entries + p.sparse->factor +
+                                                p.sparse->work));
+        matrix_zero(A);
+        ck_assert(matrix_get(A, 3, 3) == 0.0 && matrix_get(C, 3, 3) > 2.0);
+        matrix_free(A);
+        matrix_free(B);
+        matrix_free(C);
+        pattern_free(p);
+    }
+    ck_assert_str_eq(storage_name(DENSE), "dense");
+    ck_assert_str_eq(storage_name(BANDED), "banded");
+    ck_assert_str_eq(storage_name(SPARSE), "sparse");
+}
+
+static void what_is_indefinite_is_solved_in_a_band(void)
+{
+    for (int hold = 0; hold < HOLDS; hold++) {
+        struct pattern p = pattern_alloc(7, hold, 3, 5);
+        struct matrix *A, *B;
+        double x[200], b[200], value[200];
+        int negative, expected = 0;
+        random_pair(p, 3, &A, &B);
+        for (int k = 4; k < p.n; k += 7) {
+            matrix_add(A, k, k, -9.385);
+            matrix_add(B, k, k, -9.385);
+        }
+        fill(p.n, b);
+        fill(p.n, x);
+        ck_assert_int_eq(matrix_solve_indefinite(A, x, &negative), OK);
+        ck_assert_double_le(matrix_residual(B, x, b), 1e-12);
+        matrix_eigenvalues(B, value);
+        for (int k = 0; k < p.n; k++) expected += value[k] < 0.0;
+        ck_assert_int_eq(negative, expected);
+        matrix_free(A);
+        matrix_free(B);
+        pattern_free(p);
+    }
+}
+
+/* Two scenes alike but for the storage; the order of equations differs. */
+static void a_body_in_either_storage_has_the_same_matrix(void)
+{
+    for (int reading = STRETCH; reading <= SPIN; reading++)
+        for (int tangent = EXACT; tangent <= PROJECTED; tangent++) {
+            struct scene_setting set = scene_notes((enum reading)reading,
+                                                   CUBIC, 7);
+            struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+            double q[2][128], u[128];
+            body_store(s[1]->body, SPARSE);
+            for (int r = 0; r < s[0]->n_dof; r++) u[r] = 0.2 * sin(2.7 * r);
+            for (int k = 0; k < 2; k++)
+                ck_assert_int_eq(body_assemble(s[k]->body, 0.1, s[k]->v, NULL,
+                                               u, (enum tangent)tangent, q[k]),
+                                 OK);
+            const struct body *a = s[0]->body, *b = s[1]->body;
+            const double size = matrix_max_diagonal(a->K);
+            ck_assert_int_eq(a->n_equation, b->n_equation);
+            ck_assert_int_eq(a->K->storage, BANDED);
+            ck_assert_int_eq(b->K->storage, SPARSE);
+            for (int i = 0; i < s[0]->n_dof; i++) {
+                ck_assert_int_eq(a->equation[i] < 0, b->equation[i] < 0);
+                for (int j = 0; j < s[0]->n_dof; j++)
+                    if (a->equation[i] >= 0 && a->equation[j] >= 0)
+                        close_to(
+                            matrix_get(a->K, a->equation[i], a->equation[j]),
+                            matrix_get(b->K, b->equation[i], b->equation[j]),
+                            10 * DBL_EPSILON * size);
+            }
+            same(s[0]->n_dof, q[0], q[1], 10 * DBL_EPSILON);
+            for (int k = 0; k < 2; k++) scene_free(s[k]);
+        }
+}
+
+static void a_step_in_either_storage_is_the_same(void)
+{
+    const char *method[] = {"notes", "lift", "all"};
+    for (int reading = STRETCH; reading <= SPIN; reading++)
+        for (int m = 0; m < COUNT(method); m++) {
+            struct scene_setting set = scene_notes((enum reading)reading,
+                                                   CUBIC, 9);
+            struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+            const struct step_control control = step_method(method[m]);
+            body_store(s[1]->body, SPARSE);
+            for (int step = 0; step < 3; step++)
+                for (int k = 0; k < 2; k++) {
+                    const struct step_report r = scene_step(s[k], &control);
+                    ck_assert_int_eq(r.status, OK);
+                    ck_assert_int_eq(r.storage, k ? SPARSE : BANDED);
+                }
+            same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-12);
+            for (int k = 0; k < 2; k++) scene_free(s[k]);
+        }
+}
+
+/* The inverting scene of the notes' Newton: K is indefinite on the way. */
+static void an_indefinite_step_is_the_same_too(void)
+{
+    struct scene_setting set = scene_notes(GRAVITY, CUBIC, 6);
+    struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+    struct step_control control = step_method("notes");
+    struct step_report report[2];
+    body_store(s[1]->body, SPARSE);
+    for (int k = 0; k < 2; k++) {
+        double w[98] = {0.0};
+        scene_scatter(s[k], 3, 0.3);
+        control.max_iterations = 3;
+        report[k] = step_solve(s[k]->body, &control, 1.0, w, s[k]->f, s[k]->u);
+        ck_assert_int_ge(report[k].indefinite, 1);
+    }
+    ck_assert_int_eq(report[0].indefinite, report[1].indefinite);
+    same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-9);
+    for (int k = 0; k < 2; k++) scene_free(s[k]);
+}
+
+static void a_body_chooses_its_storage_by_n(void)
+{
+    for (int n = BODY_SPARSE_FROM - 1; n <= BODY_SPARSE_FROM; n++) {
+        struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+        struct scene *s = scene_alloc(&set);
+        const int from = n == BODY_SPARSE_FROM;
+        ck_assert_int_eq(s->body->K->storage, from ? SPARSE : BANDED);
+        struct matrix *A = body_matrix(s->body);
+        ck_assert_int_eq(A->storage, from ? SPARSE : BANDED);
+        body_store(s->body, BANDED);
+        ck_assert_int_eq(s->body->K->storage, BANDED);
+        ck_assert_int_eq(s->body->K->p, 2 * n - 1);
+        matrix_free(A);
+        scene_free(s);
+    }
+}
+
+static const struct unit_law laws[] = {
+    {"the_order_takes_every_free_vertex_once",
+     the_order_takes_every_free_vertex_once},
+    {"a_line_separates_its_two_sides", a_line_separates_its_two_sides},
+    {"fill_is_what_the_fronts_must_hold", fill_is_what_the_fronts_must_hold},
+    {"fill_is_that_of_elimination", fill_is_that_of_elimination},
+    {"solve_equals_dense_for_random_patterns",
+     solve_equals_dense_for_random_patterns},
+    {"an_analysis_serves_any_number_of_matrices",
+     an_analysis_serves_any_number_of_matrices},
+    {"what_is_not_spd_is_reported", what_is_not_spd_is_reported},
+    {"what_is_singular_is_not_spd", what_is_singular_is_not_spd},
+    {"a_pivot_is_compared_with_its_own_diagonal",
+     a_pivot_is_compared_with_its_own_diagonal},
+    {"the_verbs_are_those_of_dense_storage",
+     the_verbs_are_those_of_dense_storage},
+    {"what_is_indefinite_is_solved_in_a_band",
+     what_is_indefinite_is_solved_in_a_band},
+    {"a_body_in_either_storage_has_the_same_matrix",
+     a_body_in_either_storage_has_the_same_matrix},
+    {"a_step_in_either_storage_is_the_same",
+     a_step_in_either_storage_is_the_same},
+    {"an_indefinite_step_is_the_same_too", an_indefinite_step_is_the_same_too},
+    {"a_body_chooses_its_storage_by_n", a_body_chooses_its_storage_by_n},
+};
+
+UNIT_MAIN("sparse", laws)
