@@ -2,8 +2,8 @@
  * hard.c - what each rung of the ladder is for: one is taken away at a time.
  *
  * The script `hard` on the square, n = 8, a patch in the hand, backward Euler.
- * Table: of 300 frames lost, longest freeze, systems at the 99th percentile,
- * largest energy and |u| of all frames, |u| of the last.
+ * Table: of 300 frames lost, longest freeze, systems at p99, largest energy and
+ * |u|, |u| at the end; the same in words, which do not hang on round-off.
  */
 #include "live.h"
 #include "study.h"
@@ -21,7 +21,6 @@ static const char *const WITHOUT[] = {
     "nothing",            "second rung",  "line search",       "halved ways",
     "projection of lift", "bounded hand", "stop if unfinished"};
 static enum without without; /* the rung that is not there */
-/* live_downhill() */
 static enum status downhill(struct live *live, double u[], double v[],
                             struct live_report *report)
 {
@@ -31,8 +30,8 @@ static enum status downhill(struct live *live, double u[], double v[],
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * live->now.v[r];
     report->part = 1.0;
-    const int most = without == HALVING ? 1 : LIVE_HALVINGS;
-    for (int k = 0; status != OK && k < most; k++) {
+    const int tries = without == HALVING ? 1 : LIVE_HALVINGS;
+    for (int k = 0; status != OK && k < tries; k++) {
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
@@ -55,7 +54,7 @@ static enum status downhill(struct live *live, double u[], double v[],
 }
 
 struct result {
-    int lost, freeze;
+    int lost, frozen, freeze;
     double p99, farthest;
 };
 
@@ -68,7 +67,6 @@ static struct result play(enum law law)
     struct pointers hard = pointers_hard();
     struct result sum = {0};
     struct times systems = {0};
-    int frozen = 0;
     double energy = 0.0, far = 0.0;
     for (int k = 0; k < hard.n; k++) {
         double to[2] = {hard.frame[k].x, hard.frame[k].y};
@@ -78,9 +76,9 @@ static struct result play(enum law law)
         const struct live_report report =
             live_frame_by(live, live_lift, downhill, to);
         const int lost = strcmp(report.rung, "lost") == 0;
-        frozen = lost ? frozen + 1 : 0;
         sum.lost += lost;
-        if (frozen > sum.freeze) sum.freeze = frozen;
+        sum.frozen = lost ? sum.frozen + 1 : 0;
+        if (sum.frozen > sum.freeze) sum.freeze = sum.frozen;
         times_record(&systems, report.systems, 1);
         energy = fmax(energy, live_energy(live));
         far = 0.0;
@@ -90,7 +88,9 @@ static struct result play(enum law law)
     }
     sum.p99 = times_quantile(&systems, 0.99);
     table_row(material_law(law), WITHOUT[without], sum.lost, sum.freeze,
-              sum.p99, energy, sum.farthest, far);
+              sum.p99, energy, sum.farthest, far,
+              sum.lost == 0 ? "none" : sum.lost < 20 ? "few" : "many",
+              far < 1e-2 ? "at rest" : far < 10.0 ? "frozen" : "exploded");
     pointers_free(&hard);
     live_free(live);
     return sum;
@@ -100,7 +100,8 @@ int main(void)
 {
     struct result hard[2][N_WITHOUT];
     gsl_set_error_handler_off();
-    table_begin("rungs", "law without lost freeze p99 energy farthest last");
+    table_begin("rungs", "law without lost freeze p99 energy farthest last "
+                         "losses end");
     for (int l = 0; l < 2; l++)
         for (int w = 0; w < N_WITHOUT; w++) {
             without = (enum without)w;
@@ -108,8 +109,7 @@ int main(void)
         }
     table_end();
     for (int l = 0; l < 2; l++)
-        claim(hard[l][NOTHING].lost == 0 && hard[l][NOTHING].p99 <= 22.0 &&
-                  hard[l][DOWNHILL].freeze >= 40,
+        claim(hard[l][NOTHING].lost == 0 && hard[l][DOWNHILL].freeze >= 40,
               "the whole ladder loses no frame (%d); without the second rung "
               "the picture freezes for 40 frames or more (%d)",
               hard[l][NOTHING].lost, hard[l][DOWNHILL].freeze);
