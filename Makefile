@@ -49,8 +49,10 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
-# Studies are named as NN_slug/what; speed/what are measured by `make bench`.
-STUDIES := $(patsubst figures/%.c,%,$(sort $(wildcard figures/*/*.c)))
+# Studies are named as NN_slug/what; speed/what are measured by `make bench`,
+# many/many, which needs PETSc, by `make many`.
+STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(wildcard \
+               figures/*/*.c))))
 SPEED   := $(filter speed/%,$(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
@@ -98,7 +100,9 @@ help:
 	@echo '  make figures      run every study and draw every figure'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
+	@echo '  make live         lesson 24 in a window (needs SDL2)'
 	@echo '  make bench        solvers and time steps against others, here'
+	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  mutants-07  memcheck'
 	@echo '                    clean'
@@ -109,7 +113,9 @@ deps:
 
 # ---- library and programs ---------------------------------------------------
 
-OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(wildcard common/*.c))
+# window.c needs SDL2 and is for `make live` only.
+OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(filter-out \
+               common/window.c,$(wildcard common/*.c)))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
@@ -248,6 +254,17 @@ plot-$1: $(BUILD)/mine/$2 $(BUILD)/data/$2.tsv
 hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2
 endef
 $(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
+
+# Lesson 24 in a window; ARGS: its options.
+.PHONY: live
+live: $(LIB)
+	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \
+	    'apt install libsdl2-dev, or brew install sdl2' >&2; exit 2; }
+	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) \
+	    $(if $(FORCE),solutions,lessons)/24_live.c common/window.c \
+	    -o $(BUILD)/live $(LINK) $$(pkg-config --libs sdl2)
+	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
+	@echo 'The frames are in $(BUILD)/live.tsv'
 
 lesson-% check-% hint-% plot-% solution-% reset-% watch-%:
 	@echo "There is no lesson $*. The lessons are:" >&2
