@@ -58,7 +58,7 @@ rule 'every tag that opens is closed, and no piece of one is left' \
             [ "$(grep -oE "<$tag[ >]" "$f" | wc -l)" = \
                 "$(grep -oF "</$tag>" "$f" | wc -l)" ] || echo "$f: $tag"
         done
-        seen "$f" | grep -oE '(^|[^-a-z0-9"/])/?[a-z]+>' | sed "s|^|$f: |"
+        seen "$f" | sed 's/<[^<>]*>//g' | grep '[<>]' | sed "s|^|$f: |"
     done)"
 rule 'no label is without its link' \
     "$(cd "$tmp/book" && for f in $pages; do
@@ -73,7 +73,14 @@ written() {
                 text = substr(text, RSTART + RLENGTH)
                 if (mark ~ /^\[/) { print mark; continue }
                 end = index(text, mark)
-                if (mark ~ /[$]/) print substr(text, 1, end - 1)
+                if (mark ~ /[$]/) {
+                    formula = substr(text, 1, end - 1)
+                    print formula
+                    while (match(formula, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+                        print substr(formula, RSTART, RLENGTH)
+                        formula = substr(formula, RSTART + RLENGTH)
+                    }
+                }
                 text = substr(text, end + length(mark))
             }
             text = ""

@@ -28,6 +28,8 @@ h1 { font-size: 1.6rem; line-height: 1.25; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 a { color: #0b5394; text-decoration-thickness: 1px; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
+mstyle[mathvariant=normal] mi { text-transform: none; }
+mstyle[mathvariant=bold] { font-weight: bold; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; border: solid #ddd; border-width: 1px 0; padding: .4em 0; }
 img { max-width: 100%; height: auto; }
@@ -104,6 +106,13 @@ function changed(part, name) {
     sub(/<\/table>/, "&</div>")
     gsub(/<p><math display="block"/, "<p class=\"wide\"><math display=\"block\"")
     if (/^<p>(Previous: |<a [^>]*>Contents, )/) sub(/<p>/, "<p class=\"nav\">")
+    n = split($0, bit, /<math /)
+    $0 = bit[1]
+    for (i = 2; i <= n; i++) {
+        if (bit[i] !~ /\\(left|begin)/)
+            gsub(/stretchy="true"/, "stretchy=\"false\"", bit[i])
+        $0 = $0 "<math " bit[i]
+    }
     done = ""
     while (match($0, token)) {
         part = substr($0, RSTART, RLENGTH)
