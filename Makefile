@@ -49,8 +49,10 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
-# Studies are named as NN_slug/what; speed/what are measured by `make bench`.
-STUDIES := $(patsubst figures/%.c,%,$(sort $(wildcard figures/*/*.c)))
+# Studies are named as NN_slug/what; speed/what are measured by `make bench`,
+# many/many, which needs PETSc, by `make many`.
+STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(wildcard \
+               figures/*/*.c))))
 SPEED   := $(filter speed/%,$(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
@@ -100,6 +102,7 @@ help:
 	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make bench        solvers and time steps against others, here'
+	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
 	@echo '  for teachers:     starters  workbook  verify-07  mutants-07  memcheck'
 	@echo '                    clean'

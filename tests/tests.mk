@@ -73,7 +73,7 @@ $(BUILD)/grade/%/judged: ; @+$(GRADE) one $(@D)
 
 # The book is filled from the tables of the solutions and of the studies.
 BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
-DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED))
+DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED) many/many)
 workbook: $(DATA)
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill
 
@@ -169,7 +169,7 @@ all: programs $(PROGRAMS:=.judge) $(STUDIES:%=$(BUILD)/figures/%) \
 # what any test may rest on
 EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
               lessons/*.c tests/*.mk tests/*/* figures/*.gp figures/*/*.gp \
-              figures/*/*.c)
+              figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
@@ -218,6 +218,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
+           $(T)/many.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)
@@ -227,4 +228,5 @@ test: $(RESULTS)
 memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
 	@cat $^ | sh tests/tools/count.sh
 
+include tests/many.mk
 include tests/mutants.mk

@@ -8,13 +8,14 @@ export LC_ALL
 rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
-studies=$(ls figures/*/*.c)
-sources=$(ls common/*.[ch] solutions/*.c figures/*/*.c tests/*/*.[ch])
+many=$(ls figures/many/*.[ch]) # alone on PETSc, and a program with options
+studies=$(ls figures/*/*.c | grep -v '^figures/many/')
+sources=$(ls common/*.[ch] solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
 lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step readable scene system user model integrate study options table'
+layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate work sweep study options table particle_bodies'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -34,6 +35,8 @@ rule 'solutions and studies include libc, GSL and common/ only' \
         header=$(echo "$text" | sed 's/.*"\(.*\)".*/\1/')
         [ -f "common/$header" ] || echo "$file:$line"
     done)"
+rule 'only figures/many/ needs PETSc or MPI' \
+    "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
 rule 'only options, study, table and status print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*.c |
         grep -vE 'common/(options|study|table|status)\.c')"
@@ -117,7 +120,7 @@ rule 'every picture and file that the text names is there' \
 labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
 undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
 defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
-cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies | labels)
+cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule 'every label cited by code is defined in workbook.md' \
     "$(echo "$cited" | undefined)"

@@ -49,7 +49,9 @@ mode=$1
 lines solutions/*.c | row 'lines of a solution' 230 300
 starters | row 'lines of a starter' 180 230
 shares | row 'per cent after the last slot' - 35
-lines $(ls figures/*/*.c | grep -v '^figures/speed/') | row 'lines of a study' - 120
+lines $(ls figures/*/*.c | grep -vE '^figures/(speed|many)/') |
+    row 'lines of a study' - 120
 lines figures/speed/*.c | row 'lines of a study of speed' - 170
+lines figures/many/*.[ch] | row 'lines of the study with PETSc' - 250
 lines common/*.[ch] | row 'lines of a file of common/' - 420
 lines workbook.md | row 'lines of workbook.md' - 500

@@ -1,0 +1,111 @@
+/*
+ * hanging.c - the bar hung by its end, by particles and by finite elements.
+ *
+ * 500 N/m stretch it to 1.544 at the wall.  `once` puts all of the load on in
+ * one step, on one grid, as finite elements do; `reset` takes ten steps, and
+ * each begins with a new grid.  The error is the worst of all particles, or of
+ * the middles of all elements [eq:hanging-bar]; the work, what a loop over the
+ * particles visits: particles times nodes per particle.
+ */
+#include "bar_scene.h"
+#include "particle_bodies.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+
+enum { FINEST = 4 }; /* 8, 16, 32, 64 cells */
+
+/* The worst place of particles; NAN where a step ends with another status. */
+static double particles_error(int order, int cells, int ppc, enum wall wall,
+                              int loads, enum status *status)
+{
+    const struct material material = material_notes(CUBIC);
+    struct cloud c = cloud_hanging(order, cells, ppc);
+    struct particle_step step = {.wall = wall};
+    *status = OK;
+    for (int k = 1; k <= loads && *status == OK; k++) {
+        step.g[0] = 500.0 * k / loads;
+        *status = particles_step(c.grid, c.p, material, &step).status;
+    }
+    const double error = hanging_error(c.p, &material, 500.0).place;
+    cloud_free(c);
+    return *status == OK ? error : NAN;
+}
+
+static double elements_error(int cells)
+{
+    struct bar_scene scene = bar_scene_notes(CUBIC, cells);
+    scene.c = 500.0;
+    struct bar_state *state = bar_scene_solve(&scene, NULL);
+    double worst = 0.0, F;
+    for (int e = 0; e < cells; e++) {
+        const double X = (e + 0.5) / cells;
+        const double x = X + 0.5 * (state->u[e] + state->u[e + 1]);
+        const double exact = hanging_place(&scene.material, 500.0, X, &F);
+        worst = fmax(worst, fabs(x - exact));
+    }
+    bar_state_free(state);
+    return worst;
+}
+
+/* A row for every number of cells; error[] of them. */
+static void rows(int order, int ppc, enum wall wall, int loads, double error[])
+{
+    static const char *const kernel[] = {"linear", "quadratic", "cubic"};
+    for (int k = 0; k < FINEST; k++) {
+        const int cells = 8 << k;
+        enum status status;
+        error[k] = particles_error(order, cells, ppc, wall, loads, &status);
+        const double slope =
+            k > 0 ? order_of(error[k - 1], error[k], 2.0) : NAN;
+        table_row(kernel[order - 1], ppc, wall_name(wall), cells,
+                  (double)cells * ppc * (order + 1),
+                  cell_if(status == OK, error[k]),
+                  cell_if(isfinite(slope), slope), status_name(status));
+    }
+}
+
+int main(void)
+{
+    double fem[FINEST], once[4][FINEST], held[4][FINEST], two[4][FINEST];
+    double four[4][FINEST];
+    const char *const columns = "kernel ppc wall cells work error order status";
+    table_begin("elements", "cells work error order");
+    for (int k = 0; k < FINEST; k++) {
+        fem[k] = elements_error(8 << k);
+        table_row(8 << k, 2 * (8 << k), fem[k],
+                  cell_if(k > 0, order_of(fem[k ? k - 1 : 0], fem[k], 2.0)));
+    }
+    table_end();
+    table_begin("once", columns);
+    for (int p = 1; p <= 3; p++) rows(p, 2, MIRROR, 1, once[p]);
+    table_end();
+    table_begin("held", columns);
+    for (int p = 2; p <= 3; p++) rows(p, 2, HELD, 1, held[p]);
+    table_end();
+    table_begin("reset", columns);
+    for (int p = 1; p <= 3; p++) rows(p, 2, MIRROR, 10, two[p]);
+    for (int p = 1; p <= 3; p++) rows(p, 4, MIRROR, 10, four[p]);
+    table_end();
+
+    for (int k = 1; k < FINEST; k++) {
+        claim(fabs(order_of(fem[k - 1], fem[k], 2.0) - 2.0) < 0.02,
+              "finite elements have order 2");
+        for (int p = 1; p <= 3; p++)
+            claim(fabs(order_of(once[p][k - 1], once[p][k], 2.0) - 2.0) < 0.03,
+                  "on one grid order-%d particles have order 2", p);
+        for (int p = 2; p <= 3; p++)
+            claim(fabs(order_of(held[p][k - 1], held[p][k], 2.0) - 1.0) < 0.03,
+                  "with held nodes order 1 is left");
+        claim(four[1][k] > 3e-2 && four[1][k] < 5e-2, "the linear kernel with "
+              "four per cell stays at 4 per cent");
+    }
+    claim(isnan(two[1][1]) && isnan(two[1][3]),
+          "with two per cell it ends with a named status");
+    claim(four[2][3] > 1e-4 && four[3][3] < 2e-5,
+          "the quadratic kernel stops at 3e-4, the cubic one goes on");
+    claim(held[2][3] / once[2][3] > 300.0,
+          "the mirror is 300 times better at 64 cells");
+    return table_finish();
+}

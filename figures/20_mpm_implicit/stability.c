@@ -1,0 +1,120 @@
+/*
+ * stability.c - how small must an explicit step be when the last particle of a
+ * bar has only just passed a node?
+ * 8 cells, two particles per cell, both ends free, the last particle eps h
+ * beyond a node, which has hardly any mass then.  `grid` is the limit of the
+ * nodes by themselves, 2 / omega; `flip` that of a step with its transfers: no
+ * eigenvalue of it, as a linear map of all v_p and F_p, is beyond 1.  Times in
+ * h / c, c the speed of sound; systems: of one implicit step of 1/30 s.
+ */
+#include "particle_bodies.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_complex_math.h>
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+
+enum { P = 16, STATE = 2 * P }; /* v, then F - 1, along the bar */
+static const double H = 0.125;
+struct outlying {
+    int order;
+    double eps;
+};
+
+static double grid_limit(struct outlying at)
+{
+    const struct material material = material_notes(CUBIC);
+    struct cloud c = cloud_outlying(at.order, at.eps);
+    const struct particle_body body = {c.grid, c.p, material, NULL};
+    claim(grid_p2g(c.grid, c.p) == OK, "the bar is on its grid");
+    const double dt = 2.0 / particle_frequency(&body) / H;
+    cloud_free(c);
+    return dt * sqrt(material_modulus(&material));
+}
+
+/* One explicit FLIP step of the state z from rest. */
+static void flip_step(struct outlying at, double dt, double z[STATE])
+{
+    struct cloud c = cloud_outlying(at.order, at.eps);
+    const struct particle_step step = {.rate = 1.0 / dt, .transfer = FLIP};
+    for (int p = 0; p < P; p++) {
+        c.p->v[2 * p] = z[p];
+        c.p->F[p].m[0][0] = 1.0 + z[P + p];
+    }
+    const struct material m = material_notes(CUBIC);
+    claim(particles_step_explicit(c.grid, c.p, m, &step) == OK, "one step");
+    for (int p = 0; p < P; p++) {
+        z[p] = c.p->v[2 * p];
+        z[P + p] = c.p->F[p].m[0][0] - 1.0;
+    }
+    cloud_free(c);
+}
+
+/* log of the largest |eigenvalue| of the step, less 1e-4. */
+static double growth(double courant, void *outlying)
+{
+    const struct outlying at = *(struct outlying *)outlying;
+    const struct material material = material_notes(CUBIC);
+    const double c = sqrt(material_modulus(&material));
+    gsl_matrix *A = gsl_matrix_alloc(STATE, STATE);
+    gsl_vector_complex *value = gsl_vector_complex_alloc(STATE);
+    gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(STATE);
+    double most = 0.0;
+    for (int k = 0; k < STATE; k++) {
+        const double e = k < P ? 1e-5 * c : 1e-5; /* as large as strains */
+        double more[STATE] = {0.0}, less[STATE] = {0.0};
+        more[k] = e;
+        less[k] = -e;
+        flip_step(at, courant * H / c, more);
+        flip_step(at, courant * H / c, less);
+        for (int i = 0; i < STATE; i++)
+            gsl_matrix_set(A, (size_t)i, (size_t)k, (more[i] - less[i]) /
+                           (2.0 * e) * (k < P ? c : 1.0) / (i < P ? c : 1.0));
+    }
+    gsl_eigen_nonsymm(A, value, work);
+    for (size_t i = 0; i < STATE; i++)
+        most = fmax(most, gsl_complex_abs(gsl_vector_complex_get(value, i)));
+    gsl_eigen_nonsymm_free(work);
+    gsl_vector_complex_free(value);
+    gsl_matrix_free(A);
+    return log(most) - 1e-4;
+}
+
+static int systems(struct outlying at)
+{
+    const struct material material = material_notes(CUBIC);
+    struct cloud c = cloud_outlying(at.order, at.eps);
+    const struct particle_step step = {.rate = 30.0};
+    for (int p = 0; p < P; p++)
+        c.p->v[2 * p] = 0.02 * sqrt(material_modulus(&material)) *
+                        cos(acos(-1.0) / P * (p + 0.5));
+    struct particle_report r = particles_step(c.grid, c.p, material, &step);
+    cloud_free(c);
+    return r.status == OK ? r.iterations : 0;
+}
+
+int main(void)
+{
+    const char *const kernel[] = {"linear", "quadratic", "cubic"};
+    const double eps[] = {0.5, 0.01, 1e-3, 1e-6};
+    const struct material m = material_notes(CUBIC);
+    const double implicit = sqrt(material_modulus(&m)) / 30.0 / H;
+    table_begin("critical", "kernel eps grid flip implicit systems");
+    for (int order = 1; order <= 3; order++)
+        for (int k = 0; k < 4; k++) {
+            struct outlying at = {order, eps[k]};
+            const double grid = grid_limit(at);
+            const double flip = root_of(growth, &at, grid / 2.0, grid);
+            const struct cell n = cell_if(systems(at) > 0, systems(at));
+            table_row(kernel[order - 1], eps[k], grid, flip, implicit, n);
+            claim(n.number == 4.0 || order == 3, "four systems");
+            if (order == 1 && eps[k] <= 1e-3)
+                claim(fabs(grid / (2.0 * sqrt(eps[k])) - 1.0) < 2e-3 &&
+                          fabs(flip / grid * sqrt(2.0) - 1.0) < 1e-3,
+                      "linear: 2 sqrt(eps), with transfers 1/sqrt(2) of it");
+            claim(order == 1 || (grid > 1.2 && grid < 1.5), "any eps");
+        }
+    table_end();
+    return table_finish();
+}

@@ -1,0 +1,16 @@
+# unheld.gp - a motion of the nodes that stretches no particle.
+# Reads   data  tables field, particles
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 760,300
+set output out
+set xrange [0:8]
+set yrange [-0.05:1.05]
+set xtics 1
+set xlabel "x (cells)"
+set ylabel "displacement"
+set key above left maxrows 1 samplen 2
+plot data index "field" using "x":"u" with lines ls 1 \
+         title "displacement between the nodes", \
+     data index "particles" using "x":"u" with points ls 2 pt 7 ps 1 \
+         title "particles: the slope is 0 at each of them"

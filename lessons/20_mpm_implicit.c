@@ -1,0 +1,180 @@
+/*
+ * 20_mpm_implicit.c - the material point method: an implicit step of particles.
+ * Notes: the material point method, backward Euler and the updates after it.
+ *
+ * Problem.  P2G has given the nodes m_a and v_a.  Now they move by u, so that
+ *
+ *     r = M (u / dt - v) / dt - f(u) - m g = 0           [eq:particle-residual]
+ *
+ * where E [eq:particle-potential] is stationary; Newton's method finds it
+ * [alg:particle-newton].  The particles follow, and the grid is forgotten.
+ *
+ *   -1 | 0   1   2   3      component k of node a is u[2a + k], as in v, r, w;
+ *    o-|-o---o---o---o      u = T y, y the unknowns of map: u_s = sign[s]
+ *      |. .  . .  . .       y[equation[s]], or 0 where equation[s] < 0.  Across
+ *    wall at x_1 = 0        the wall u(-x_1) = -u(x_1) [eq:mirror]
+ * Run       make lesson-20, or with options: -h lists them
+ * Expect    elastic energy 0.00798452951104 after one step of the bar
+ * Plot: energies t elastic
+ */
+#include "options.h"
+#include "particle_bodies.h"
+#include "particle_step.h"
+#include "table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static struct particle_report advance(struct cloud c, struct material material,
+                                      const struct particle_step *step);
+
+/* The bar hung by its end, at rest under 500 N/m, which `loads` steps without
+ * inertia have put on; each begins with a new grid. */
+static void print_bar(int order, struct material material, enum wall wall)
+{
+    table_begin("bar", "cells ppc wall loads error stress_error status");
+    for (int row = 0; row < 12; row++) {
+        const int cells = 8 << row % 2, ppc = 1 << row / 4;
+        const int loads = row / 2 % 2 ? 10 : 1;
+        struct cloud c = cloud_hanging(order, cells, ppc);
+        struct particle_step step = {.wall = wall};
+        enum status status = OK;
+        for (int k = 1; k <= loads && status == OK; k++) {
+            step.g[0] = 500.0 * k / loads;
+            status = advance(c, material, &step).status;
+        }
+        const struct hanging_error e = hanging_error(c.p, &material, 500.0);
+        table_row(cells, ppc, wall_name(wall), loads,
+                  cell_if(status == OK, e.place),
+                  cell_if(status == OK, e.stress / 500.0), status_name(status));
+        cloud_free(c);
+    }
+    table_end();
+}
+
+/* E and r = dE/du at all nodes; 1 / dt is step->rate.  Statuses are those of
+ * particle_force(); E and r are then incomplete. */
+static enum status potential(const struct particle_body *body,
+                             const struct particle_step *step,
+                             const double u[], struct potential *E, double r[])
+{
+    const double *v = body->grid->v, *mass = body->grid->mass;
+    const int n = 2 * body->grid->n_node;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *Mw = w + n;
+    enum status status = OK;
+    /* SLOT 20a(body, step, u, v, mass, n, w, Mw, E, r, &status): the parts of
+     * E, and r; particle_energy(), particle_force(), particle_mass(). */
+    todo("20a", body, step, u, v, mass, n, w, Mw, E, r, &status);
+    /* END 20a */
+    free(w);
+    return status;
+}
+
+/* Which nodes move, and by which unknown: fills map->n, equation and sign.
+ * Node a is in the column a % columns, one of which is the wall. */
+static void number(const struct grid *grid, enum wall wall,
+                   struct unknowns *map)
+{
+    const int columns = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
+    const int at_wall = (int)lround(-grid->origin[0] / grid->h);
+    /* SLOT 20c(grid, wall, columns, axes, at_wall, map): only nodes with mass
+     * move, by the first `axes` components; then their mirror images. */
+    todo("20c", grid, wall, columns, axes, at_wall, map);
+    /* END 20c */
+}
+
+/* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
+ * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
+ * that E falls.  NOT_SPD: A is not positive definite; STALLED: 40 halvings;
+ * MAX_ITERATIONS: after STEP_CAP systems. */
+static struct particle_report newton(const struct particle_body *body,
+                                     const struct particle_step *step,
+                                     double u[])
+{
+    const int n = 2 * body->grid->n_node;
+    const double small = 1e-10 * body->grid->h;
+    struct particle_report report = {.status = OK};
+    struct unknowns *map = unknowns_alloc(body->grid);
+    struct potential there;
+    double *r = allocate(4 * (size_t)n, sizeof *r), *y = r + n, *du = y + n;
+    double *trial = du + n, weight = 0.0;
+    number(body->grid, step->wall, map);
+    struct matrix *A = unknowns_matrix(body, map);
+    /* SLOT 20b(body, step, n, small, &report, map, &there, r, y, du, trial,
+     * &weight, A, u): A by particle_stiffness(), particle_mass_matrix(). */
+    todo("20b", body, step, n, small, &report, map, &there, r, y, du, trial,
+         &weight, A, u);
+    /* END 20b */
+    matrix_free(A);
+    unknowns_free(map);
+    free(r);
+    return report;
+}
+
+/* F, v, x of all particles after the nodes have moved by u, as v^{n+1} =
+ * u / dt tells them by PIC or FLIP. */
+static enum status update(const struct grid *grid,
+                          const struct particle_step *step, const double u[],
+                          struct particles *p)
+{
+    struct support s;
+    for (int q = 0; q < p->n; q++) {
+        const enum status status = grid_support(grid, &p->x[2 * q], &s);
+        if (status != OK) return status;
+        /* SLOT 20d(grid, step, u, &s, p, q): this particle, whose nodes are in
+         * s; support_value() and support_gradient() do the sums. */
+        todo("20d", grid, step, u, &s, p, q);
+        /* END 20d */
+    }
+    return OK;
+}
+
+/* P2G, the nodes' new places, and the particles'. */
+static struct particle_report advance(struct cloud c, struct material material,
+                                      const struct particle_step *step)
+{
+    const struct particle_body body = {c.grid, c.p, material, NULL};
+    double *u = c.grid->next; /* a velocity in the end */
+    struct particle_report report = {.status = grid_p2g(c.grid, c.p)};
+    if (report.status == OK) report = newton(&body, step, u);
+    if (report.status == OK) report.status = update(c.grid, step, u, c.p);
+    for (int s = 0; s < 2 * c.grid->n_node; s++) u[s] *= step->rate;
+    return report;
+}
+
+int main(int argc, char *argv[])
+{
+    int scene = BAR, order = 2, law = 1, wall = HELD, mass = 0, scheme = 0;
+    int steps = 1;
+    double dt = 1.0 / 30.0;
+    const struct option options[] = {
+        {"scene", .choice = &scene, .choices = STEPPING, .help = "what moves"},
+        {"order", .integer = &order, .min = 1, .max = 3, .help = "of kernels"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "material"},
+        {"wall", .choice = &wall, .choices = WALLS, .help = "of the bar"},
+        {"mass", .choice = &mass, .choices = "lumped consistent", .help = "M"},
+        {"scheme", .choice = &scheme, .choices = "PIC FLIP", .help = "of G2P"},
+        {"dt", .real = &dt, .min = 1e-6, .max = 9, .unit = "s", .help = "step"},
+        {"steps", .integer = &steps, .min = 1, .max = 1000, .help = "how many"},
+    };
+    options_parse("20_mpm_implicit", options, COUNT(options), argc, argv);
+    const struct material material = material_notes(law ? CUBIC : LOG);
+    struct particle_step step = {.rate = 1.0 / dt, .consistent = mass,
+                                 .transfer = (enum transfer)scheme};
+    if (scene == BAR) step.wall = (enum wall)wall;
+    struct cloud c = cloud_stepping((enum stepping)scene, order, step.g);
+    struct particle_report last = {.status = OK};
+    table_begin("energies", CLOUD_ENERGIES);
+    cloud_energies(c, &material, 0.0, &last);
+    for (int k = 1; k <= steps && last.status == OK; k++) {
+        last = advance(c, material, &step);
+        if (last.status == OK) cloud_energies(c, &material, k * dt, &last);
+    }
+    table_end();
+    cloud_tables(c, &last);
+    print_bar(order, material, (enum wall)wall);
+    if (last.status != OK) die("a step ends with %s", status_name(last.status));
+    cloud_free(c);
+    return table_finish();
+}

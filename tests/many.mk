@@ -1,0 +1,54 @@
+# many.mk - the study on many processes, which alone needs PETSc and MPI.
+#
+# Without them `make many` and `make test-many` say so in one line, and the book
+# is filled from the counts that figures/many/many.tsv keeps.
+
+.PHONY: deps-many many test-many many-programs
+deps-many: ; @sh tests/tools/deps_many.sh
+
+MANY := $(BUILD)/figures/many
+MANY_FILES := $(wildcard figures/many/*.[ch])
+have_many = pkg-config --exists petsc 2>/dev/null && \
+            command -v mpicc > /dev/null && command -v mpirun > /dev/null
+no_many = no PETSc with MPI here; make deps-many installs it
+
+# The headers of PETSc are not ours to warn about.
+MANY_CC = OMPI_CC='$(CC)' mpicc $(STD) $(STRICT) $(CFLAGS) -Icommon \
+          $(GSL_CFLAGS) $$(pkg-config --cflags petsc | sed 's/-I */-isystem /g')
+MANY_LIBS = $(LINK) $$(pkg-config --libs petsc)
+$(MANY)/many: $(MANY_FILES) $(LIB) Makefile tests/many.mk
+	$(call say,mpicc,figures/many/many.c)
+	$(Q)mkdir -p $(@D) && $(MANY_CC) figures/many/many.c -o $@.$$$$ \
+	    $(MANY_LIBS) && mv -f $@.$$$$ $@
+MANY_WRONG := $(shell $(VARIANT) -v list=mistake tests/many/mistakes.txt)
+$(MANY_WRONG:%=$(MANY)/%/many): $(MANY)/%/many: tests/many/mistakes.txt \
+        $(MANY_FILES) $(LIB) tests/tools/variant.awk
+	$(call say,mpicc,figures/many/ with $*)
+	$(Q)mkdir -p $(@D) && cp $(MANY_FILES) $(@D)
+	$(Q)file=$$($(VARIANT) -v name=$* -v get=file $<) && $(VARIANT) \
+	    -v name=$* $< figures/many/$$file > $(@D)/$$file
+	$(Q)$(MANY_CC) $(@D)/many.c -o $@ $(MANY_LIBS)
+many-programs: $(MANY)/many $(MANY_WRONG:%=$(MANY)/%/many)
+
+many:
+	+@if $(have_many); then $(MAKE) many-programs && \
+	    BUILD='$(BUILD)' sh tests/tools/many.sh measure; \
+	else echo 'many: $(no_many)'; fi
+test-many: $(T)/many.result
+	@if grep '^skip many: no' $<; then :; else sh tests/tools/count.sh < $<; fi
+
+# what was left out is tried again: PETSc may be there now
+.PHONY: many-again
+many-again: ;
+$(T)/many.result: $(shell grep -qs '^skip many: no' $(T)/many.result && \
+        echo many-again) $(MANY_FILES) $(LIB) figures/many/many.tsv \
+        tests/many.mk tests/many/mistakes.txt tests/tools/many.sh tests/tools/mpirun.sh
+	$(call say,test,many processes)
+	+$(Q)mkdir -p $(@D) && if $(have_many); then \
+	    $(MAKE) many-programs > $@.log 2>&1 && \
+	    BUILD='$(BUILD)' sh tests/tools/many.sh test > $@ || \
+	    { echo 'FAIL many:'; cat $@.log; } > $@; \
+	else echo 'skip many: $(no_many)' > $@; fi
+
+$(BUILD)/data/many/many.tsv: figures/many/many.tsv
+	$(Q)mkdir -p $(@D) && cp $< $@

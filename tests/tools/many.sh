@@ -1,0 +1,179 @@
+#!/bin/sh
+# many.sh measure|test - the study on many processes, figures/many/.
+#
+# measure runs it all, writes figures/many/many.tsv (counts, no seconds), says
+# which goals hold, and, from runs on a machine that was free, compares seconds.
+# test makes the smallest runs and wrong programs, and prints "ok WHAT", "FAIL
+# WHAT: why" or "skip WHAT: why".  BUILD is the folder of the programs.
+set -u
+LC_ALL=C
+export LC_ALL
+programs=${BUILD:-build}/figures/many
+program=$programs/many
+kept=figures/many/many.tsv
+out=$(mktemp -d) || exit 2
+trap 'rm -rf "$out"' EXIT
+
+# cells, steps, method, processes, compare with step.c
+small='16 10 geometric 1 yes
+16 10 geometric 2 yes
+16 10 geometric 4 yes
+16 10 cholesky 1 yes
+16 10 cholesky 2 yes
+16 10 cholesky 4 yes'
+all="$small
+32 30 geometric 1 yes
+32 30 geometric 2 yes
+32 30 geometric 4 yes
+32 30 cholesky 1 yes
+32 30 cholesky 2 yes
+32 30 cholesky 4 yes
+64 30 geometric 1 yes
+64 30 rigid_modes 1 no
+64 30 algebraic 1 no
+64 30 cholesky 1 no
+128 30 geometric 1 yes
+128 30 rigid_modes 1 no
+128 30 algebraic 1 no
+128 30 cholesky 1 no
+64 6 geometric 1 no
+64 6 geometric 2 no
+64 6 geometric 4 no
+64 6 rigid_modes 1 no
+64 6 algebraic 1 no
+128 6 geometric 1 no
+128 6 geometric 2 no
+128 6 geometric 4 no
+128 6 rigid_modes 1 no
+128 6 algebraic 1 no
+192 6 geometric 1 yes
+256 6 geometric 1 yes
+256 6 geometric 2 no
+256 6 geometric 4 no
+256 6 rigid_modes 1 no
+256 6 algebraic 1 no
+512 6 geometric 1 no
+512 6 geometric 2 no
+512 6 geometric 4 no"
+
+# run PROGRAM N STEPS METHOD PROCESSES SERIAL: tables to $out/one, log to .log
+run() {
+    sh tests/tools/mpirun.sh "$5" "$1" --n "$2" --steps "$3" --method "$4" \
+        --serial "$6" </dev/null >"$out/one" 2>"$out/one.log"
+    status=$?
+    return $status
+}
+
+# The rows of $out/one under those that are there: $out/TABLE.
+keep() {
+    for table in runs messages memory seconds; do
+        head=1
+        [ ! -f "$out/$table" ] || head=0
+        awk -v table="$table" -v head="$head" '
+            /^#/ { on = $2 == table; rows = 0; next }
+            on && NF && (rows++ || head)' "$out/one" >>"$out/$table"
+        [ -s "$out/$table" ] || rm -f "$out/$table"
+    done
+}
+
+# Are the counts of $out/one those that are kept?
+compare() {
+    awk -F '\t' -v what="$1" '
+        /^#/ { table = $1; next }
+        table == "# runs" && $1 == "n" { for (c = 1; c <= NF; c++) at[$c] = c }
+        table == "# runs" && NF {
+            key = $1 " " $2 " " $3 " " $4
+            if (FNR == NR) { systems[key] = $at["systems"]
+                             iterations[key] = $at["iterations"]; next }
+            if ($1 == "n") next
+            found = 1
+            if (!(key in systems)) why = "no such run is kept"
+            else {
+                d = $at["systems"] - systems[key]
+                e = $at["iterations"] - iterations[key]
+                if (d > 2 || d < -2)
+                    why = $at["systems"] " systems, kept " systems[key]
+                if (e > 1 || e < -1)
+                    why = $at["iterations"] " iterations, kept " iterations[key]
+            }
+        }
+        END { if (!found) why = "it printed no counts"
+              print (why == "" ? "ok " : "FAIL ") what (why == "" ? "" : ": " why) }
+    ' "$kept" "$out/one"
+}
+
+test_all() {
+    echo "$small" | while read -r n steps method processes serial; do
+        what="many: n = $n, $method on $processes"
+        if run "$program" "$n" "$steps" "$method" "$processes" "$serial"; then
+            compare "$what"
+        elif grep -q 'has no MUMPS' "$out/one.log"; then
+            echo "skip $what: this PETSc has no MUMPS"
+        else
+            echo "FAIL $what: status $status: $(tail -n 3 "$out/one.log")"
+        fi
+    done
+    # Wrong programs: by 1e-3 of a step at least, or by the counts.
+    what='many: neighbours_left_out is caught by the displacements'
+    if run "$programs/neighbours_left_out/many" 16 10 geometric 2 yes; then
+        echo "FAIL $what: nobody notices"
+    else
+        awk -v what="$what" '/^Largest difference/ { d = $(NF - 1) }
+            END { if (d > 1e-3 * 0.5 / 30) print "ok " what
+                  else print "FAIL " what ": it differs by " d }' "$out/one.log"
+    fi
+    what='many: lift_left_out is caught by the counts'
+    run "$programs/lift_left_out/many" 16 10 geometric 2 yes
+    case $(compare x) in
+    *systems*) echo "ok $what" ;;
+    *) echo "FAIL $what: status $status" ;;
+    esac
+}
+
+measure() {
+    LIMIT=300 # n = 512 on a busy machine
+    export LIMIT
+    echo "$all" | while read -r n steps method processes serial; do
+        echo "  run      n = $n, $steps steps, $method, processes: $processes"
+        run "$program" "$n" "$steps" "$method" "$processes" "$serial" || {
+            echo "many: n = $n, $method on $processes: status $status" >&2
+            cat "$out/one.log" >&2
+            exit 1
+        }
+        keep
+    done || exit 1
+    for table in runs messages memory; do
+        printf '# %s\n' "$table"
+        cat "$out/$table"
+        printf '\n\n'
+    done >"$kept.part"
+    awk -F '\t' -f tests/tools/many.awk "$kept.part" || exit 1
+    mv "$kept.part" "$kept"
+    echo "  wrote    $kept"
+    [ -s "$out/seconds" ] || { echo 'The machine was busy: no seconds.'; exit 0; }
+    echo 'Seconds per step, of runs that had their processors to themselves:'
+    cat "$out/seconds"
+    awk -F '\t' '
+        $1 == "n" { next }
+        $3 == "geometric" && $2 == 1 {
+            one[$1] = $4
+            if ($5 != "-" && $4 < $5 && (!from || $1 < from)) from = $1
+            if ($5 != "-") known = 1
+        }
+        $3 == "geometric" && $2 == 2 { two[$1] = $4 }
+        END {
+            if (from) print "Faster than step.c from n = " from " on."
+            else if (known) print "Never faster than step.c here."
+            for (n in two) if (n in one)
+                print "Two processes at n = " n ": " one[n] / two[n] \
+                    " times one (goal: 1.7 at 256)"
+            if (one[128] && one[512])
+                print "Exponent of n from 128 to 512: " \
+                    log(one[512] / one[128]) / log(4) " (goal: 2.1)"
+        }' "$out/seconds"
+}
+
+case $1 in
+test) test_all ;;
+measure) measure ;;
+esac

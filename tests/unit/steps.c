@@ -1,0 +1,344 @@
+/* steps.c - laws of common/particle_step.h and common/particle_bodies.h. */
+#include "particle_bodies.h"
+
+#include "../oracle/particle_step.h"
+#include "table.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Newton's method stops at 1e-10 h and is quadratic. */
+static void steps_are_the_oracles(void)
+{
+    static const enum stepping which[] = {BAR, BAR, STRAINED, BLOCK, BLOCK};
+    static const enum law law[] = {CUBIC, LOG, CUBIC, CUBIC, LOG};
+    for (int k = 0; k < 2 * COUNT(oracle_step); k++) {
+        const int row = k / 2, flip = k % 2;
+        const struct material material = material_notes(law[row]);
+        struct particle_step step = {.rate = row == 2 ? 100.0 : 30.0,
+                                     .consistent = row == 2,
+                                     .wall = row < 2 ? HELD : NO_WALL,
+                                     .transfer = flip ? FLIP : PIC};
+        struct cloud c = cloud_stepping(which[row], 2, step.g);
+        const struct particle_report report =
+            particles_step(c.grid, c.p, material, &step);
+        ck_assert_int_eq(report.status, OK);
+        ck_assert_int_le(report.iterations, 6);
+        close_to(particles_elastic(c.p, &material), oracle_step[row].elastic,
+                 1e-10);
+        close_to(potential_sum(report.E), oracle_step[row].potential, 1e-10);
+        close_to(grid_moments(c.grid, c.grid->v).kinetic,
+                 oracle_step[row].grid_before, 1e-10);
+        close_to(grid_moments(c.grid, c.grid->next).kinetic,
+                 oracle_step[row].grid_after, 1e-10);
+        for (int p = 0; p < 3; p++) {
+            const int q = oracle_step[row].at[p].particle;
+            for (int i = 0; i < 2; i++) {
+                if (row > 2 || i == 0)
+                    close_to(c.p->x[2 * q + i], oracle_step[row].at[p].x[i],
+                             1e-10);
+                close_to(c.p->v[2 * q + i],
+                         flip ? oracle_step[row].at[p].flip[i]
+                              : oracle_step[row].at[p].pic[i], 1e-9);
+            }
+            for (int i = 0; i < 4; i++)
+                close_to(c.p->F[q].m[i / 2][i % 2], oracle_step[row].at[p].F[i],
+                         1e-10);
+        }
+        cloud_free(c);
+    }
+}
+
+static void hanging_bars_are_the_oracles(void)
+{
+    const struct material cubic = material_notes(CUBIC);
+    const struct material logarithm = material_notes(LOG);
+    double F;
+    close_to(hanging_place(&cubic, 500.0, 1.0, &F), oracle_end_cubic, 1e-13);
+    close_to(F, 1.0, 1e-14);
+    close_to(hanging_place(&logarithm, 500.0, 1.0, &F), oracle_end_log, 1e-13);
+    close_to(hanging_place(&cubic, 500.0, 0.0, &F), 0.0, 1e-13);
+    close_to(material1_pk1(&cubic, F), 500.0, 1e-10);
+    for (int k = 0; k < COUNT(oracle_hanging); k++) {
+        const struct material *material =
+            oracle_hanging[k].cubic ? &cubic : &logarithm;
+        struct cloud c =
+            cloud_hanging(oracle_hanging[k].order, oracle_hanging[k].cells,
+                          oracle_hanging[k].ppc);
+        struct particle_step step = {
+            .wall = oracle_hanging[k].mirror ? MIRROR : HELD};
+        for (int i = 1; i <= oracle_hanging[k].loads; i++) {
+            step.g[0] = 500.0 * i / oracle_hanging[k].loads;
+            ck_assert_int_eq(
+                particles_step(c.grid, c.p, *material, &step).status, OK);
+        }
+        const struct hanging_error worst =
+            hanging_error(c.p, material, 500.0);
+        close_to(worst.place, oracle_hanging[k].error, 1e-8);
+        close_to(worst.stress / 500.0, oracle_hanging[k].stress_error, 1e-7);
+        for (int p = 0; p < c.p->n; p++)
+            close_to(c.p->v[2 * p], 0.0, 1e-15);
+        cloud_free(c);
+    }
+}
+
+static void critical_steps_are_the_oracles(void)
+{
+    const struct material material = material_notes(CUBIC);
+    const double c = sqrt(material_modulus(&material));
+    for (int k = 0; k < COUNT(oracle_critical); k++) {
+        struct cloud bar =
+            cloud_outlying(oracle_critical[k].order, oracle_critical[k].eps);
+        const struct particle_body body = {bar.grid, bar.p, material, NULL};
+        ck_assert_int_eq(grid_p2g(bar.grid, bar.p), OK);
+        close_to(2.0 / particle_frequency(&body) * c / 0.125 /
+                     oracle_critical[k].grid, 1.0, 1e-8);
+        cloud_free(bar);
+    }
+}
+
+/* A body on its grid, and fields on the nodes with mass. */
+struct scene {
+    struct cloud c;
+    struct particle_body body;
+    struct unknowns *map;
+    double *u, *r, *w; /* [n_dof] */
+};
+static struct scene scene_of(struct cloud c, enum wall wall)
+{
+    struct scene s = {.c = c};
+    s.body = (struct particle_body){c.grid, c.p, material_notes(CUBIC), NULL};
+    for (int p = 0; p < c.p->n; p++) c.p->x[2 * p] -= 0.03;
+    ck_assert_int_eq(grid_p2g(c.grid, c.p), OK);
+    s.map = unknowns_alloc(c.grid);
+    unknowns_number(c.grid, wall, s.map);
+    s.u = allocate(3 * (size_t)s.map->n_dof, sizeof *s.u);
+    s.r = s.u + s.map->n_dof;
+    s.w = s.r + s.map->n_dof;
+    double *y = allocate((size_t)s.map->n_dof, sizeof *y);
+    for (int e = 0; e < s.map->n; e++) y[e] = 0.001 * ((7 * e + 3) % 13 - 5);
+    unknowns_scatter(s.map, y, s.u);
+    for (int e = 0; e < s.map->n; e++) y[e] = 0.1 * ((5 * e + 2) % 11 - 4);
+    unknowns_scatter(s.map, y, s.w);
+    free(y);
+    return s;
+}
+
+static void scene_free(struct scene *s)
+{
+    unknowns_free(s->map);
+    free(s->u);
+    cloud_free(s->c);
+}
+
+static double dot(int n, const double a[], const double b[])
+{
+    double sum = 0.0;
+    for (int s = 0; s < n; s++) sum += a[s] * b[s];
+    return sum;
+}
+
+static void the_residual_is_the_slope_of_the_potential(void)
+{
+    for (int k = 0; k < 6; k++) {
+        struct scene s = scene_of(cloud_block(1 + k % 3), NO_WALL);
+        const struct particle_step step = {
+            .rate = 23.85, .g = {1.3, -9.81}, .consistent = k / 3};
+        const int n = s.map->n_dof;
+        struct potential E;
+        double sum[2];
+        for (int i = 0; i < 2; i++) {
+            for (int q = 0; q < n; q++) s.u[q] += (i ? 2e-6 : -1e-6) * s.w[q];
+            ck_assert_int_eq(
+                particle_potential(&s.body, &step, s.u, &E, s.r), OK);
+            sum[i] = potential_sum(E);
+        }
+        for (int q = 0; q < n; q++) s.u[q] -= 1e-6 * s.w[q];
+        particle_potential(&s.body, &step, s.u, &E, s.r);
+        close_to(dot(n, s.r, s.w), (sum[1] - sum[0]) / 2e-6, 1e-6);
+        scene_free(&s);
+    }
+}
+
+/* T is what gather() and scatter() agree on, and T^T M T what both masses do;
+ * at a mirror, where nodes share unknowns. */
+static void unknowns_and_masses_agree(void)
+{
+    for (int k = 0; k < 18; k++) {
+        const int order = 1 + k % 3, consistent = k / 3 % 2;
+        const enum wall wall = (enum wall)(k / 6);
+        struct cloud c = cloud_block(order);
+        for (int p = 0; p < c.p->n; p++) c.p->x[2 * p] -= 0.1;
+        struct scene s = scene_of(c, wall);
+        const int n = s.map->n;
+        double *y = allocate(3 * (size_t)n, sizeof *y), *Ay = y + n;
+        struct matrix *A = unknowns_matrix(&s.body, s.map);
+        for (int e = 0; e < n; e++) y[e] = 0.1 * ((3 * e + 1) % 7 - 2);
+        unknowns_scatter(s.map, y, s.u);
+        unknowns_gather(s.map, s.w, Ay);
+        close_to(dot(n, y, Ay), dot(s.map->n_dof, s.u, s.w), 1e-13);
+        particle_mass_matrix(&s.body, consistent, 2.385, s.map, A);
+        matrix_multiply(A, y, Ay);
+        particle_mass(&s.body, consistent, s.u, s.r);
+        close_to(dot(s.map->n_dof, s.u, s.r) * 2.385, dot(n, y, Ay), 1e-13);
+        ck_assert_double_ge(matrix_weight(A), matrix_get(A, n - 1, n - 1));
+        ck_assert_double_gt(matrix_weight(A), matrix_get(A, 0, 0));
+        y[n / 2] = -7.5;
+        close_to(unknowns_largest(s.map, y), 7.5, 1e-15);
+        y[n / 2] = NAN;
+        ck_assert(isnan(unknowns_largest(s.map, y)));
+        for (int r = 0; r < s.map->n_dof; r++) {
+            double x[2];
+            grid_place(s.c.grid, r / 2, x);
+            const double u = s.u[r];
+            if (wall == HELD && x[0] < 1e-12) close_to(u, 0.0, 1e-15);
+            if (wall == MIRROR && fabs(x[0]) < 1e-12) close_to(u, 0.0, 1e-15);
+            if (wall == MIRROR && fabs(x[0] - 0.25) < 1e-12)
+                close_to(s.u[r - 4], -u, 1e-15);
+            if (wall == NO_WALL)
+                ck_assert((s.map->equation[r] >= 0) ==
+                          (s.c.grid->mass[r / 2] > 0.0));
+        }
+        matrix_free(A);
+        free(y);
+        scene_free(&s);
+    }
+}
+
+/* v after an implicit and an explicit step differ by dt^2, at all walls. */
+static void small_steps_are_explicit(void)
+{
+    for (int k = 0; k < 9; k++) {
+        double off[2];
+        for (int i = 0; i < 2; i++) {
+            struct cloud a = cloud_block(1 + k % 3), b = cloud_block(1 + k % 3);
+            const struct particle_step step = {.rate = i ? 1e5 : 5e4,
+                                               .g = {1.3, -9.81},
+                                               .wall = (enum wall)(k / 3),
+                                               .transfer = FLIP};
+            const struct material material = material_notes(CUBIC);
+            for (int p = 0; p < a.p->n; p++)
+                b.p->x[2 * p] = a.p->x[2 * p] -= 0.17;
+            ck_assert_int_eq(
+                particles_step(a.grid, a.p, material, &step).status, OK);
+            ck_assert_int_eq(
+                particles_step_explicit(b.grid, b.p, material, &step), OK);
+            off[i] = 0.0;
+            for (int p = 0; p < 2 * a.p->n; p++)
+                off[i] = fmax(off[i], fabs(a.p->v[p] - b.p->v[p]));
+            cloud_free(a);
+            cloud_free(b);
+        }
+        ck_assert_double_lt(off[0], 1e-3);
+        close_to(log2(off[0] / off[1]), 2.0, 0.1);
+    }
+}
+
+static void bodies_are_what_they_say(void)
+{
+    const double pi = acos(-1.0), h = 0.125, e = 1e-6;
+    struct cloud ring = cloud_ringing(2, 8, 3.85, APIC);
+    struct cloud flip = cloud_ringing(2, 8, 3.85, FLIP);
+    const double X = ring.p->x[6] - 0.5003;
+    close_to(ring.p->x[0], 0.5003 + h / 4.0, 1e-14);
+    close_to(ring.p->v[6], 3.85 * cos(pi * X), 1e-13);
+    close_to(ring.p->B[3].m[0][0],
+             3.85 * (cos(pi * (X + e)) - cos(pi * (X - e))) / (2.0 * e) *
+                 h * h / 4.0, 1e-8);
+    close_to(flip.p->B[3].m[0][0], 0.0, 1e-15);
+    close_to(flip.p->v[6], ring.p->v[6], 1e-15);
+    cloud_free(ring);
+    cloud_free(flip);
+    struct cloud out = cloud_outlying(1, 1e-6);
+    close_to(out.p->x[30] / h, 9.0 + 1e-6, 1e-13);
+    close_to(out.p->x[0] / h, 9.0 + 1e-6 - 7.5, 1e-13);
+    cloud_free(out);
+}
+
+static void failures_are_named(void)
+{
+    const struct material material = material_notes(CUBIC);
+    struct particle_step step = {.g = {500.0, 0.0}, .wall = MIRROR};
+    struct cloud c = cloud_hanging(3, 8, 1);
+    ck_assert_int_eq(particles_step(c.grid, c.p, material, &step).status,
+                     NOT_SPD);
+    close_to(c.p->x[0], 0.0625, 1e-15); /* nothing has moved */
+    step.wall = NO_WALL;
+    step.rate = 10.0;
+    enum status status = OK;
+    for (int k = 0; k < 5 && status == OK; k++)
+        status = particles_step(c.grid, c.p, material, &step).status;
+    ck_assert_int_eq(status, OUTSIDE);
+    cloud_free(c);
+    ck_assert_str_eq(wall_name(HELD), "held");
+    ck_assert_str_eq(wall_name(MIRROR), "mirror");
+    const struct potential E = {1.0, 2.0, -2.5};
+    const struct potential more = {1.0, 2.0, -2.5 + 1e-9};
+    close_to(potential_sum(E), 0.5, 1e-15);
+    ck_assert(potential_falls(more, E) && potential_falls(E, E));
+    ck_assert(!potential_falls(E, more));
+}
+
+/* Particles of a log bar that run into each other: full steps would invert. */
+static void halving_keeps_particles_from_inverting(void)
+{
+    struct cloud c = cloud_hanging(2, 8, 2);
+    const struct particle_step step = {.rate = 30.0};
+    for (int p = 0; p < c.p->n; p++) {
+        c.p->x[2 * p] += 0.3;
+        c.p->v[2 * p] = p < c.p->n / 2 ? 240.0 : -240.0;
+    }
+    const struct particle_report report =
+        particles_step(c.grid, c.p, material_notes(LOG), &step);
+    ck_assert_int_eq(report.status, OK);
+    double least = 1.0;
+    for (int k = 0; k < report.iterations; k++)
+        least = fmin(least, report.part[k]);
+    ck_assert_double_le(least, 0.5);
+    cloud_free(c);
+}
+
+static void print_block(void)
+{
+    struct cloud c = cloud_block(2);
+    const struct material material = material_notes(CUBIC);
+    const struct particle_step step = {.rate = 30.0};
+    const struct particle_report report =
+        particles_step(c.grid, c.p, material, &step);
+    table_begin("energies", CLOUD_ENERGIES);
+    cloud_energies(c, &material, 0.5, &report);
+    table_end();
+    cloud_tables(c, &report);
+    cloud_free(c);
+    exit(table_finish());
+}
+static void tables_have_their_names(void)
+{
+    const struct outcome got = outcome_of(print_block);
+    ck_assert_int_eq(got.status, 0);
+    ck_assert_ptr_nonnull(
+        strstr(got.out, "# energies\nt\titerations\telastic"));
+    ck_assert_ptr_nonnull(strstr(got.out, "\n0.5\t5\t0.04670914572"));
+    ck_assert_ptr_nonnull(strstr(got.out, "# newton\nk\tresidual"));
+    ck_assert_ptr_nonnull(strstr(got.out, "# step\nnode\tx\ty\tmass"));
+    ck_assert_ptr_nonnull(strstr(got.out, "# particles\nx\ty\tv_x"));
+}
+
+static const struct unit_law laws[] = {
+    {"steps_are_the_oracles", steps_are_the_oracles},
+    {"hanging_bars_are_the_oracles", hanging_bars_are_the_oracles},
+    {"critical_steps_are_the_oracles", critical_steps_are_the_oracles},
+    {"the_residual_is_the_slope_of_the_potential",
+     the_residual_is_the_slope_of_the_potential},
+    {"unknowns_and_masses_agree", unknowns_and_masses_agree},
+    {"small_steps_are_explicit", small_steps_are_explicit},
+    {"bodies_are_what_they_say", bodies_are_what_they_say},
+    {"failures_are_named", failures_are_named},
+    {"halving_keeps_particles_from_inverting",
+     halving_keeps_particles_from_inverting},
+    {"tables_have_their_names", tables_have_their_names},
+};
+
+UNIT_MAIN("steps", laws)
