@@ -52,6 +52,8 @@ summary { cursor: pointer; color: #0b5394; }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
+    .figure img { max-width: none; width: 620px; }
+    td a.label { white-space: normal; }
     td { min-width: 3.5em; } }
 END
 
@@ -65,9 +67,12 @@ END {
     for (i = 1; i <= NR; i++) {
         text = line[i]
         if (text ~ /^ *```/) {
-            if (text ~ /```math *$/) math = sub(/```math.*/, "$$", text)
-            else if (math) math = !sub(/```/, "$$", text)
-            else fence = !fence
+            if (text ~ /```math *$/) { math = "$$"; continue }
+            if (math == "") fence = !fence
+            else { text = math "$$"; math = "" }
+        } else if (math != "") {
+            math = math (math == "$$" ? "" : " ") text
+            continue
         } else if (!fence) {
             while ((start = index(text, "<!--")) && (end = index(text, "-->")))
                 text = substr(text, 1, start - 1) substr(text, end + 3)
@@ -85,7 +90,8 @@ function label(name) { return "<a class=\"label\" href=\"" front "#" name "\">" 
 function changed(part, name) {
     if (part ~ /^<img/) {
         match(part, /src="[^"]*"/)
-        return "<a href=" substr(part, RSTART + 4, RLENGTH - 4) ">" part "</a>"
+        name = substr(part, RSTART + 4, RLENGTH - 4)
+        return "<a class=\"figure\" href=" name ">" part "</a>"
     }
     name = part
     gsub(/<[^>]*>|[][]/, "", name)
@@ -102,6 +108,7 @@ function changed(part, name) {
 /<h2/ { indexed = /id="index-of-the-notes"/ }
 /<pre/ { pre = 1 }
 !pre {
+    gsub(/>\314\202<\/mo>/, ">^</mo>") # a hat that combines sits beside its letter
     sub(/<table>/, "<div class=\"wide\">&")
     sub(/<\/table>/, "&</div>")
     gsub(/<p><math display="block"/, "<p class=\"wide\"><math display=\"block\"")
@@ -146,7 +153,8 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
       sed -n 's/&/\&amp;/g; s|^# \(.*\)|<title>\1</title>|p; /^# /q' "$file"
       echo "<link rel=\"stylesheet\" href=\"${up}book.css\"></head><body><main>"
       sed 's|\(href="[^":]*\)\.md\(["#]\)|\1.html\2|g
-           s|\(href="[./]*\)workbook\.html|\1index.html|g' "$new/page.html" |
+           s|\(href="[./]*\)workbook\.html|\1index.html|g
+           s|>[a-z]*/\([0-9][0-9]\)_[a-z0-9_]*\.md</a>|>lesson \1</a>|g' "$new/page.html" |
           awk -v front="$front" -v token="$token" "$after"
       echo '</main></body></html>'
     } >"$new/$page"
