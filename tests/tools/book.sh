@@ -20,32 +20,28 @@ trap 'exit 130' 1 2 15
 mkdir -p "$new" || exit 1
 
 cat >"$new/book.css" <<'END'
-body { margin: 0; color: #222; background: #fff;
-       font: 18px/1.55 Charter, Georgia, "Liberation Serif", serif; }
+body { margin: 0; color: #222; font: 18px/1.55 Charter, Georgia, serif; }
 main { max-width: 46rem; margin: 0 auto; padding: 1rem 1rem 4rem; }
 h1, h2, h3, th, .nav { font-family: "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.6rem; line-height: 1.25; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem; }
-a { color: #0b5394; text-decoration-thickness: 1px; }
+a, summary { color: #0b5394; }
+a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
+.nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
+img { max-width: 100%; height: auto; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
 mstyle[mathvariant=normal] mi { text-transform: none; }
 mstyle[mathvariant=bold] { font-weight: bold; }
-a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
-.nav { font-size: .85rem; border: solid #ddd; border-width: 1px 0; padding: .4em 0; }
-img { max-width: 100%; height: auto; }
-pre, code { font-family: Menlo, Consolas, "DejaVu Sans Mono", monospace; }
-code { font-size: .82em; overflow-wrap: anywhere; }
+code { font: .82em Menlo, Consolas, monospace; overflow-wrap: anywhere; }
 pre { overflow-x: auto; line-height: 1.4; padding: .6em .8em; background: #f6f6f3; }
-pre code { overflow-wrap: normal; }
+pre code, td code { overflow-wrap: normal; }
 .wide { overflow-x: auto; overflow-y: hidden; padding: .2em 0; }
 table { border-collapse: collapse; font-size: .85em; line-height: 1.4; }
 th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
          border-bottom: 1px solid #ddd; }
 td:target { background: #fff3c4; }
 td a.label { font-size: 1em; }
-td code { overflow-wrap: normal; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
-summary { cursor: pointer; color: #0b5394; }
 @media (min-width: 1000px) { .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
     transform: translateX(-50%); } }
@@ -53,8 +49,7 @@ summary { cursor: pointer; color: #0b5394; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
     .figure img { max-width: none; width: 620px; }
-    td a.label { white-space: normal; }
-    td { min-width: 3.5em; } }
+    td { min-width: 3.5em; } td a.label { white-space: normal; } }
 END
 
 # Markers are left out.  Pandoc knows no ```math, and takes what follows a tag for HTML to the next
@@ -108,7 +103,9 @@ function changed(part, name) {
 /<h2/ { indexed = /id="index-of-the-notes"/ }
 /<pre/ { pre = 1 }
 !pre {
-    gsub(/>\314\202<\/mo>/, ">^</mo>") # a hat that combines sits beside its letter
+    gsub(/>\314\202<\/mo>/, ">^</mo>") # accents that combine would sit beside
+    gsub(/>\314\207<\/mo>/, ">\313\231</mo>")
+    gsub(/>\314\210<\/mo>/, ">\302\250</mo>")
     sub(/<table>/, "<div class=\"wide\">&")
     sub(/<\/table>/, "&</div>")
     gsub(/<p><math display="block"/, "<p class=\"wide\"><math display=\"block\"")
