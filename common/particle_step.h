@@ -109,8 +109,8 @@ mat2 particle_projected(const struct material *material, mat2 F, mat2 dF);
  * until potential_falls() [alg:particle-newton].  Where A is not positive
  * definite, it is assembled again with particle_projected().  Done: max|du| <=
  * tolerance h, then max|r| <= tolerance h max A_ii.  NOT_SPD: neither A is
- * positive definite, as where nothing holds a node; STALLED: no part of du makes
- * E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
+ * positive definite, as where nothing holds a node; STALLED: no part of du
+ * makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
  */
 struct particle_report particle_newton(const struct particle_body *body,
                                        const struct particle_step *step,
