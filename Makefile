@@ -100,6 +100,7 @@ help:
 	@echo '  make figures      run every study and draw every figure'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make test         the tests of the workbook itself'
+	@echo '  make live         lesson 24 in a window (needs SDL2)'
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
@@ -112,7 +113,9 @@ deps:
 
 # ---- library and programs ---------------------------------------------------
 
-OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(wildcard common/*.c))
+# window.c needs SDL2 and is for `make live` only.
+OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(filter-out \
+               common/window.c,$(wildcard common/*.c)))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
@@ -251,6 +254,17 @@ plot-$1: $(BUILD)/mine/$2 $(BUILD)/data/$2.tsv
 hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2
 endef
 $(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
+
+# Lesson 24 in a window; ARGS: its options.
+.PHONY: live
+live: $(LIB)
+	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \
+	    'apt install libsdl2-dev, or brew install sdl2' >&2; exit 2; }
+	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) \
+	    $(if $(FORCE),solutions,lessons)/24_live.c common/window.c \
+	    -o $(BUILD)/live $(LINK) $$(pkg-config --libs sdl2)
+	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
+	@echo 'The frames are in $(BUILD)/live.tsv'
 
 lesson-% check-% hint-% plot-% solution-% reset-% watch-%:
 	@echo "There is no lesson $*. The lessons are:" >&2

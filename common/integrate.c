@@ -107,6 +107,7 @@ struct step_report integrate_solve(struct model *model,
                                    const double a[], const double b[],
                                    const double g[], double u[])
 {
+    if (model->solve) return model->solve(model, d, a, b, g, u);
     const size_t n = (size_t)model->n_dof;
     double *work = allocate(n, sizeof *work);
     struct step_report report = {.status = OK};

@@ -16,6 +16,11 @@
 
 #include "step.h"
 
+struct model;
+typedef struct step_report model_solver(struct model *model, double d,
+                                        const double a[], const double b[],
+                                        const double g[], double u[]);
+
 struct model {
     int n_dof;
     struct body *body;       /* borrowed; NULL: the model is linear */
@@ -24,6 +29,8 @@ struct model {
     struct matrix *K;        /* linear: factors of M + K_step^2 A, or NULL */
     double K_step;
     double *f;               /* nodal forces (N), 0 unless set; owned */
+    model_solver *solve;     /* NULL: that of integrate_solve() */
+    const void *context;     /* what solve needs; borrowed */
 };
 
 struct model *model_mode(double omega);

@@ -20,6 +20,8 @@ static void print_allowed(FILE *out, const struct option *option)
 {
     if (option->choice)
         fprintf(out, "one of: %s", option->choices);
+    else if (option->text)
+        fprintf(out, "%s", option->unit);
     else
         fprintf(out, "%s from %.10g to %.10g%s%s",
                 option->integer ? "a whole number" : "a number", option->min,
@@ -36,6 +38,7 @@ static void print_usage(const char *program, const struct option table[], int n)
         printf("  --%-10s %s", option->name, option->help);
         if (option->integer) printf(" [%d]", *option->integer);
         if (option->real) printf(" [%.10g]", *option->real);
+        if (option->text && *option->text) printf(" [%s]", *option->text);
         if (option->choice) {
             size_t length;
             const char *name = word(option->choices, *option->choice, &length);
@@ -80,6 +83,12 @@ static int set(const struct option *option, const char *text)
                 return 1;
             }
         }
+    }
+
+    if (option->text) {
+        if (*text == '\0') return 0;
+        *option->text = text;
+        return 1;
     }
 
     char *end;

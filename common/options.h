@@ -17,7 +17,7 @@
  *     };
  *     options_parse("program", table, COUNT(table), argc, argv);
  *
- * Accepted: --n 8 and --n=8; exactly one of integer, real, choice is set.
+ * Accepted: --n 8 and --n=8; exactly one of integer, real, choice, text is set.
  */
 #ifndef COMMON_OPTIONS_H
 #define COMMON_OPTIONS_H
@@ -29,6 +29,8 @@ struct option {
     int *integer;        /* a whole number in [min, max] */
     double *real;        /* a finite number in [min, max] */
     int *choice;         /* index of a word of choices */
+    const char **text;   /* any that is not empty, such as a file's name; its
+                          * unit says what it is; borrowed from argv */
     const char *choices; /* words separated by one space */
     double min, max;
     const char *unit; /* of a real, NULL when it has none */

@@ -2,7 +2,8 @@
 # options.sh [SEED [LINES]] - random options for every solution, from its own -h.
 #
 # What -h allows is solved, or ends with status 1 and one reason; no cell is nan
-# or inf.  Anything else is refused in one line.  Prints "ok ..." or "FAIL ...".
+# or inf.  Anything else is refused in one line.  What is a text, such as a file's
+# name, is left alone.  Prints "ok ..." or "FAIL ...".
 set -uf
 export LC_ALL=C
 : "${BUILD:=build}"
@@ -25,8 +26,10 @@ random_lines() { # allowed or refused|what the message says|words...
             return sprintf("%.9g", v < min[o] ? min[o] : v > max[o] ? max[o] : v)
         }
         sub(/^  --/, "--") {
-            o = name[n++] = $1
+            o = $1
             sub(/^.*\]; /, "")
+            if (!/^(one of|a number|a whole number)/) next # a file, say
+            name[n++] = o
             if (sub(/^one of: /, "")) words[o] = $0
             whole[o] = sub(/^a whole number/, "a number")
             min[o] = $4 + 0; max[o] = $6 + 0

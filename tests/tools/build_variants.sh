@@ -51,7 +51,8 @@ for program in "$dir"/unit/*; do
     case ${program##*/} in *.*) continue ;; esac
     # these compute for long, and valgrind takes forty times as long
     case $kind.${program##*/} in
-    valgrind.body | valgrind.matrix | valgrind.robustness) continue ;;
+    valgrind.body | valgrind.matrix | valgrind.robustness | valgrind.work)
+        continue ;;
     esac
     # Check keeps its own structures to the end of the process
     said=$(ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \

@@ -15,7 +15,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step readable scene system user model integrate study options table particle_bodies'
+layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study options table particle_bodies'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -37,9 +37,9 @@ rule 'solutions and studies include libc, GSL and common/ only' \
     done)"
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
-rule 'only options, study, table and status print in common/' \
+rule 'only options, pointer, study, table and status print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*.c |
-        grep -vE 'common/(options|study|table|status)\.c')"
+        grep -vE 'common/(options|pointer|study|table|status)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \

@@ -14,6 +14,7 @@
 static struct {
     int n, way;
     double beta;
+    const char *name;
 } got;
 
 /* Parse "--n 8 ..." with the table of an imaginary program. */
@@ -27,11 +28,13 @@ static void parse(const char *line)
     got.n = 4;
     got.way = 1;
     got.beta = 2.385;
+    got.name = "hard";
     const struct option table[] = {
         {"n", .integer = &got.n, .min = 1, .max = 1000, .help = "elements"},
         {"beta", .real = &got.beta, .min = 0, .max = 1e9, .unit = "N",
          .help = "coefficient", .why = "negative is unstable"},
         {"way", .choice = &got.way, .choices = "keep one", .help = "way"},
+        {"file", .text = &got.name, .unit = "a file's name", .help = "input"},
     };
     options_parse("prog", table, COUNT(table), argc, argv);
 }
@@ -40,6 +43,7 @@ static void values_are_set(void)
 {
     parse("");
     ck_assert(got.n == 4 && got.way == 1 && got.beta == 2.385);
+    ck_assert_str_eq(got.name, "hard");
     parse("--n 8 --beta=3.714e2 --way keep");
     ck_assert(got.n == 8 && got.way == 0 && got.beta == 371.4);
     parse("--n 8 --n 9");
@@ -50,6 +54,10 @@ static void values_are_set(void)
     ck_assert(got.n == 1000 && got.beta == 0.0);
     parse("--n 1 --beta 1e9");
     ck_assert(got.n == 1 && got.beta == 1e9);
+    parse("--file a=b");
+    ck_assert_str_eq(got.name, "a=b");
+    parse("--file=--n");
+    ck_assert_str_eq(got.name, "--n");
 }
 
 static const char *line_given;
@@ -75,6 +83,7 @@ static void bad_input_is_one_line_and_status_2(void)
         "-n 3",         "stray",      "--n 99999999999999999999",
         "--beta 1e999", "--n 4\n5",   "--a\nb 3",
         "a\nb",        "--way=keep\r", long_word,
+        "--file",       "--file=",
     };
     for (int i = 0; i < COUNT(bad); i++) {
         line_given = bad[i];
@@ -106,6 +115,9 @@ static void message_names_option_value_and_range(void)
     ck_assert_str_eq(
         outcome_of(parse_given_line).err,
         "prog: --n has no value: must be a whole number from 1 to 1000\n");
+    line_given = "--file=";
+    ck_assert_str_eq(outcome_of(parse_given_line).err,
+                     "prog: --file : must be a file's name\n");
     line_given = "--what=3";
     ck_assert_str_eq(outcome_of(parse_given_line).err,
                      "prog: no option --what; -h lists them\n");
@@ -125,7 +137,8 @@ static void help_lists_the_options(void)
         "  --n          elements [4]; a whole number from 1 to 1000\n"
         "  --beta       coefficient [2.385]; a number from 0 to 1000000000"
         " N; negative is unstable\n"
-        "  --way        way [one]; one of: keep one\n");
+        "  --way        way [one]; one of: keep one\n"
+        "  --file       input [hard]; a file's name\n");
     ck_assert_str_eq(end.err, "");
     line_given = "--n 7 --help";
     ck_assert_int_eq(outcome_of(parse_given_line).status, 0);

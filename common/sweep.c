@@ -1,0 +1,203 @@
+/* sweep.c - see sweep.h. */
+#include "sweep.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double tolerances[] = {1e-2, 1e-5};
+
+/* A setting with both tolerances, where they play a part. */
+static void add(struct sweep *sweep, struct work_setting set)
+{
+    const int solves = set.law != LINEAR &&
+                       !(set.dynamic && set.method == SYMPLECTIC_EULER);
+    for (int k = 0; k <= solves; k++) {
+        set.tolerance = tolerances[k];
+        sweep->set[sweep->count++] = set;
+    }
+}
+
+/* Steps of the coarsest and the finest dynamic run on a mesh. */
+static int first_steps(enum method method)
+{
+    return method == SYMPLECTIC_EULER ? 32 : 4;
+}
+static int last_steps(enum method method, int level)
+{
+    return method == SYMPLECTIC_EULER ? 256 : 128 >> level;
+}
+
+static void settings(struct sweep *sweep)
+{
+    for (int law = LINEAR; law <= CUBIC; law++)
+        for (int level = 0; level < 3; level++) {
+            struct work_setting set = {
+                .scene = sweep->scene, .law = (enum law)law,
+                .n = work_coarsest(sweep->scene) << level,
+                .method = BACKWARD_EULER};
+            for (set.steps = 1; set.steps <= 8; set.steps *= 8)
+                if (law != LINEAR || set.steps == 1) add(sweep, set);
+            set.dynamic = 1;
+            for (int m = law == LINEAR; m < N_METHOD; m++) {
+                set.method = (enum method)m;
+                set.steps = first_steps(set.method);
+                for (; set.steps <= last_steps(set.method, level);
+                     set.steps *= 2)
+                    add(sweep, set);
+            }
+        }
+}
+
+struct sweep *sweep_alloc(enum work_scene scene)
+{
+    const struct work_setting model = {.scene = scene, .law = LOG,
+                                       .dynamic = 1};
+    struct sweep *sweep = allocate(1, sizeof *sweep);
+    sweep->scene = scene;
+    const struct work limit = work_limit(&model, &sweep->floor);
+    sweep->size = work_distance(&limit, NULL);
+    sweep->floor /= sweep->size;
+    settings(sweep);
+    for (int k = 0; k < sweep->count; k++) {
+        sweep->work[k] = work_run(&sweep->set[k]);
+        sweep->error[k] =
+            work_distance(&sweep->work[k], &limit) / sweep->size;
+    }
+    return sweep;
+}
+
+void sweep_free(struct sweep *sweep) { free(sweep); }
+
+int sweep_cheapest(const struct sweep *sweep, double error)
+{
+    int best = -1;
+    for (int k = 0; k < sweep->count; k++)
+        if (sweep->error[k] <= error &&
+            (best < 0 || sweep->work[k].flops < sweep->work[best].flops))
+            best = k;
+    return best;
+}
+
+/* ---- the balance rule ---------------------------------------------------- */
+
+/* The run of a setting, or NULL. */
+static const struct work *find(const struct sweep *sweep,
+                               const struct work_setting *set)
+{
+    for (int k = 0; k < sweep->count; k++) {
+        const struct work_setting *at = &sweep->set[k];
+        const int same = at->law == set->law && at->dynamic == set->dynamic &&
+                         at->n == set->n && at->steps == set->steps &&
+                         (!set->dynamic || at->method == set->method);
+        if (same && (at->law == LINEAR || at->tolerance == set->tolerance ||
+                     (at->dynamic && at->method == SYMPLECTIC_EULER)))
+            return &sweep->work[k];
+    }
+    return NULL;
+}
+
+/* Relative distance of the runs of two settings; INFINITY if one has failed or
+ * does not exist. */
+static double apart(const struct sweep *sweep, const struct work_setting *a,
+                    const struct work_setting *b)
+{
+    const struct work *x = find(sweep, a), *y = find(sweep, b);
+    return x && y ? work_distance(x, y) / sweep->size : INFINITY;
+}
+
+void sweep_parts(const struct sweep *sweep, const struct work_setting *set,
+                 double part[N_PART])
+{
+    const int coarsest = work_coarsest(set->scene);
+    struct work_setting a = *set, b;
+    /* the best in time of each mesh, the same law */
+    a.tolerance = tolerances[1];
+    if (a.dynamic) {
+        a.method = IMPLICIT_MIDPOINT;
+        a.steps = last_steps(a.method, 2);
+    }
+    b = a;
+    a.n = 2 * coarsest;
+    b.n = 4 * coarsest;
+    const double fine = apart(sweep, &a, &b);
+    b.n = coarsest;
+    const double coarse = apart(sweep, &a, &b);
+    const double ratio = fmin(fmax(coarse / fine, 1.5), 4.0);
+    part[SPACE] = fine / (ratio - 1.0);
+    for (int n = set->n; n < 4 * coarsest; n *= 2) part[SPACE] *= ratio;
+
+    a.n = 2 * coarsest; /* the model: what the coarsest mesh may not show */
+    b = a;
+    b.law = LOG;
+    b.dynamic = 1;
+    b.method = IMPLICIT_MIDPOINT;
+    b.steps = last_steps(b.method, 2);
+    part[MODEL] = apart(sweep, &a, &b);
+
+    a = *set; /* time and solver */
+    a.n = coarsest;
+    a.tolerance = tolerances[1];
+    b = a;
+    b.tolerance = set->tolerance;
+    part[SOLVER] = apart(sweep, &a, &b);
+    b = a;
+    b.method = IMPLICIT_MIDPOINT;
+    b.steps = set->dynamic ? last_steps(b.method, 0) : set->steps;
+    part[TIME] = apart(sweep, &a, &b);
+}
+
+/* Refine what has the largest part, of what can be refined; false when that is
+ * nothing. */
+static int refine(const struct sweep *sweep, const double part[N_PART],
+                  struct work_setting *set)
+{
+    struct work_setting next[N_PART];
+    int largest = MODEL;
+    for (int k = SPACE; k < N_PART; k++) {
+        next[k] = *set;
+        if (k == SPACE) next[k].n *= 2;
+        if (k == TIME) next[k].steps *= set->dynamic ? 2 : 8;
+        if (k == SOLVER) next[k].tolerance = tolerances[1];
+        const int other = k != SOLVER || set->tolerance != tolerances[1];
+        if (other && find(sweep, &next[k]) &&
+            (largest == MODEL || part[k] > part[largest]))
+            largest = k;
+    }
+    if (largest != MODEL) *set = next[largest];
+    return largest != MODEL;
+}
+
+/* Follow the rule from a coarsest setting; the run it ends in, or NULL. */
+static const struct work *balance(const struct sweep *sweep, double error,
+                                  struct work_setting set)
+{
+    double part[N_PART];
+    do {
+        const struct work *work = find(sweep, &set);
+        sweep_parts(sweep, &set, part);
+        if (!work || part[MODEL] > error) return NULL;
+        if (work->status != OK) part[TIME] = INFINITY;
+        if (hypot(hypot(part[MODEL], part[SPACE]),
+                  hypot(part[TIME], part[SOLVER])) <= error)
+            return work;
+    } while (refine(sweep, part, &set));
+    return NULL;
+}
+
+int sweep_balanced(const struct sweep *sweep, double error)
+{
+    const struct work *best = NULL;
+    for (int law = LINEAR; law <= CUBIC; law++)
+        for (int m = -1; m < N_METHOD; m++) { /* -1: static */
+            struct work_setting set = {
+                .scene = sweep->scene, .law = (enum law)law,
+                .n = work_coarsest(sweep->scene), .dynamic = m >= 0,
+                .method = m >= 0 ? (enum method)m : BACKWARD_EULER,
+                .tolerance = tolerances[0]};
+            set.steps = set.dynamic ? first_steps(set.method) : 1;
+            if (law == LINEAR && set.method == SYMPLECTIC_EULER) continue;
+            const struct work *end = balance(sweep, error, set);
+            if (end && (!best || end->flops < best->flops)) best = end;
+        }
+    return best ? (int)(best - sweep->work) : -1;
+}

@@ -1,0 +1,51 @@
+/*
+ * sweep.h - all settings of work.h for one scene: which is the cheapest for an
+ * error, and which one the balance rule takes.
+ *
+ * Static: every law, three meshes (1, 2, 4 times the coarsest), 1 or 8 load
+ * steps.  Dynamic: every law, the three meshes, 4, 8, ... steps, and every
+ * method of integrate.h.  Newton's tolerance is 1e-2 or 1e-5 m.  Errors are
+ * relative to the size of the limit of LOG, dynamic.
+ */
+#ifndef COMMON_SWEEP_H
+#define COMMON_SWEEP_H
+
+#include "work.h"
+
+enum { SWEEP_MOST = 320 };
+struct sweep {
+    enum work_scene scene;
+    double size, floor; /* of the limit (m); what is not known of it, rel. */
+    int count;
+    struct work_setting set[SWEEP_MOST];
+    struct work work[SWEEP_MOST];
+    double error[SWEEP_MOST]; /* INFINITY where the run has failed */
+};
+
+/* All runs.  The caller frees it. */
+struct sweep *sweep_alloc(enum work_scene scene);
+void sweep_free(struct sweep *sweep);
+
+/* The setting with the fewest flops among those with at most this error, or
+ * -1. */
+int sweep_cheapest(const struct sweep *sweep, double error);
+
+/*
+ * What a setting should have wrong, part by part, relative to size, without a
+ * look at the limit [eq:error-parts]: each part is a difference of two runs
+ * that differ in one knob, on the coarsest mesh but for the space.
+ */
+enum part { MODEL, SPACE, TIME, SOLVER, N_PART };
+#define PARTS "model space time solver" /* as words, in this order */
+void sweep_parts(const struct sweep *sweep, const struct work_setting *set,
+                 double part[N_PART]);
+
+/*
+ * The balance rule [alg:balance]: from the coarsest setting of every model and
+ * method, refine what has the largest part until the sum of the parts is at
+ * most `error`; of these settings the one that should have the fewest flops.
+ * -1: none gets there.
+ */
+int sweep_balanced(const struct sweep *sweep, double error);
+
+#endif

@@ -1,0 +1,120 @@
+/*
+ * chart.c - the chart of the course: what does thinking save, and what does a
+ * fast solver?
+ *
+ * Every model of each scene of ladder.h is solved and measured against the
+ * truth.  For a tolerance of 10, 1 and 0.1 %: the cheapest model that meets it,
+ * the one that the ladder chooses, and the counted work of the richest model
+ * over that of the cheapest.  Beside it, what the band saves of the richest one
+ * with dense factors.  Tables: choice, chart, right.
+ */
+#include "estimate.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+
+enum { LEVELS = 4, TOLERANCES = 3 };
+static const double tolerance[TOLERANCES] = {0.1, 0.01, 0.001};
+
+static struct outcome {
+    double error, flops, estimate;
+    int stable;
+    enum part add;
+} of[LOG_PLANE + 1][2][LEVELS]; /* [rung][moving][level] */
+
+static struct outcome *at(struct ladder_model m)
+{
+    return &of[m.rung][m.moving][m.level];
+}
+
+/* Number k of a scene's models; false: there is none. */
+static int model_of(const struct ladder_scene *scene, int k,
+                    struct ladder_model *m)
+{
+    *m = (struct ladder_model){(enum rung)(k / (2 * LEVELS)), k / LEVELS % 2,
+                               k % LEVELS};
+    return m->level <= scene->finest && (!m->moving || scene->time != STANDS) &&
+           (m->rung != BAR || (!m->moving && !m->level));
+}
+
+static void solve_all(const struct ladder_scene *scene, double *dense)
+{
+    struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
+    for (int k = 0; k < 8 * LEVELS; k++) {
+        struct ladder_model m;
+        if (!model_of(scene, k, &m)) continue;
+        struct ladder_state *s = ladder_solve(scene, m);
+        struct outcome *o = at(m);
+        estimate_state(s, 0.0, &o->estimate, &o->add);
+        o->stable = ladder_stable(s);
+        o->error = ladder_error(s, truth);
+        o->flops = s->flops;
+        const int n = s->body->n_equation;
+        *dense = matrix_cost(DENSE, n, 0).flops /
+                 matrix_cost(BANDED, n, s->body->K->p).flops;
+        ladder_free(s);
+    }
+    ladder_free(truth);
+}
+
+static const char *name(const struct ladder_model *m)
+{
+    static const char *const moving[] = {"bar", "linear,moving",
+                                         "cubic,moving", "log,moving"};
+    if (!m) return MISSING;
+    return m->moving ? moving[m->rung] : ladder_rung(m->rung);
+}
+
+int main(void)
+{
+    double factor[LADDER_SCENES][TOLERANCES], dense[LADDER_SCENES];
+    int right[TOLERANCES] = {0}, reached[TOLERANCES] = {0};
+    gsl_set_error_handler_off();
+    table_begin("choice",
+                "tolerance scene chosen mesh error best level factor right");
+    for (int k = 0; k < LADDER_SCENES; k++) {
+        const struct ladder_scene *scene = &ladder_scene[k];
+        solve_all(scene, &dense[k]);
+        const struct ladder_model richest = {
+            LOG_PLANE, scene->time != STANDS, scene->finest};
+        for (int t = 0; t < TOLERANCES; t++) {
+            struct ladder_model chosen = {BAR, 0, 0}, best = richest, m;
+            int none = 1, more = 1;
+            for (int i = 0; i < 8 * LEVELS; i++)
+                if (model_of(scene, i, &m) && at(m)->error <= tolerance[t] &&
+                    (none || at(m)->flops < at(best)->flops))
+                    best = m, none = 0;
+            const struct outcome *o = at(chosen);
+            while (more && !(o->stable && o->estimate <= tolerance[t])) {
+                more = ladder_add(scene, o->add, &chosen);
+                o = at(chosen);
+            }
+            const int agrees = more != none && (none || o == at(best));
+            factor[k][t] = none ? NAN : at(richest)->flops / at(best)->flops;
+            right[t] += agrees, reached[t] += !none;
+            table_row(100.0 * tolerance[t], scene->name,
+                      name(more ? &chosen : NULL), cell_if(more, chosen.level),
+                      100.0 * o->error, name(none ? NULL : &best),
+                      cell_if(!none, best.level), cell_if(!none, factor[k][t]),
+                      agrees ? "yes" : "no");
+        }
+    }
+    table_end();
+    table_begin("chart", "scene ten one tenth dense");
+    for (int k = 0; k < LADDER_SCENES; k++) {
+        const double *f = factor[k];
+        table_row(ladder_scene[k].name, cell_if(f[0] > 0, f[0]),
+                  cell_if(f[1] > 0, f[1]), cell_if(f[2] > 0, f[2]), dense[k]);
+    }
+    table_end();
+    table_begin("right", "tolerance right reached");
+    for (int t = 0; t < TOLERANCES; t++)
+        table_row(100.0 * tolerance[t], right[t], reached[t]);
+    table_end();
+    claim(right[0] >= 11, "at 10 %% the cheapest model that meets it is chosen "
+          "in %d of 12 scenes", right[0]);
+    claim(right[1] >= 9 && right[2] >= 9, "and in %d, %d", right[1], right[2]);
+    return table_finish();
+}

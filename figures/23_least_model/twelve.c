@@ -1,0 +1,104 @@
+/*
+ * twelve.c - do the estimates meet the truth, in twelve scenes?
+ *
+ * Each scene of ladder.h is climbed from the bar to the last rung; each rung is
+ * estimated from its own answer, and compared with the richest model on a mesh
+ * that is finer still.  Tables: rungs (all of them), chosen (the first that is
+ * enough for 10 %), least (lowest and highest ratio, stable and not).
+ */
+#include "estimate.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+
+enum { MOST = 16 };
+static const double tolerance = 0.1;
+
+struct row {
+    struct ladder_model model;
+    double estimate, error, flops;
+    int stable;
+    enum part add;
+};
+
+/* All rungs of a scene; returns how many. */
+static int climb(const struct ladder_scene *scene, struct row row[MOST])
+{
+    struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
+    struct ladder_model model = {BAR, 0, 0};
+    int n = 0, more = 1;
+    while (more && n < MOST) {
+        struct ladder_state *s = ladder_solve(scene, model);
+        struct row *r = &row[n++];
+        *r = (struct row){.model = model, .flops = s->flops};
+        estimate_state(s, tolerance, &r->estimate, &r->add);
+        r->error = ladder_error(s, truth);
+        r->stable = ladder_stable(s);
+        more = ladder_add(scene, r->add, &model);
+        ladder_free(s);
+    }
+    claim(truth->status == OK, "%s has a truth", scene->name);
+    ladder_free(truth);
+    return n;
+}
+
+static void print(const char *scene, const struct row *r, const char *verdict)
+{
+    table_row(scene, ladder_rung(r->model.rung),
+              r->model.moving ? "motion" : "rest", r->model.level,
+              100.0 * r->estimate, 100.0 * r->error, r->estimate / r->error,
+              r->stable ? "stable" : "unstable", r->flops, verdict);
+}
+
+int main(void)
+{
+    static struct row row[LADDER_SCENES][MOST];
+    int n[LADDER_SCENES], within = 0, silent = 0, met = 0, all = 0;
+    const char *const columns = "scene model state mesh estimate error ratio "
+                                "stable flops verdict";
+    double lowest = INFINITY, highest = 0.0, blind = INFINITY;
+    gsl_set_error_handler_off();
+    table_begin_note("rungs", columns, "estimate and error in %%");
+    for (int k = 0; k < LADDER_SCENES; k++) {
+        n[k] = climb(&ladder_scene[k], row[k]);
+        for (int i = 0; i < n[k]; i++) {
+            const struct row *r = &row[k][i];
+            const double ratio = r->estimate / r->error;
+            print(ladder_scene[k].name, r,
+                  i + 1 < n[k] ? ladder_part(r->add) : "nothing");
+            if (!r->stable) blind = fmin(blind, ratio);
+            if (!r->stable) continue;
+            lowest = fmin(lowest, ratio);
+            highest = fmax(highest, ratio);
+            silent += ratio < 1.0 / 3.0;
+            all++;
+        }
+    }
+    table_end();
+    table_begin_note("chosen", columns, "for a tolerance of 10 %%");
+    for (int k = 0; k < LADDER_SCENES; k++) {
+        int i = 0;
+        while (i + 1 < n[k] &&
+               !(row[k][i].stable && row[k][i].estimate <= tolerance))
+            i++;
+        const double ratio = row[k][i].estimate / row[k][i].error;
+        print(ladder_scene[k].name, &row[k][i], "enough");
+        within += ratio > 1.0 / 3.0 && ratio < 3.0;
+        met += row[k][i].error <= tolerance;
+    }
+    table_end();
+    table_begin("least", "rungs lowest highest unstable within met");
+    table_row(all, lowest, highest, blind, within, met);
+    table_end();
+
+    claim(within >= 10, "estimate over error is between 1/3 and 3 in %d scenes",
+          within);
+    claim(silent == 0, "%d stable rungs are below 1/3: the lowest is %g",
+          silent, lowest);
+    claim(blind < 0.1, "where K is not positive definite the estimate is "
+          "blind: %g", blind);
+    claim(met >= 11, "%d scenes meet the tolerance", met);
+    return table_finish();
+}

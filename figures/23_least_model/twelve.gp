@@ -1,0 +1,35 @@
+# twelve.gp - the estimate of every rung of twelve ladders over its true error,
+# with the band of a factor of 3; and the rungs that are enough for 10 %.
+# Reads   data  tables rungs, chosen (scene model estimate error stable)
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/23_least_model/twelve.tsv"
+if (!exists("out"))  out  = "figures/23_least_model/twelve.svg"
+load "figures/style.gp"
+set terminal svg size 760,560
+set output out
+set logscale xy
+set xrange [0.012:200]
+set yrange [0.012:400]
+set xlabel "true error of the displacement (%)"
+set ylabel "estimated error (%)"
+set format xy "%g"
+set key at graph 0.02, graph 0.98 left top vertical maxrows 4 reverse Left samplen 2
+of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate") : NaN
+set label 1 "3 times the truth" at 1.4, 6.2 rotate by 41 font ",11" textcolor rgb "#555555"
+set label 2 "a third of it" at 0.16, 0.035 rotate by 41 font ",11" textcolor rgb "#555555"
+set label 3 "a straight column above its buckling load:\nno estimate sees it; K is not positive definite" \
+    at 180, 0.62 right font ",11" textcolor rgb "#D55E00"
+set label 4 "10 %" at 0.0135, 12.5 font ",11" textcolor rgb "#555555"
+set arrow 1 from 0.012, 10 to 200, 10 nohead ls 9
+set style fill transparent solid 0.12 noborder
+plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) ** (($0) / 99.0) / 3):(3 * 0.012 * (200 / 0.012) ** (($0) / 99.0)) \
+         with filledcurves lc rgb "#0072B2" notitle, \
+     x with lines ls 8 notitle, \
+     data index "rungs" using "error":(of("bar")) with points ls 2 ps 0.9 title "bar", \
+     "" index "rungs" using "error":(of("linear")) with points ls 1 ps 0.9 title "linear", \
+     "" index "rungs" using "error":(of("cubic")) with points ls 3 ps 1.0 title "cubic", \
+     "" index "rungs" using "error":(of("log")) with points ls 4 ps 1.1 title "logarithm", \
+     "" index "chosen" using "error":"estimate" with points pt 6 ps 1.9 lw 1.5 lc rgb "black" \
+         title "enough for 10 %", \
+     "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
+         with points pt 2 ps 1.4 lw 2.5 lc rgb "#D55E00" title "unstable"

@@ -1,0 +1,81 @@
+/*
+ * budget.c - a budget of systems against the ladder of lesson 14.
+ *
+ * The script `hard`, n = 16, a patch in the hand, backward Euler, the same
+ * bounded hand, which waits when a frame is lost.  One body takes live_frame(),
+ * the other integrate_frame(), which goes to more and more sub-steps.  Table:
+ * systems per frame at the median, at the 99th percentile and at most, frames
+ * lost.
+ */
+#include "live.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+struct count {
+    double p50, p99, most;
+    int lost;
+};
+
+static struct count play(enum law law, int substeps)
+{
+    const struct live_setting set = {16, law, BACKWARD_EULER, PATCH, ELASTIC,
+                                     1};
+    struct live *live = live_alloc(&set);
+    struct pointers hard = pointers_hard();
+    struct count count = {0};
+    struct times systems = {0};
+    for (int k = 0; k < hard.n; k++) {
+        double to[2];
+        live_input(live, &hard.frame[k]);
+        live_hand(live->hand, &hard.frame[k], to);
+        live_carry(live, to);
+        if (substeps) {
+            const struct frame frame =
+                integrate_frame(live->body, live->dt, live->g, NULL,
+                                &live->now);
+            times_record(&systems, frame.iterations, 1);
+            count.lost += frame.status != OK;
+            if (frame.status == OK) memcpy(live->hand, to, sizeof to);
+        } else {
+            const struct live_report report = live_frame(live, to);
+            times_record(&systems, report.systems, 1);
+            count.lost += strcmp(report.rung, "lost") == 0;
+        }
+    }
+    count.p50 = times_median(&systems);
+    count.p99 = times_quantile(&systems, 0.99);
+    count.most = times_quantile(&systems, 1.0);
+    table_row(material_law(law), substeps ? "lesson 14" : "budget", count.p50,
+              count.p99, count.most, count.lost);
+    pointers_free(&hard);
+    live_free(live);
+    return count;
+}
+
+int main(void)
+{
+    struct count count[2][2];
+    gsl_set_error_handler_off();
+    table_begin("systems", "law ladder p50 p99 most lost");
+    for (int l = 0; l < 2; l++)
+        for (int substeps = 0; substeps < 2; substeps++)
+            count[l][substeps] = play(l ? CUBIC : LOG, substeps);
+    table_end();
+    for (int l = 0; l < 2; l++) {
+        const struct count *budget = &count[l][0], *parts = &count[l][1];
+        claim(budget->lost == 0 && budget->most <= 22.0,
+              "no frame is lost (%d), at most 22 systems (%g)", budget->lost,
+              budget->most);
+        claim(parts->p99 >= 1.4 * budget->p99 &&
+                  parts->most >= 2.0 * budget->most,
+              "sub-steps cost 1.4 times as much at p99 (%g, %g), and twice as "
+              "much in the worst frame (%g, %g)", parts->p99, budget->p99,
+              parts->most, budget->most);
+    }
+    claim(count[0][1].lost > 20, "with sub-steps LOG loses frames (%d)",
+          count[0][1].lost);
+    return table_finish();
+}

@@ -1,0 +1,119 @@
+/*
+ * pull.c - how fast may a side be pulled, and from which start?
+ *
+ * The right side of the square is taken and pulled to the right, backward
+ * Euler, dt = 1/30, no second rung: `fast` alone, with 40 systems.  It starts
+ * from the elastic lift, from the lift by rows, or from the last state with the
+ * held values written in.  Tables: pull (frames lost of 40 at 6 m/s, and the
+ * most systems in a frame), limit (the least speed, in steps of 0.1 m/s, that
+ * loses one of the first three frames from the last state, against lesson 11's
+ * 2.2 h / dt), slope (G' of both laws over J: K is a sum of matrices with an
+ * eigenvalue mu - G').
+ */
+#include "live.h"
+#include "options.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
+
+static const char *const START[] = {"elastic", "rows", "last state"};
+
+struct losses {
+    int lost, most;
+};
+
+/* What is lost of the first `frames` of a pull. */
+static struct losses pull(int n, enum law law, enum start start, double speed,
+                          int frames)
+{
+    const struct live_setting set = {n, law, BACKWARD_EULER, SIDE, start, 0};
+    struct live *live = live_alloc(&set);
+    struct pointers script = pointers_pull(speed);
+    struct losses sum = {0, 0};
+    for (int k = 0; k <= frames; k++) { /* the hand grabs in frame 0 */
+        if (frames < 5 && sum.lost) break; /* for limit() one is enough */
+        double to[2];
+        live_input(live, &script.frame[k]);
+        live_hand(live->hand, &script.frame[k], to);
+        live_carry(live, to);
+        const struct live_report report = live_frame(live, to);
+        sum.lost += strcmp(report.rung, "lost") == 0;
+        if (report.systems > sum.most) sum.most = report.systems;
+    }
+    pointers_free(&script);
+    live_free(live);
+    return sum;
+}
+
+/* The least speed that loses a frame, to 0.1 m/s, by bisection. */
+static double limit(int n, enum law law)
+{
+    int low = 5, high = 75; /* the hand is bounded to 7.5 m/s */
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        if (pull(n, law, LAST_STATE, 0.1 * middle, 3).lost)
+            high = middle;
+        else
+            low = middle;
+    }
+    return 0.1 * high;
+}
+
+int main(void)
+{
+    const int n[] = {16, 24, 32};
+    double found[COUNT(n)];
+    struct losses cubic[3], of_log[3];
+    gsl_set_error_handler_off();
+
+    table_begin_note("pull", "start cubic cubic_systems log log_systems",
+                     "n = 24, 6 m/s, 40 frames");
+    for (int s = ELASTIC; s <= LAST_STATE; s++) {
+        cubic[s] = pull(24, CUBIC, (enum start)s, 6.0, 40);
+        of_log[s] = pull(24, LOG, (enum start)s, 6.0, 40);
+        table_row(START[s], cubic[s].lost, cubic[s].most, of_log[s].lost,
+                  of_log[s].most);
+    }
+    table_end();
+
+    table_begin("limit", "n predicted cubic jump");
+    for (int k = 0; k < COUNT(n); k++) {
+        const double h = 2.0 / n[k];
+        found[k] = limit(n[k], CUBIC);
+        table_row(n[k], 2.2 * h * 30.0, found[k], found[k] / 30.0 / h);
+    }
+    table_end();
+
+    const struct material materials[] = {material_notes(LOG),
+                                         material_notes(CUBIC)};
+    double most_log = 0.0, crossing = 0.0;
+    table_begin("slope", "J log cubic mu");
+    for (double J = 1.0; J < 4.0; J += 0.0625) {
+        const double G[2] = {material_volume(&materials[0], J).dG,
+                             material_volume(&materials[1], J).dG};
+        table_row(J, G[0], G[1], materials[0].mu);
+        most_log = fmax(most_log, G[0]);
+        if (crossing == 0.0 && G[1] > materials[1].mu) crossing = J;
+    }
+    table_end();
+
+    claim(cubic[LAST_STATE].lost >= 36 && of_log[LAST_STATE].lost == 0,
+          "from the last state a pull of 6 m/s is lost for ever under the "
+          "cubic law (%d of 40), and under LOG not (%d)",
+          cubic[LAST_STATE].lost, of_log[LAST_STATE].lost);
+    claim(cubic[ELASTIC].lost + cubic[ROWS].lost + of_log[ELASTIC].lost +
+                  of_log[ROWS].lost == 0 &&
+              cubic[ELASTIC].most < cubic[ROWS].most,
+          "either lift loses none, and the elastic one needs fewer systems");
+    for (int k = 0; k < COUNT(n); k++)
+        claim(fabs(found[k] * n[k] / 60.0 - 1.85) < 0.1,
+              "the limit is a jump of 1.85 h in one frame, for every h "
+              "(n = %d: %g m/s)", n[k], found[k]);
+    claim(most_log < materials[0].mu && fabs(crossing - 2.25) < 0.1,
+          "G' passes mu at J = 2.25 under the cubic law (%g), under LOG never",
+          crossing);
+    return table_finish();
+}

@@ -1,0 +1,31 @@
+# pull.gp - where a pull is lost from the last state, and why.
+# Reads   data  tables limit, slope
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 900,380
+set output out
+set multiplot layout 1,2
+set key off
+set lmargin 9
+set xlabel "squares per side n"
+set ylabel "speed of the hand (m/s)"
+set xrange [14:34]
+set yrange [0:9]
+set xtics (16, 24, 32)
+set label 1 "predicted, 2.2 h per frame" at 21.3,6.9 tc rgb "black"
+set label 2 "measured: frames are lost above" at 14.8,3.4 tc rgb "#D55E00"
+plot data index "limit" using "n":"predicted" with lines ls 8, \
+     "" index "limit" using "n":"cubic" with linespoints ls 2
+unset label
+set xlabel "J of a stretched triangle"
+set ylabel "G' (N/m^2)" offset 1
+set xrange [1:3]
+set yrange [-500:1500]
+set xtics 0.5
+set label 1 "μ: above, K has a negative part" at 1.05,460
+set label 2 "cubic law" at 1.72,1050 tc rgb "#D55E00"
+set label 3 "log law" at 2.5,-70 tc rgb "#0072B2"
+plot data index "slope" using "J":"mu" with lines ls 8, \
+     "" index "slope" using "J":"cubic" with lines ls 2, \
+     "" index "slope" using "J":"log" with lines ls 1
+unset multiplot

@@ -1,0 +1,230 @@
+/*
+ * 23_least_model.c - the smallest model that meets a tolerance: solve cheaply,
+ * estimate what was left out, add the largest part, until it is enough.
+ *
+ * Problem.  A scene of ladder.h, and a tolerance for its displacement.  The
+ * ladder begins with a bar; each rung adds what was left out most.  Whether it
+ * is enough is asked of its own answer u, all that there is [alg:least-model].
+ *
+ * Run       make lesson-23, or with options: -h lists them
+ * Expect    --scene shaken: enough on rung 5, cubic, in motion, mesh 1
+ * Plot: ladder rung estimate
+ */
+#include "ladder.h"
+#include "options.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* A row of `ladder`; truth may be NULL. */
+static void print_rung(int rung, const struct ladder_state *s,
+                       const double part[N_PART], int stable, double estimate,
+                       const struct ladder_state *truth, const char *verdict)
+{
+    table_row(rung, ladder_rung(s->model.rung),
+              s->model.moving ? "motion" : "rest", s->model.level,
+              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
+              part[MESH], stable ? "stable" : "unstable", estimate,
+              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              s->flops, verdict);
+}
+
+/*
+ * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
+ * all triangles [eq:left-geometry]; 0 where u = 0.
+ *
+ * part[LAW] = |P_cubic - P_log| / |P_log| in uniaxial strain, F = J, at the
+ * least and at the largest J of all triangles and of 1, the larger of the two
+ * [eq:left-law]; at most 1, and 1 where a J is not > 0.  J = 1 counts 0.
+ */
+static void shape_parts(const struct ladder_state *s, double part[N_PART])
+{
+    struct material cubic = s->body->material, logarithm = cubic;
+    cubic.law = CUBIC;
+    logarithm.law = LOG;
+    /* SLOT 23a(s, part, &cubic, &logarithm): one loop over s->mesh->n_triangle
+     * triangles for both. F is body_deformation(s->body, s->u, e), |H| is
+     * mat2_norm(H), and a stress is material1_pk1(&cubic, J). */
+    double forgotten = 0.0, most = 0.0, J[2] = {1.0, 1.0};
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(s->body, s->u, e);
+        const mat2 H = mat2_subtract(F, mat2_identity());
+        const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
+        forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
+        most = fmax(most, mat2_norm(H));
+        J[0] = fmin(J[0], mat2_det(F));
+        J[1] = fmax(J[1], mat2_det(F));
+    }
+    part[GEOMETRY] = most > 0.0 ? forgotten / most : 0.0;
+    part[LAW] = J[0] > 0.0 ? 0.0 : 1.0;
+    for (int k = 0; k < 2 && J[0] > 0.0; k++) {
+        const double P = material1_pk1(&logarithm, J[k]);
+        const double off = fabs(material1_pk1(&cubic, J[k]) - P);
+        if (J[k] != 1.0) part[LAW] = fmax(part[LAW], fmin(1.0, off / fabs(P)));
+    }
+    /* END 23a */
+}
+
+/*
+ * part[MESH] [eq:left-mesh].  The recovered strain of a vertex is the mean of G
+ * over its triangles, weighted with their areas; in between it is linear.  In a
+ * triangle it differs from G by d_1, d_2, d_3 at the vertices, with the energy
+ * area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).  The sum
+ * of it over the sum of area psi(G); 0 where u = 0.
+ */
+static void mesh_part(const struct ladder_state *s, double part[N_PART])
+{
+    const size_t n = (size_t)s->mesh->n_vertex;
+    mat2 *recovered = allocate(n, sizeof *recovered); /* zero, */
+    double *share = allocate(n, sizeof *share);       /* and zero */
+    /* SLOT 23b(s, part, recovered, share): two loops over the triangles, with
+     * the vertices s->mesh->triangle[3 * e + k] and s->body->area[e].  G is
+     * ladder_strain(s, e), psi is ladder_psi(s, d). */
+    for (int e = 0; e < s->mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int a = s->mesh->triangle[3 * e + k];
+            const mat2 G = mat2_scale(s->body->area[e], ladder_strain(s, e));
+            recovered[a] = mat2_add(recovered[a], G);
+            share[a] += s->body->area[e];
+        }
+    double off = 0.0, all = 0.0;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 G = ladder_strain(s, e);
+        mat2 sum = {{{0.0, 0.0}, {0.0, 0.0}}};
+        for (int k = 0; k < 3; k++) {
+            const int a = s->mesh->triangle[3 * e + k];
+            const mat2 d =
+                mat2_subtract(mat2_scale(1.0 / share[a], recovered[a]), G);
+            off += s->body->area[e] / 12.0 * ladder_psi(s, d);
+            sum = mat2_add(sum, d);
+        }
+        off += s->body->area[e] / 12.0 * ladder_psi(s, sum);
+        all += s->body->area[e] * ladder_psi(s, G);
+    }
+    part[MESH] = all > 0.0 ? off / all : 0.0;
+    /* END 23b */
+    free(recovered);
+    free(share);
+}
+
+/*
+ * part[DIMENSION] = (across + missed along) / (across + along)
+ * [eq:left-dimension].  along = |N| length / height, across = 6 |moment|
+ * length^2 / height^3: what the load moves the free end by, times E', as a bar
+ * and as a beam.  N is the sum of the forces along X1, moment that about the
+ * middle of the left end, which is held.  A bar has no across, and of along it
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).
+ *
+ * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
+ * [eq:left-inertia]; Mu is M u for the density 1.
+ */
+static void load_parts(const struct ladder_state *s, const double Mu[],
+                       double part[N_PART])
+{
+    const double *f = s->f, *u = s->u, *X = s->mesh->X, T = s->scene->T;
+    const double length = 2.0, height = length / s->scene->slender;
+    const struct material *m = &s->body->material;
+    /* SLOT 23c(s, Mu, part, f, u, X, T, length, height, m): one loop over
+     * s->mesh->n_vertex vertices; the left end is at X1 = -1. */
+    double N = 0.0, moment = 0.0, work = 0.0, mass = 0.0;
+    for (int x = 0, y = 1; x < 2 * s->mesh->n_vertex; x += 2, y += 2) {
+        N += f[x];
+        moment += (X[x] + 1.0) * f[y] - X[y] * f[x];
+        work += f[x] * u[x] + f[y] * u[y];
+        mass += u[x] * Mu[x] + u[y] * Mu[y];
+    }
+    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double along = fabs(N) * length / height;
+    const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    const double missed = lateral * lateral * height / (2.0 * length);
+    part[DIMENSION] = (across + missed * along) / (across + along);
+    part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
+    /* END 23c */
+}
+
+/*
+ * The verdict on a solved model [alg:least-model].  Parts that it has become 0:
+ * a BAR leaves out dimension and geometry (its mesh is exact), LINEAR_PLANE
+ * geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest each
+ * leaves out the inertia too, unless the load STANDS.  *estimate is the sum of
+ * what remains, *add the largest.  Where K is not positive definite (unstable)
+ * no model is enough, and a linear one needs the geometry.
+ */
+static int verdict(struct ladder_model model, enum ladder_time time, int stable,
+                   double tolerance, double part[N_PART], double *estimate,
+                   enum part *add)
+{
+    int enough = 0;
+    /* SLOT 23d(model, time, stable, tolerance, part, estimate, add, &enough):
+     * model.rung, model.moving; set the part, *estimate, *add, enough. */
+    if (model.rung != BAR) part[DIMENSION] = 0.0;
+    if (model.rung == BAR) part[MESH] = 0.0;
+    if (model.rung != BAR && model.rung != LINEAR_PLANE) part[GEOMETRY] = 0.0;
+    if (model.rung != CUBIC_PLANE) part[LAW] = 0.0;
+    if (model.moving || time == STANDS) part[INERTIA] = 0.0;
+    *estimate = 0.0;
+    *add = GEOMETRY;
+    for (int k = 0; k < N_PART; k++) {
+        *estimate += part[k];
+        if (part[k] > part[*add]) *add = (enum part)k;
+    }
+    if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
+    enough = stable && *estimate <= tolerance;
+    /* END 23d */
+    return enough;
+}
+
+/* Climb from the bar, a row per rung.  Returns whether the last is enough. */
+static int climb(const struct ladder_scene *scene, double tolerance,
+                 const struct ladder_state *truth)
+{
+    struct ladder_model model = {BAR, 0, 0};
+    int enough = 0, more = 1;
+    for (int rung = 1; more; rung++) {
+        struct ladder_state *s = ladder_solve(scene, model);
+        if (s->status != OK) die("model: %s", status_name(s->status));
+        double part[N_PART], estimate, *Mu = ladder_momentum(s);
+        enum part add;
+        const int stable = ladder_stable(s);
+        shape_parts(s, part);
+        mesh_part(s, part);
+        load_parts(s, Mu, part);
+        enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
+                         &add);
+        more = !enough && ladder_add(scene, add, &model);
+        print_rung(rung, s, part, stable, estimate, truth,
+                   enough ? "enough" : more ? ladder_part(add) : "nothing");
+        free(Mu);
+        ladder_free(s);
+    }
+    return enough;
+}
+
+int main(int argc, char *argv[])
+{
+    int which = LADDER_SCENES - 1, ask = 0;
+    double tolerance = 0.1, load = 1.0;
+    const struct option options[] = {
+        {"scene", .choice = &which, .choices = LADDER_WORDS, .help = "which"},
+        {"tolerance", .real = &tolerance, .min = 1e-6, .max = 10,
+         .help = "of the displacement, relative"},
+        {"load", .real = &load, .min = 1e-3, .max = 3, .help = "multiplied"},
+        {"truth", .choice = &ask, .choices = "no yes", .help = "its error too"},
+    };
+    options_parse("23_least_model", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+
+    const struct ladder_scene scene = ladder_loaded(which, load);
+    struct ladder_state *truth = NULL;
+    if (ask) truth = ladder_solve(&scene, ladder_truth(&scene));
+    table_begin("ladder",
+                "rung model state mesh geometry law dimension inertia "
+                "mesh_part stable estimate error flops verdict");
+    const int enough = climb(&scene, tolerance, truth);
+    table_end();
+    if (!enough) die("the ladder ends before %g is met", tolerance);
+    ladder_free(truth);
+    return table_finish();
+}

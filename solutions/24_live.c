@@ -1,0 +1,271 @@
+/*
+ * 24_live.c - the square in your hand: a loop that cannot be broken.
+ *
+ * Notes: Lecture 1, "get user boundary condition input, solve nonlinear system,
+ * render solution to screen", and "abnormally robust to user input".
+ *
+ * Problem.  A hand takes some vertices of the square and carries them wherever
+ * it likes, thirty frames per second.  Each frame is a step of backward Euler
+ * or of the midpoint rule; none may be lost, whatever the hand does.
+ *
+ *     fast       elastic lift, factors kept                 at most  6 systems
+ *        |  it failed
+ *     downhill   from the last state, projected, Phi falls  at most  8 systems
+ *                the hand goes 1, 1/2, 1/4, ... of its way, at last 0
+ *
+ * Input is a line per frame, "x y down key"; see common/pointer.h.
+ *
+ * Run       make lesson-24, or with options: -h lists them; make live: a window
+ * Expect    60 frames, none lost, at most 17 linear systems in one of them
+ * Plot: frames k energy
+ */
+#include "clock.h"
+#include "live.h"
+#include "options.h"
+#include "table.h"
+#include "window.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is counted over all frames. */
+struct summary {
+    int frames, lost, downhill, most;
+    double energy; /* the largest (J) */
+};
+
+static void print_summary(const struct live *live, const struct summary *sum)
+{
+    double u = 0.0;
+    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
+    table_begin("summary", "frames lost downhill most_systems most_energy "
+                           "last_max_u");
+    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
+    table_end();
+}
+
+/* A row of the table, and what is counted. */
+static void print_frame(const struct live *live, int knots, struct cell ms,
+                        const struct live_report *report, struct summary *sum)
+{
+    const double energy = live_energy(live);
+    table_row(++sum->frames, report->rung, status_name(report->first),
+              status_name(report->status), report->systems, report->part,
+              body_min_J(live->body, live->now.u), knots, energy,
+              live->hand[0], live->hand[1], ms);
+    sum->lost += strcmp(report->rung, "lost") == 0;
+    sum->downhill += strcmp(report->rung, "downhill") == 0;
+    if (report->systems > sum->most) sum->most = report->systems;
+    if (energy > sum->energy) sum->energy = energy;
+}
+
+/* to := where a hand at `from` is after a frame on its way to the pointer: the
+ * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
+ * LIVE_REACH [eq:live-hand]. */
+static void hand_next(const double from[2], const struct pointer *pointer,
+                      double to[2])
+{
+    /* SLOT 24a(from, pointer, to): to[0], to[1]; LIVE_FAR, LIVE_REACH (m). */
+    const double target[2] = {fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x)),
+                              fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y))};
+    const double way = hypot(target[0] - from[0], target[1] - from[1]);
+    const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
+    for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);
+    /* END 24a */
+}
+
+/*
+ * How many vertices inside the square are knots: at rest the angles of the
+ * triangles round a vertex add up to 2 pi.  They are between -pi and pi, and
+ * negative where a triangle is inverted; a sum that is off by more than pi is a
+ * knot [eq:winding].
+ */
+static int count_knots(const struct mesh *mesh, const double u[])
+{
+    const double *X = mesh->X;
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle);
+    int knots = 0;
+    /* SLOT 24b(mesh, X, u, angle, &knots): angle[a] is 0; vertex a is at
+     * X[2a] + u[2a], X[2a + 1] + u[2a + 1], and inside if -1 < X < 1 twice. */
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int *t = &mesh->triangle[3 * e];
+            double side[2][2];
+            for (int s = 0; s < 2; s++)
+                for (int i = 0; i < 2; i++) {
+                    const int to = 2 * t[(k + 1 + s) % 3] + i;
+                    const int from = 2 * t[k] + i;
+                    side[s][i] = X[to] + u[to] - X[from] - u[from];
+                }
+            angle[t[k]] += atan2(
+                side[0][0] * side[1][1] - side[0][1] * side[1][0],
+                side[0][0] * side[1][0] + side[0][1] * side[1][1]);
+        }
+    for (int a = 0; a < mesh->n_vertex; a++)
+        knots += fabs(X[2 * a]) < 1.0 && fabs(X[2 * a + 1]) < 1.0 &&
+                 fabs(angle[a] - 2.0 * M_PI) > M_PI;
+    /* END 24b */
+    free(angle);
+    return knots;
+}
+
+/*
+ * u := u0 with the held values g, and what that does to the rest: the first
+ * iteration of Newton's method, in which the jump enters linearly
+ * [eq:elastic-lift],
+ *
+ *     K du = -(q(u0) + K_fh (g - u0)),   u = u0 + du, and g where it is held.
+ *
+ * K of the kind `tangent` and q are of body_assemble() with dt, w and no f.
+ * OK, or the status of an assembly or of the factorisation, or NONFINITE:
+ * something would move by more than LIVE_LEAP.
+ */
+static enum status elastic_lift(struct body *body, double dt, const double w[],
+                                const double u0[], const double g[],
+                                enum tangent tangent, double u[])
+{
+    const int n = 2 * body->mesh->n_vertex;
+    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
+    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    enum status status = OK;
+    for (int r = 0; r < n; r++) {
+        move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
+        size = fmax(size, fabs(move[r]));
+    }
+    const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
+    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e, status):
+     * n numbers each; K_fh move is the central difference of q over
+     * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
+    for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
+    status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
+    for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
+    if (status == OK)
+        status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
+    if (status == OK)
+        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
+    for (int r = 0; r < n && status == OK && e > 0.0; r++)
+        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+    if (status == OK) status = body_increment(body, body->K, q, u);
+    for (int r = 0; r < n && status == OK; r++) {
+        u[r] += move[r];
+        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
+        u[r] += u0[r];
+    }
+    /* END 24c */
+    free(move);
+    return status;
+}
+
+/*
+ * The second rung: backward Euler from the last state [alg:live-frame].  The
+ * projected lift, the hand going 1, 1/2, 1/4, ... of its way, LIVE_HALVINGS
+ * times at most, until it is OK and the energy is defined; else u = u0 and 0 of
+ * the way.  Then step_solve() with LIVE_DOWNHILL, whose status is returned; u
+ * is taken as it is then.  v = (u - u0) / dt, but 0 where that is not OK or the
+ * hand has not gone all of its way.
+ *
+ * report  in/out  systems: one more for each lift, and those of Newton's
+ *                 method; part: how much of its way the hand has gone
+ */
+static enum status downhill(struct live *live, double u[], double v[],
+                            struct live_report *report)
+{
+    const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
+    const int n = live->n_dof;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, energy = 0.0;
+    enum status status = INVERTED;
+    /* SLOT 24d(live, dt, u0, v0, n, w, g, energy, u, v, report, status): w and
+     * g are to be filled; live->g has the held values at the end of the way. */
+    for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
+    report->part = 1.0;
+    for (int k = 0; k < LIVE_HALVINGS && status != OK; k++) {
+        if (k > 0) report->part *= 0.5;
+        for (int r = 0; r < n; r++)
+            g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
+        report->systems++;
+        status = elastic_lift(live->body, dt, w, u0, g, PROJECTED, u);
+        if (status == OK) status = body_energy(live->body, u, &energy);
+    }
+    if (status != OK) {
+        report->part = 0.0;
+        memcpy(u, u0, (size_t)n * sizeof *u);
+    }
+    const struct step_report newton =
+        step_solve(live->body, &LIVE_DOWNHILL, dt, w, NULL, u);
+    report->systems += newton.iterations;
+    status = newton.status;
+    const int whole = status == OK && report->part == 1.0;
+    for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
+    /* END 24d */
+    free(w);
+    return status;
+}
+
+/* One frame of input: the hand, the solver, a row of the table, a picture. */
+static void play(struct live *live, const struct pointer *pointer, int timed,
+                 struct window *window, const char *shot, struct summary *sum)
+{
+    double to[2];
+    const double begin = clock_seconds();
+    live_input(live, pointer);
+    hand_next(live->hand, pointer, to);
+    live_carry(live, to);
+    const struct live_report report =
+        live_frame_by(live, elastic_lift, downhill, to);
+    const double seconds = clock_seconds() - begin;
+    print_frame(live, count_knots(live->mesh, live->now.u),
+                cell_if(timed, 1e3 * seconds), &report, sum);
+    if (window) window_draw(window, live, &report, seconds, shot);
+}
+
+int main(int argc, char *argv[])
+{
+    struct live_setting set = {8, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
+    const char *name = NULL, *record = NULL, *shot = NULL;
+    int seed = 1, law = 0, method = 0, timed = 0;
+    double speed = -3.0;
+    const struct option options[] = {
+        {"input", .text = &name, .unit = "pull, hard, mad or a file's name",
+         .help = "what the hand does [the mouse, or pull]"},
+        {"speed", .real = &speed, .min = -100.0, .max = 100.0, .unit = "m/s",
+         .help = "of pull; < 0 is a push"},
+        {"seed", .integer = &seed, .min = 1, .max = 1000000, .help = "of mad"},
+        {"n", .integer = &set.n, .min = 2, .max = 64,
+         .help = "squares per side"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "material"},
+        {"integrator", .choice = &method, .choices = "backward midpoint",
+         .help = "of the first rung"},
+        {"time", .choice = &timed, .choices = "no yes",
+         .help = "milliseconds per frame in the table"},
+        {"record", .text = &record, .unit = "a file's name",
+         .help = "where the input is written to"},
+        {"shot", .text = &shot, .unit = "a file's name",
+         .help = "the last picture of the window, as BMP"},
+    };
+    options_parse("24_live", options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
+    set.law = law ? CUBIC : LOG;
+    set.method = method ? IMPLICIT_MIDPOINT : BACKWARD_EULER;
+    struct window *window = window_open(); /* NULL: not by make live */
+    const int mouse = window && !name;
+    struct pointers input = {0, NULL};
+    if (!mouse) input = pointers_named(name ? name : "pull", speed, seed);
+    struct live *live = live_alloc(&set);
+    struct summary sum = {0};
+
+    table_begin("frames", "k rung first status systems part min_J knots energy "
+                          "x y ms");
+    for (int k = 0; window_next(window, &input, k, mouse); k++)
+        play(live, &input.frame[k], timed, window,
+             !mouse && k == input.n - 1 ? shot : NULL, &sum);
+    table_end();
+    print_summary(live, &sum);
+    if (record) pointers_write(&input, record);
+    window_close(window);
+    live_free(live);
+    pointers_free(&input);
+    return table_finish();
+}

@@ -1,0 +1,228 @@
+/* ladder.c - laws of common/ladder.h and common/estimate.h. */
+#include "estimate.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { HANGING, CANTILEVER, SMALL_TWIST, ABOVE = 5, SLOW, FAST, SHAKEN = 11 };
+
+static struct ladder_state *solved(int k, enum rung rung, int moving, int level)
+{
+    struct ladder_state *s = ladder_solve(
+        &ladder_scene[k], (struct ladder_model){rung, moving, level});
+    ck_assert_int_eq(s->status, OK);
+    return s;
+}
+
+/* Resultants of weight, pull and couple; doubled loads are doubled. */
+static void loads_add_up(void)
+{
+    for (int k = 0; k < LADDER_SCENES; k++)
+        for (int level = 0; level < 2; level++) {
+            const struct ladder_scene scene = ladder_loaded(k, 2.0);
+            const struct ladder_scene *one = &ladder_scene[k];
+            struct ladder_state *s = ladder_alloc(
+                &scene, (struct ladder_model){LINEAR_PLANE, 0, level});
+            const double height = 2.0 / scene.slender;
+            double sum[2] = {0.0, 0.0}, moment = 0.0;
+            for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+                sum[r % 2] += s->f[r];
+                moment += r % 2 ? 0.0 : s->mesh->X[r + 1] * s->f[r];
+            }
+            for (int i = 0; i < 2; i++)
+                close_to(sum[i],
+                         2.0 * height * (2.0 * one->weight[i] + one->pull[i]),
+                         1e-10);
+            /* the mesh is its own mirror image, and so are the nodal forces;
+             * linear along each edge, the couple is exact */
+            close_to(moment, 2.0 * one->couple * pow(height, 3) / 12.0,
+                     1e-10);
+            ladder_free(s);
+        }
+}
+
+/* u = N / E' for a bar that a pull stretches; the plane body is within 3 %. */
+static void a_bar_is_pulled_as_it_should(void)
+{
+    struct ladder_state *s = solved(SLOW, BAR, 0, 0);
+    struct ladder_state *t = solved(SLOW, LINEAR_PLANE, 0, 1);
+    const int corner = 2 * (s->mesh->n_vertex - 1);
+    close_to(s->u[corner], 2.0 * 20.0 * 0.91 / 1000.0, 1e-12);
+    close_to(s->u[corner + 1], -0.25 * 3.0 / 7.0 * 20.0 * 0.91 / 1000.0, 1e-12);
+    ck_assert_double_lt(ladder_error(s, t), 0.03);
+    close_to(ladder_error(t, t), 0.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] *= 2.0;
+    ck_assert_double_gt(ladder_error(s, t), 0.9);
+    ladder_free(s);
+    ladder_free(t);
+}
+
+/* What is loaded along its axis stays straight. */
+static void a_mirrored_mesh_does_not_bend(void)
+{
+    struct ladder_state *s = solved(HANGING, CUBIC_PLANE, 0, 0);
+    const int n = s->mesh->n + 1, middle = s->mesh->rows / 2 * n;
+    for (int i = 0; i < n; i++)
+        close_to(s->u[2 * (middle + i) + 1], 0.0, 1e-9);
+    ladder_free(s);
+}
+
+/* Twice the load: linear, twice u; small loads: the laws agree. */
+static void linear_is_linear(void)
+{
+    for (int moving = 0; moving < 2; moving++) {
+        const struct ladder_scene twice = ladder_loaded(FAST, 2.0);
+        const struct ladder_scene small = ladder_loaded(FAST, 1e-4);
+        const struct ladder_model linear = {LINEAR_PLANE, moving, 0};
+        const struct ladder_model cubic = {CUBIC_PLANE, moving, 0};
+        struct ladder_state *a = solved(FAST, LINEAR_PLANE, moving, 0);
+        struct ladder_state *b = ladder_solve(&twice, linear);
+        struct ladder_state *c = ladder_solve(&small, linear);
+        struct ladder_state *d = ladder_solve(&small, cubic);
+        for (int r = 0; r < 2 * a->mesh->n_vertex; r++)
+            close_to(b->u[r], 2.0 * a->u[r], 1e-12);
+        ck_assert_double_lt(ladder_error(c, d), 1e-3);
+        ck_assert_double_gt(d->flops, c->flops);
+        ladder_free(a);
+        ladder_free(b);
+        ladder_free(c);
+        ladder_free(d);
+    }
+}
+
+/* A load that comes at once stretches a body twice as far as at rest; what
+ * rises slowly does as at rest. */
+static void inertia_overshoots(void)
+{
+    struct ladder_scene scene = ladder_scene[FAST];
+    const struct ladder_model at_rest = {LINEAR_PLANE, 0, 0};
+    const struct ladder_model moving = {LINEAR_PLANE, 1, 0};
+    scene.T = 1e-6;
+    struct ladder_state *a = ladder_solve(&scene, at_rest);
+    struct ladder_state *b = ladder_solve(&scene, moving);
+    ck_assert_double_gt(ladder_error(b, a), 0.85);
+    ck_assert_double_lt(ladder_error(b, a), 1.15);
+    close_to(estimate_inertia(a), 1.0, 1e-15);
+    ladder_free(b);
+    b = solved(SLOW, LINEAR_PLANE, 1, 0);
+    ck_assert_double_lt(ladder_error(b, a), 0.03);
+    ladder_free(a);
+    ladder_free(b);
+}
+
+/* Above its load a straight column is in balance and not stable. */
+static void buckling_shows_in_the_eigenvalue(void)
+{
+    struct ladder_state *s = solved(ABOVE, LINEAR_PLANE, 0, 0);
+    struct ladder_state *t = solved(ABOVE, CUBIC_PLANE, 0, 0);
+    ck_assert(!ladder_stable(s));
+    ck_assert(ladder_stable(t));
+    ck_assert_double_gt(ladder_error(s, t), 0.9);
+    ladder_free(s);
+    ladder_free(t);
+    s = solved(SHAKEN, LINEAR_PLANE, 1, 0);
+    ck_assert(ladder_stable(s));
+    ladder_free(s);
+}
+
+static void adding_makes_a_model_richer(void)
+{
+    const struct ladder_scene *scene = &ladder_scene[FAST];
+    struct ladder_model m = {BAR, 0, 0};
+    ck_assert(ladder_add(scene, INERTIA, &m));
+    ck_assert(m.rung == LINEAR_PLANE && m.moving && !m.level);
+    ck_assert(!ladder_add(scene, INERTIA, &m));
+    ck_assert(ladder_add(scene, GEOMETRY, &m) && m.rung == CUBIC_PLANE);
+    ck_assert(ladder_add(scene, LAW, &m) && m.rung == LOG_PLANE);
+    ck_assert(!ladder_add(scene, GEOMETRY, &m) && m.rung == LOG_PLANE);
+    for (int level = 1; level <= scene->finest; level++)
+        ck_assert(ladder_add(scene, MESH, &m) && m.level == level);
+    ck_assert(!ladder_add(scene, MESH, &m) && m.level == scene->finest);
+    const struct ladder_model truth = ladder_truth(scene);
+    ck_assert(truth.moving && truth.rung == LOG_PLANE &&
+              truth.level == scene->finest + 1);
+    ck_assert(!ladder_truth(&ladder_scene[HANGING]).moving);
+    m = (struct ladder_model){BAR, 0, 0};
+    ck_assert(ladder_add(scene, DIMENSION, &m) && m.rung == LINEAR_PLANE);
+    ck_assert_str_eq(ladder_rung(LOG_PLANE), "log");
+    ck_assert_str_eq(ladder_part(DIMENSION), "dimension");
+}
+
+/* A rotation by a is sin(a / 2) of geometry, no strain, and no law. */
+static void estimates_of_a_rotation(void)
+{
+    struct ladder_state *s = ladder_alloc(
+        &ladder_scene[HANGING], (struct ladder_model){LINEAR_PLANE, 0, 0});
+    const mat2 Q = mat2_rotation(0.7371);
+    close_to(estimate_geometry(s), 0.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        const double *X = &s->mesh->X[r / 2 * 2];
+        s->u[r] = Q.m[r % 2][0] * X[0] + Q.m[r % 2][1] * X[1] - X[r % 2];
+    }
+    close_to(estimate_geometry(s), sin(0.7371 / 2.0), 1e-13);
+    close_to(mat2_norm(ladder_strain(s, 3)), 0.0, 1e-14);
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        s->u[2 * a] = 0.24630053397813262 * s->mesh->X[2 * a];
+        s->u[2 * a + 1] = 0.0;
+    }
+    close_to(estimate_law(s), 0.01, 1e-10);
+    close_to(estimate_mesh(s), 0.0, 1e-25);
+    close_to(ladder_psi(s, (mat2){{{0.1, 0.0}, {0.0, 0.0}}}),
+             0.5 * 1346.1538461538462 * 0.01, 1e-10);
+    double *Mu = ladder_momentum(s), sum = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2)
+        sum += Mu[r] * s->mesh->X[r]; /* int X1^2 = 1/3 of 2 */
+    close_to(sum, 0.24630053397813262 / 3.0, 1e-12);
+    free(Mu);
+    ladder_free(s);
+}
+
+/* A body that bends errs by what the recovered strain says, to 10 %. */
+static void the_mesh_estimate_meets_a_beam(void)
+{
+    struct ladder_state *s = solved(SMALL_TWIST, LINEAR_PLANE, 0, 0);
+    struct ladder_state *t = solved(SMALL_TWIST, LINEAR_PLANE, 0, 3);
+    const double error = ladder_error(s, t), got = estimate_mesh(s);
+    ck_assert_double_lt(fabs(got / error - 1.0), 0.1);
+    close_to(estimate_dimension(s), 1.0, 1e-9);
+    ladder_free(s);
+    ladder_free(t);
+    s = solved(HANGING, LINEAR_PLANE, 0, 0);
+    close_to(estimate_dimension(s), 9.0 / 49.0 / 8.0, 1e-10);
+    ladder_free(s);
+}
+
+static void a_climb_ends_with_enough(void)
+{
+    double estimate;
+    int enough;
+    struct ladder_state *s =
+        estimate_climb(&ladder_scene[SHAKEN], 0.1, &estimate, &enough);
+    ck_assert(enough && s->model.rung == CUBIC_PLANE && s->model.moving &&
+              s->model.level == 1 && estimate < 0.1);
+    ladder_free(s);
+    s = estimate_climb(&ladder_scene[ABOVE], 0.25, &estimate, &enough);
+    ck_assert(enough && s->model.rung == CUBIC_PLANE && !s->model.level);
+    ladder_free(s);
+    s = estimate_climb(&ladder_scene[SHAKEN], 1e-3, &estimate, &enough);
+    ck_assert(!enough && s->model.level == 1);
+    ladder_free(s);
+}
+
+static const struct unit_law laws[] = {
+    {"loads_add_up", loads_add_up},
+    {"a_bar_is_pulled_as_it_should", a_bar_is_pulled_as_it_should},
+    {"a_mirrored_mesh_does_not_bend", a_mirrored_mesh_does_not_bend},
+    {"linear_is_linear", linear_is_linear},
+    {"inertia_overshoots", inertia_overshoots},
+    {"buckling_shows_in_the_eigenvalue", buckling_shows_in_the_eigenvalue},
+    {"adding_makes_a_model_richer", adding_makes_a_model_richer},
+    {"estimates_of_a_rotation", estimates_of_a_rotation},
+    {"the_mesh_estimate_meets_a_beam", the_mesh_estimate_meets_a_beam},
+    {"a_climb_ends_with_enough", a_climb_ends_with_enough},
+};
+
+UNIT_MAIN("ladder", laws)

@@ -1,0 +1,318 @@
+/* work.c - laws of common/work.h and sweep.h. */
+#include "study.h"
+#include "sweep.h"
+
+#include "unit.h"
+
+#include <math.h>
+
+static struct work_setting setting(enum work_scene scene, enum law law,
+                                   int dynamic, int n, int steps,
+                                   enum method method)
+{
+    return (struct work_setting){scene, law, dynamic, n, steps, method, 1e-10};
+}
+
+static struct work run(enum work_scene scene, enum law law, int dynamic, int n,
+                       int steps, enum method method)
+{
+    const struct work_setting set =
+        setting(scene, law, dynamic, n, steps, method);
+    const struct work work = work_run(&set);
+    ck_assert_msg(work.status == OK, "%s", work_scene_name(scene));
+    return work;
+}
+
+/* Component k of column i and row j of the shared vertices. */
+static double at(const struct work *work, int i, int j, int k)
+{
+    return work->u[2 * (5 * j + i) + k];
+}
+
+static void scenes_end_where_they_say(void)
+{
+    static const double right[] = {0.42, 0.6, 0.0, 0.0, -0.1, -0.6,
+                                   0.42073549240394825};
+    static const double left[] = {-0.42, 0.0, 0.0, 0.0, 0.1, 0.0,
+                                  -0.42073549240394825};
+    static const char *const name[] = {"slow_pull", "fast_pull", "shake",
+                                       "swing", "buckle", "push", "flagship"};
+    for (int s = 0; s < WORK_SCENES; s++) {
+        const enum work_scene scene = (enum work_scene)s;
+        const int n = work_coarsest(scene), last = s == BUCKLE ? 1 : 4;
+        const struct work end = run(scene, LOG, 1, n, 8, BACKWARD_EULER);
+        ck_assert_str_eq(work_scene_name(scene), name[s]);
+        ck_assert_int_eq(n, s == BUCKLE ? 8 : 4);
+        ck_assert_int_eq(end.n_shared, s == BUCKLE ? 20 : 50);
+        for (int j = 0; j <= last; j++) {
+            const double tilt = s == BUCKLE ? 0.1 * (j - 0.5) / 4.0 : 0.0;
+            close_to(at(&end, 0, j, 0), left[s] + tilt, 1e-14);
+            if (s != SHAKE) close_to(at(&end, 4, j, 0), right[s] - tilt, 1e-14);
+            close_to(at(&end, 0, j, 1), 0.0, 1e-14);
+        }
+        if (s == SHAKE) ck_assert(fabs(at(&end, 4, 2, 1)) > 0.01);
+    }
+}
+
+/* Pull, fast pull and push are one linear problem and a shift. */
+static void linear_answers_scale(void)
+{
+    const struct work slow = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    const struct work fast = run(FAST_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    const struct work push = run(PUSH, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    for (int i = 0; i < slow.n_shared; i++) {
+        const double due = 0.3 / 0.42 * slow.u[i] + (i % 2 ? 0.0 : 0.3);
+        close_to(fast.u[i], due, 1e-13);
+        close_to(push.u[i], -due, 1e-13);
+    }
+    /* waisted: the sides move inwards */
+    ck_assert(at(&slow, 2, 0, 1) > 0.05 && at(&slow, 2, 4, 1) < -0.05);
+}
+
+static void linear_answers_need_one_system(void)
+{
+    const struct work once = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    const struct work often = run(SLOW_PULL, LINEAR, 0, 8, 7, BACKWARD_EULER);
+    close_to(work_distance(&once, &often), 0.0, 1e-13);
+    ck_assert_int_eq(once.systems, 1);
+    ck_assert_int_eq(often.systems, 7);
+    ck_assert_int_eq(often.factorisations, 1);
+    const struct work moving = run(SHAKE, LINEAR, 1, 4, 9, BACKWARD_EULER);
+    ck_assert_int_eq(moving.systems, 9);
+    ck_assert_int_eq(moving.factorisations, 1);
+    /* BDF2 has a first step of half the length */
+    ck_assert_int_eq(run(SHAKE, LINEAR, 1, 4, 9, BDF2).factorisations, 2);
+}
+
+static void slow_is_static(void)
+{
+    for (int law = LINEAR; law <= CUBIC; law++) {
+        const struct work rest =
+            run(SLOW_PULL, (enum law)law, 0, 4, 4, BACKWARD_EULER);
+        const struct work slow =
+            run(SLOW_PULL, (enum law)law, 1, 4, 64, BACKWARD_EULER);
+        const struct work fast =
+            run(FAST_PULL, (enum law)law, 1, 4, 64, IMPLICIT_MIDPOINT);
+        const struct work still =
+            run(FAST_PULL, (enum law)law, 0, 4, 4, BACKWARD_EULER);
+        ck_assert(work_distance(&rest, &slow) < 1e-4);
+        ck_assert(work_distance(&still, &fast) > 0.1);
+    }
+}
+
+/* All methods go to one limit, with their orders; the linear law as well. */
+static void methods_have_their_orders(void)
+{
+    const struct work ends[] = {
+        run(FAST_PULL, LINEAR, 1, 4, 1024, IMPLICIT_MIDPOINT),
+        run(FAST_PULL, LOG, 1, 4, 1024, IMPLICIT_MIDPOINT)};
+    for (int k = 0; k < 7; k++) {
+        const enum method method = (enum method)(k < 4 ? k : k - 3);
+        const enum law law = k < 4 ? LOG : LINEAR;
+        const struct work end = ends[law];
+        const struct work coarse = run(FAST_PULL, law, 1, 4, 64, method);
+        const struct work fine = run(FAST_PULL, law, 1, 4, 128, method);
+        const double order = order_of(work_distance(&coarse, &end),
+                                      work_distance(&fine, &end), 2.0);
+        close_to(order, method == BACKWARD_EULER ? 1.0 : 2.0, 0.1);
+    }
+    /* a swing moves */
+    const struct work swing = run(SWING, LOG, 1, 4, 64, IMPLICIT_MIDPOINT);
+    const struct work later = run(SWING, LOG, 1, 4, 128, SYMPLECTIC_EULER);
+    ck_assert(work_distance(&swing, NULL) > 0.02);
+    ck_assert(work_distance(&swing, &later) <
+              0.1 * work_distance(&swing, NULL));
+}
+
+/* By the textbook's sums: 30 unknowns, half bandwidth 7, 32 triangles. */
+static void work_is_counted(void)
+{
+    double factor = 0.0, solve = 0.0;
+    for (int k = 0; k < 30; k++) {
+        const int below = k < 22 ? 7 : 29 - k;
+        factor += (below + 1) * (below + 1);
+        solve += 2 * (2 * below + 1);
+    }
+    const struct work once = run(SLOW_PULL, LINEAR, 0, 4, 1, BACKWARD_EULER);
+    close_to(once.flops, factor + 250.0 * 32 + solve + 100.0 * 32, 1e-9);
+    const struct work moving = run(SLOW_PULL, LINEAR, 1, 4, 5, BACKWARD_EULER);
+    close_to(moving.flops, factor + 250.0 * 32 + 5 * solve + 9 * 100.0 * 32,
+             1e-9);
+    const struct work leapt = run(FAST_PULL, LOG, 1, 4, 64,
+                                     SYMPLECTIC_EULER);
+    close_to(leapt.flops, 64 * 100.0 * 32, 1e-9);
+    ck_assert_int_eq(leapt.systems, 0);
+    struct work_setting loose = setting(PUSH, LOG, 1, 8, 8, BACKWARD_EULER);
+    const struct work tight = work_run(&loose);
+    loose.tolerance = 1e-2;
+    const struct work cheap = work_run(&loose);
+    ck_assert(cheap.systems < tight.systems);
+    ck_assert(work_distance(&cheap, &tight) > 0.0);
+    ck_assert(cheap.seconds > 0.0);
+}
+
+static void failures_have_no_answer(void)
+{
+    const struct work_setting set =
+        setting(SLOW_PULL, LOG, 1, 4, 4, SYMPLECTIC_EULER);
+    const struct work lost = work_run(&set);
+    const struct work there = run(SLOW_PULL, LOG, 0, 4, 1, BACKWARD_EULER);
+    struct work sum = there;
+    ck_assert(lost.status != OK);
+    ck_assert(work_distance(&lost, NULL) == INFINITY);
+    ck_assert(work_distance(&there, &lost) == INFINITY);
+    work_correct(&sum, 1.0, &there, &lost);
+    ck_assert_int_eq(sum.status, lost.status);
+    sum = there;
+    work_correct(&sum, 1.0, &lost, &there);
+    ck_assert_int_eq(sum.status, lost.status);
+    /* a step that is too long for the guess still ends well */
+    run(FAST_PULL, LOG, 1, 16, 4, IMPLICIT_MIDPOINT);
+    /* the cubic law passes through itself, and says so */
+    const struct work_setting through =
+        setting(PUSH, CUBIC, 1, 48, 16, IMPLICIT_MIDPOINT);
+    const struct work inside = work_run(&through);
+    ck_assert_int_eq(inside.status, INVERTED);
+    ck_assert(inside.min_J <= 0.0);
+}
+
+static void corrections_add_up(void)
+{
+    const struct work a = {.n_shared = 4, .u = {1.0, 2.0, 3.0, 4.0}};
+    const struct work b = {.n_shared = 4, .u = {0.5, 1.0, 4.0, 2.0}};
+    struct work c = a;
+    work_correct(&c, 0.5, &a, &b);
+    close_to(c.u[0], 1.25, 1e-15);
+    close_to(c.u[2], 2.5, 1e-15);
+    close_to(c.u[3], 5.0, 1e-15);
+    close_to(work_distance(&a, &b),
+             sqrt((0.25 + 1.0 + 1.0 + 4.0) / 2.0), 1e-15);
+}
+
+/* Closer to finer meshes and steps than they are to each other. */
+static void limits_are_limits(void)
+{
+    const struct work_setting rest = setting(SLOW_PULL, LINEAR, 0, 0, 0,
+                                             BACKWARD_EULER);
+    const struct work_setting swing = setting(SWING, LINEAR, 1, 0, 0,
+                                              BACKWARD_EULER);
+    double floor, moving_floor;
+    const struct work limit = work_limit(&rest, &floor);
+    const struct work n48 = run(SLOW_PULL, LINEAR, 0, 48, 1, BACKWARD_EULER);
+    const struct work n96 = run(SLOW_PULL, LINEAR, 0, 96, 1, BACKWARD_EULER);
+    const double apart = work_distance(&n48, &n96);
+    ck_assert(work_distance(&limit, &n96) < 0.6 * apart);
+    ck_assert(floor > 0.0 && floor < apart);
+    const struct work moving = work_limit(&swing, &moving_floor);
+    struct work mesh[3];
+    for (int k = 0; k < 3; k++)
+        mesh[k] = run(SWING, LINEAR, 1, 12 << k, 32, IMPLICIT_MIDPOINT);
+    const struct work late =
+        run(SWING, LINEAR, 1, 24, 128, IMPLICIT_MIDPOINT);
+    const double ratio = work_distance(&mesh[0], &mesh[1]) /
+                         work_distance(&mesh[1], &mesh[2]);
+    ck_assert(ratio > 2.0 && ratio < 4.0);
+    for (int i = 0; i < moving.n_shared; i++)
+        close_to(moving.u[i],
+                 mesh[2].u[i] + (mesh[2].u[i] - mesh[1].u[i]) / (ratio - 1.0) +
+                     16.0 / 15.0 * (late.u[i] - mesh[1].u[i]), 1e-12);
+    ck_assert(moving_floor > 0.0 &&
+              moving_floor < work_distance(&mesh[1], &mesh[2]));
+}
+
+/* ---- sweep.h ------------------------------------------------------------- */
+
+static int same(const struct work_setting *a, const struct work_setting *b)
+{
+    return a->law == b->law && a->dynamic == b->dynamic && a->n == b->n &&
+           a->steps == b->steps && a->method == b->method &&
+           a->tolerance == b->tolerance;
+}
+
+/* Of the column. */
+static void parts_are_what_they_should_be(const struct sweep *s)
+{
+    struct work_setting set = setting(BUCKLE, LOG, 1, 8, 32, IMPLICIT_MIDPOINT);
+    double part[N_PART], finer[N_PART];
+    set.tolerance = 1e-5;
+    sweep_parts(s, &set, part);
+    ck_assert(part[MODEL] == 0.0);
+    ck_assert(part[SOLVER] == 0.0);
+    ck_assert(part[SPACE] > 0.3 && part[TIME] > 0.0);
+    set.n = 32;
+    set.method = BACKWARD_EULER;
+    set.tolerance = 1e-2;
+    sweep_parts(s, &set, finer);
+    ck_assert(finer[SPACE] < 0.5 * part[SPACE]);
+    ck_assert(finer[TIME] > part[TIME] && finer[SOLVER] > 0.0);
+    /* a straight column; the coarsest mesh would not have seen it */
+    set = setting(BUCKLE, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    set.tolerance = 1e-2;
+    sweep_parts(s, &set, part);
+    ck_assert(part[MODEL] > 0.2 && part[TIME] == 0.0 && part[SOLVER] == 0.0);
+}
+
+static void sweeps_know_parts_and_the_cheapest(void)
+{
+    struct sweep *s = sweep_alloc(BUCKLE);
+    int dynamic = 0, leapt = 0;
+    ck_assert_int_eq(s->count, 276);
+    for (int k = 0; k < s->count; k++) {
+        const struct work_setting *set = &s->set[k];
+        dynamic += set->dynamic;
+        leapt += set->dynamic && set->method == SYMPLECTIC_EULER;
+        for (int i = 0; i < k; i++)
+            ck_assert(!same(set, &s->set[i]));
+        const int best = sweep_cheapest(s, s->error[k]);
+        if (s->error[k] == INFINITY) continue;
+        ck_assert(s->error[best] <= s->error[k]);
+        ck_assert(s->work[best].flops <= s->work[k].flops);
+        for (int i = 0; i < s->count; i++)
+            ck_assert(s->error[i] > s->error[k] ||
+                      s->work[i].flops >= s->work[best].flops);
+    }
+    ck_assert_int_eq(dynamic, 249);
+    ck_assert_int_eq(leapt, 24);
+    ck_assert_int_eq(sweep_cheapest(s, 0.0), -1);
+    ck_assert(s->floor > 0.0 && s->floor < 0.1 && s->size > 0.1);
+    parts_are_what_they_should_be(s);
+    sweep_free(s);
+}
+
+static void the_rule_is_balanced(void)
+{
+    struct sweep *s = sweep_alloc(SWING);
+    double last = 0.0, part[N_PART];
+    ck_assert_int_eq(sweep_balanced(s, 0.0), -1);
+    for (double error = 2.0; error > 0.1; error *= 0.7) {
+        const int k = sweep_balanced(s, error);
+        ck_assert(k >= 0);
+        sweep_parts(s, &s->set[k], part);
+        const double sum = hypot(hypot(part[0], part[1]),
+                                 hypot(part[2], part[3]));
+        ck_assert(sum <= error && s->work[k].status == OK);
+        ck_assert(s->work[k].flops >= last);
+        ck_assert(s->error[k] < 2.0 * error);
+        last = s->work[k].flops;
+        const int as_good = sweep_cheapest(s, s->error[k]);
+        ck_assert(s->work[k].flops <= 2.0 * s->work[as_good].flops);
+    }
+    sweep_free(s);
+}
+
+static const struct unit_law laws[] = {
+    {"scenes_end_where_they_say", scenes_end_where_they_say},
+    {"linear_answers_scale", linear_answers_scale},
+    {"linear_answers_need_one_system", linear_answers_need_one_system},
+    {"slow_is_static", slow_is_static},
+    {"methods_have_their_orders", methods_have_their_orders},
+    {"work_is_counted", work_is_counted},
+    {"failures_have_no_answer", failures_have_no_answer},
+    {"corrections_add_up", corrections_add_up},
+    {"limits_are_limits", limits_are_limits},
+    {"sweeps_know_parts_and_the_cheapest",
+     sweeps_know_parts_and_the_cheapest},
+    {"the_rule_is_balanced", the_rule_is_balanced},
+};
+
+UNIT_MAIN("work", laws)
