@@ -82,7 +82,7 @@ export CC MAKE
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help deps status figures course bench clean
+.PHONY: help deps status figures course book bench clean
 .DEFAULT_GOAL := help
 
 help:
@@ -99,6 +99,7 @@ help:
 	@echo '  make watch-07     check again at each save'
 	@echo '  make figures      run every study and draw every figure'
 	@echo '  make course       run and judge every solution, draw every figure'
+	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make live         lesson 24 in a window (needs SDL2)'
 	@echo '  make bench        solvers and time steps against others, here'
@@ -201,6 +202,9 @@ course: $(LESSONS:%=$(BUILD)/solutions/%.verdict) figures \
         $(COUNTED:%=$(BUILD)/data/%.tsv)
 	@echo 'course: $(words $(LESSONS)) solutions run and judged OK,' \
 	      'the claims of $(words $(COUNTED)) studies hold'
+
+# The book as HTML; pandoc is for this only, and make deps leaves it out.
+book: ; @BUILD='$(BUILD)' sh tests/tools/book.sh
 
 # ---- speed: measured, never asserted; tables on stdout
 # LAPACK takes part where there is one; GSL keeps the BLAS of its own.

@@ -180,6 +180,9 @@ $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
 	        tests/tools/workbook.sh check); \
 	    then echo 'ok the book is in step with the programs'; \
 	    else echo "FAIL workbook: $$said"; fi > $@
+$(T)/book.result: $(BOOK) tests/tools/book.sh tests/cli/book.sh
+	$(call say,test,the book as HTML)
+	$(Q)mkdir -p $(@D) && sh tests/cli/book.sh > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
@@ -213,7 +216,7 @@ $(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
-           $(T)/lint.result $(T)/workbook.result $(T)/cli.result \
+           $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
            $(T)/many.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \

@@ -1,0 +1,116 @@
+#!/bin/sh
+# book.sh - `make book`, if pandoc is there: every chapter has its page, every
+# link and picture its aim, every label its row, and every formula arrives as it
+# was written.  Prints "ok ...", "FAIL ..." or "skip ...".
+set -u
+LC_ALL=C
+export LC_ALL
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+rule() { # rule NAME OFFENDERS
+    [ -n "$2" ] || { echo "ok book: $1"; return; }
+    printf 'FAIL book: %s: %s\n' "$1" "$2"
+}
+
+# Without pandoc: one line, exit 2, and nothing is made.
+mkdir "$tmp/bin"
+for tool in sh env; do ln -s "$(command -v $tool)" "$tmp/bin/$tool"; done
+said=$(PATH=$tmp/bin BUILD=$tmp/none sh tests/tools/book.sh 2>&1)
+status=$?
+case $status-$said in 2-*install\ pandoc*) said= ;; esac
+[ -z "$said" ] && [ ! -e "$tmp/none" ] || said="status $status: $said"
+rule 'without pandoc it says what to install' "$said"
+if ! command -v pandoc >/dev/null 2>&1; then
+    echo 'skip book: pandoc is not on this machine'
+    exit 0
+fi
+
+rule 'it is made, and says nothing else' \
+    "$(BUILD=$tmp sh tests/tools/book.sh 2>&1 | grep -v '^  book ')"
+[ -d "$tmp/book" ] || exit 0
+chapters=$(ls workbook.md lessons/*.md solutions/*.md figures/*/README.md)
+page() { [ "$1" = workbook.md ] && echo index.html || echo "${1%.md}.html"; }
+rule 'every chapter has its page' \
+    "$(for f in $chapters; do [ -s "$tmp/book/$(page "$f")" ] || echo "$f"; done)"
+pages=$(cd "$tmp/book" && find . -name '*.html')
+rule 'every link and every picture has its aim in the book' \
+    "$(cd "$tmp/book" && for f in $pages; do
+        grep -oE '(src|href)="[^"]*"' "$f" | sed 's/.*="//; s/"$//' |
+            grep -v '^https*:' | sort -u | while IFS= read -r aim; do
+                to=$(dirname "$f")/${aim%%#*} id=${aim#*#}
+                [ "${aim%%#*}" ] || to=$f
+                [ -s "$to" ] || { echo "$f: $aim"; continue; }
+                [ "$id" = "$aim" ] || grep -qF " id=\"$id\"" "$to" ||
+                    echo "$f: $aim"
+            done
+    done)"
+
+# What the reader sees: no code, no TeX beside its MathML, no linked label.
+seen() {
+    sed 's/<annotation[^<]*<\/annotation>//g; s/<code>[^<]*<\/code>//g' "$1" |
+        awk '/<pre/ { pre = 1 } !pre; /<\/pre>/ { pre = 0 }'
+}
+rule 'no dollar and no backquote is left of a formula or of code' \
+    "$(cd "$tmp/book" && for f in $pages; do
+        seen "$f" | grep -n '[$`]' | sed "s|^|$f:|"; done | cut -c 1-200)"
+rule 'every tag that opens is closed, and no piece of one is left' \
+    "$(cd "$tmp/book" && for f in $pages; do
+        for tag in p a div table td li details math; do
+            [ "$(grep -oE "<$tag[ >]" "$f" | wc -l)" = \
+                "$(grep -oF "</$tag>" "$f" | wc -l)" ] || echo "$f: $tag"
+        done
+        seen "$f" | sed 's/<[^<>]*>//g' | grep '[<>]' | sed "s|^|$f: |"
+    done)"
+rule 'no label is without its link' \
+    "$(cd "$tmp/book" && for f in $pages; do
+        seen "$f" | sed 's/<a class="label"[^>]*>[^<]*<\/a>//g' |
+            grep -oE '\[(eq|alg):[^]]*\]' | sed "s|^|$f: |"; done)"
+
+# written FILE, arrived PAGE: the formulas and labels, one a line, no spaces
+written() {
+    awk 'function tell() {
+            while (match(text, /[`$]+|\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+                mark = substr(text, RSTART, RLENGTH)
+                text = substr(text, RSTART + RLENGTH)
+                if (mark ~ /^\[/) { print mark; continue }
+                end = index(text, mark)
+                if (mark ~ /[$]/) {
+                    formula = substr(text, 1, end - 1)
+                    print formula
+                    while (match(formula, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+                        print substr(formula, RSTART, RLENGTH)
+                        formula = substr(formula, RSTART + RLENGTH)
+                    }
+                }
+                text = substr(text, end + length(mark))
+            }
+            text = ""
+        }
+        /^ *```/ && math { print text; text = ""; math = 0; next }
+        /^ *```/ { tell(); math = /```math/; fence = !math && !fence; next }
+        math { text = text $0; next }
+        fence { next }
+        /^ *$/ { tell() }
+        { while ((start = index($0, "<!--")) && (end = index($0, "-->")))
+              $0 = substr($0, 1, start - 1) substr($0, end + 3)
+          text = text " " $0 }
+        END { tell() }' "$1"
+}
+arrived() {
+    tr '\n' ' ' <"$1" | sed 's/<annotation[^>]*>/\
+<annotation>/g; s/<\/annotation>/&\
+/g; s/<a class="label"[^>]*>\(\[[^]]*\]\)/\
+<annotation>\1\
+/g' | sed -n 's/<\/annotation>//; s/^<annotation>//p' |
+        sed "s/&lt;/</g; s/&gt;/>/g; s/&#39;/'/g; s/&quot;/\"/g; s/&amp;/\\&/g"
+}
+n=0
+for f in $chapters; do
+    written "$f" | tr -d ' ' | grep . | sort >"$tmp/written"
+    arrived "$tmp/book/$(page "$f")" | tr -d ' ' | grep . | sort >"$tmp/arrived"
+    n=$((n + $(wc -l <"$tmp/written")))
+    cmp -s "$tmp/written" "$tmp/arrived" && continue
+    printf '%s: %s\n' "$f" \
+        "$(diff "$tmp/written" "$tmp/arrived" | grep '^[<>]' | head -n 3)"
+done >"$tmp/changed"
+rule "all $n formulas and labels arrive as they were written" "$(cat "$tmp/changed")"
