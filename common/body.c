@@ -245,7 +245,8 @@ static void add_projected(struct factors s, const double g[6],
         add_exact(s, g, c, place, stride, entries);
         return;
     }
-    static const enum mode order[4] = {TWIST, FLIP, SCALE_HIGH, SCALE_LOW};
+    static const enum mode order[4] = {MODE_TWIST, MODE_FLIP, MODE_HIGH,
+                                       MODE_LOW};
     const struct modes modes = modes_of(F, s.mu, s.dG, s.ddG);
     double d[4][6]; /* dF/du_a in direction m */
     for (int m = 0; m < 4; m++)

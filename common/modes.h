@@ -4,10 +4,10 @@
  * With F = U S V^T [eq:signed-svd], every matrix D = U E V^T below satisfies
  * dP(D) = value D, and the four are orthonormal [eq:modes]:
  *
- *     TWIST     E = (0 -1; 1 0)/sqrt 2     mu + G'
- *     FLIP      E = (0  1; 1 0)/sqrt 2     mu - G'
- *     SCALE_LOW, SCALE_HIGH                the eigenvectors (e1, e2) and values
- *               E = diag(e1, e2)           of ( mu + G'' s2^2   G'' J + G'   )
+ *     MODE_TWIST   E = (0 -1; 1 0)/sqrt 2  mu + G'
+ *     MODE_FLIP    E = (0  1; 1 0)/sqrt 2  mu - G'
+ *     MODE_LOW, MODE_HIGH                  the eigenvectors (e1, e2) and values
+ *                  E = diag(e1, e2)        of ( mu + G'' s2^2   G'' J + G'   )
  *                                             ( G'' J + G'      mu + G'' s1^2 )
  *
  * None is negative if |G'| <= mu and G'' >= 0: the determinant of the last two
@@ -31,7 +31,7 @@ struct svd {
 /* In closed form, for every finite F: where s1 = |s2| it is one of many. */
 struct svd modes_svd(mat2 F);
 
-enum mode { TWIST, FLIP, SCALE_LOW, SCALE_HIGH };
+enum mode { MODE_TWIST, MODE_FLIP, MODE_LOW, MODE_HIGH };
 #define MODES "twist flip scale_low scale_high" /* as words, in this order */
 
 struct modes {

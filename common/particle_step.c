@@ -1,6 +1,8 @@
 /* particle_step.c - see particle_step.h. */
 #include "particle_step.h"
 
+#include "modes.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -227,6 +229,13 @@ static enum status search(const struct particle_body *body,
     return STALLED;
 }
 
+mat2 particle_projected(const struct material *material, mat2 F, mat2 dF)
+{
+    if (material->law == LINEAR) return material2_dpk1(material, F, dF);
+    const struct modes modes = modes_at(material, F);
+    return modes_dpk1(&modes, 0.0, dF);
+}
+
 /* A := K + M / dt^2, factored; *weight := its largest diagonal entry. */
 static enum status factor(const struct particle_body *body,
                           const struct particle_step *step,
@@ -249,6 +258,8 @@ struct particle_report particle_newton(const struct particle_body *body,
                                        double tolerance, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->grid->n_node;
+    const struct particle_body convex = {body->grid, body->particles,
+                                         body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
     struct work work;
@@ -272,6 +283,10 @@ struct particle_report particle_newton(const struct particle_body *body,
         report.status = MAX_ITERATIONS;
         if (k == STEP_CAP) break;
         report.status = factor(body, step, map, u, A, &weight);
+        if (report.status == NOT_SPD) {
+            report.status = factor(&convex, step, map, u, A, &weight);
+            report.projections++;
+        }
         if (report.status != OK) break;
         matrix_solve(A, work.y);
         unknowns_scatter(map, work.y, work.du);

@@ -89,21 +89,28 @@ enum status particle_potential(const struct particle_body *body,
  * [eq:critical-step]; NAN where the tangent is not defined. */
 double particle_frequency(const struct particle_body *body);
 
-/* How a step went: max|r| of the unknowns (N) before iteration k, max|du| (m)
- * of it, and the part of du that was taken. */
+/* How a step went: the systems solved, and those factored once more because
+ * A had to be projected; max|r| of the unknowns (N) before iteration k, max|du|
+ * (m) of it, and the part of du that was taken. */
 enum { STEP_CAP = 50 };
 struct particle_report {
     enum status status;
-    int iterations;
+    int iterations, projections;
     struct potential E; /* of the last u */
     double residual[STEP_CAP + 1], increment[STEP_CAP + 1], part[STEP_CAP + 1];
 };
 
+/* material2_dpk1() without its negative modes [eq:projection]; the LINEAR law
+ * has none. */
+mat2 particle_projected(const struct material *material, mat2 F, mat2 dF);
+
 /*
  * Newton's method for r = 0 from u = 0, where nothing is inverted, with halving
- * until potential_falls() [alg:particle-newton].  Done: max|du| <= tolerance h,
- * then max|r| <= tolerance h max A_ii.  NOT_SPD: A is not positive definite;
- * STALLED: no part of du makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
+ * until potential_falls() [alg:particle-newton].  Where A is not positive
+ * definite, it is assembled again with particle_projected().  Done: max|du| <=
+ * tolerance h, then max|r| <= tolerance h max A_ii.  NOT_SPD: neither A is
+ * positive definite, as where nothing holds a node; STALLED: no part of du
+ * makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
  */
 struct particle_report particle_newton(const struct particle_body *body,
                                        const struct particle_step *step,

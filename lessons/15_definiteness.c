@@ -6,7 +6,7 @@
  * Problem.  psi = mu/2 (F:F - 2) + G(J).  With F = U S V^T [eq:signed-svd]
  * dP/dF has four modes U E V^T [eq:modes], E being
  *
- *      TWIST            FLIP             SCALE_LOW and SCALE_HIGH
+ *     MODE_TWIST       MODE_FLIP        MODE_LOW and MODE_HIGH
  *     | 0 -1 |         | 0  1 |         | e1  0 |
  *     | 1  0 |/sqrt 2  | 1  0 |/sqrt 2  |  0 e2 |, e1^2 + e2^2 = 1
  *
@@ -40,7 +40,7 @@ static struct svd signed_svd(mat2 F)
     return svd;
 }
 
-/* value[] := the factors of TWIST, FLIP, SCALE_LOW <= SCALE_HIGH [eq:modes];
+/* value[] := factors, MODE_TWIST, MODE_FLIP, MODE_LOW <= MODE_HIGH [eq:modes];
  * the material must be defined at J. */
 static void eigenvalues(const struct material *material, double s1, double s2,
                         double value[4])
@@ -64,7 +64,7 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     mat2 dP = {0};
     eigenvalues(material, s1, s2, value);
     /* SLOT 15c(svd, s1, s2, G, value, floor, dF, &dP): (e1, e2) is
-     * (cos z, sin z) in SCALE_HIGH, (-sin z, cos z) in SCALE_LOW. */
+     * (cos z, sin z) in MODE_HIGH, (-sin z, cos z) in MODE_LOW. */
     todo("15c", svd, s1, s2, G, value, floor, dF, &dP);
     /* END 15c */
     return dP;
@@ -96,16 +96,16 @@ static void print_modes(const struct material *material)
         if (!material_defined(material, mat2_det(F))) continue;
         eigenvalues(material, svd.s1, svd.s2, v);
         const mat2 dP = projected_dpk1(material, F, 0.0, dF);
-        table_row(states[k].name, mat2_det(F), svd.s1, svd.s2, v[TWIST],
-                  v[FLIP], v[SCALE_LOW], v[SCALE_HIGH], dP.m[0][0], dP.m[0][1],
-                  dP.m[1][0], dP.m[1][1]);
+        table_row(states[k].name, mat2_det(F), svd.s1, svd.s2, v[MODE_TWIST],
+                  v[MODE_FLIP], v[MODE_LOW], v[MODE_HIGH], dP.m[0][0],
+                  dP.m[0][1], dP.m[1][0], dP.m[1][1]);
     }
     table_end();
     table_begin("where", "law s least");
     for (double s = 0.25; s <= 3.0; s += 0.25) {
         eigenvalues(material, fmax(s, 1.0), fmin(s, 1.0), v);
         table_row(material_law(material->law), s,
-                  fmin(fmin(v[TWIST], v[FLIP]), v[SCALE_LOW]));
+                  fmin(fmin(v[MODE_TWIST], v[MODE_FLIP]), v[MODE_LOW]));
     }
     table_end();
 }

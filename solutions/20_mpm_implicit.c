@@ -108,7 +108,8 @@ static void number(const struct grid *grid, enum wall wall,
 
 /* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
  * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
- * that E falls.  NOT_SPD: A is not positive definite; STALLED: 40 halvings;
+ * that E falls.  Where A is not positive definite, it is made again without the
+ * negative modes of dP/dF, `convex`; NOT_SPD: both fail; STALLED: 40 halvings;
  * MAX_ITERATIONS: after STEP_CAP systems. */
 static struct particle_report newton(const struct particle_body *body,
                                      const struct particle_step *step,
@@ -116,6 +117,8 @@ static struct particle_report newton(const struct particle_body *body,
 {
     const int n = 2 * body->grid->n_node;
     const double small = 1e-10 * body->grid->h;
+    const struct particle_body convex = {body->grid, body->particles,
+                                         body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
     struct potential there;
@@ -123,8 +126,8 @@ static struct particle_report newton(const struct particle_body *body,
     double *trial = du + n, weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    /* SLOT 20b(body, step, n, small, &report, map, &there, r, y, du, trial,
-     * &weight, A, u): A by particle_stiffness(), particle_mass_matrix(). */
+    /* SLOT 20b(body, &convex, step, n, small, &report, map, &there, r, y, du,
+     * trial, &weight, A, u): particle_stiffness(), particle_mass_matrix(). */
     memset(u, 0, (size_t)n * sizeof *u);
     for (int k = 0;; k = ++report.iterations) {
         report.status = potential(body, step, u, &report.E, r);
@@ -136,12 +139,16 @@ static struct particle_report newton(const struct particle_body *body,
             break;
         report.status = MAX_ITERATIONS;
         if (k == STEP_CAP) break;
-        matrix_zero(A);
-        particle_stiffness(body, u, map->equation, map->sign, A);
-        particle_mass_matrix(body, step->consistent, step->rate * step->rate,
-                             map, A);
-        weight = matrix_weight(A);
-        report.status = matrix_factor(A);
+        report.status = NOT_SPD;
+        for (int p = 0; p < 2 && report.status == NOT_SPD; p++) {
+            matrix_zero(A);
+            const struct particle_body *of = p ? &convex : body;
+            particle_stiffness(of, u, map->equation, map->sign, A);
+            particle_mass_matrix(body, step->consistent,
+                                 step->rate * step->rate, map, A);
+            weight = matrix_weight(A);
+            report.status = matrix_factor(A);
+        }
         if (report.status != OK) break;
         matrix_solve(A, y);
         report.increment[k] = unknowns_largest(map, y);

@@ -65,8 +65,8 @@ int main(void)
     const struct material log = material_notes(LOG);
     const int most[2] = {print_map(&log), print_map(&cubic)};
 
-    struct factor twist[2] = {{log, TWIST}, {cubic, TWIST}};
-    struct factor flip = {cubic, FLIP};
+    struct factor twist[2] = {{log, MODE_TWIST}, {cubic, MODE_TWIST}};
+    struct factor flip = {cubic, MODE_FLIP};
     const double zero[2] = {root_of(factor, &twist[0], 0.5, 1.5),
                             root_of(factor, &twist[1], 0.5, 1.5)};
     const double high = root_of(factor, &flip, 1.5, 3.0);
@@ -81,13 +81,13 @@ int main(void)
     for (int k = 0; k < 10; k++)
         for (double J = 0.02; J < 0.999; J += 0.02) {
             struct factor f = {material_make(k % 2 ? CUBIC : LOG, 1000.0,
-                                             nu[k / 2]), TWIST};
+                                             nu[k / 2]), MODE_TWIST};
             worst = fmax(worst, factor(J, &f));
         }
     table_begin("one_dimension", "nu least");
     for (int k = 0; k < 2; k++) {
         struct factor f = {material_make(CUBIC, 1000.0, k ? 0.0713 : 0.0711),
-                           TWIST};
+                           MODE_TWIST};
         for (double J = 0.0; J < 3.0; J += 1e-3)
             least[k] = fmin(least[k], line_slope(J, &f));
         table_row(k ? 0.0713 : 0.0711, least[k]);

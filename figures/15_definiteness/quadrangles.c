@@ -34,7 +34,7 @@ int main(void)
             const double off = fabs(c - modes.value[m]);
             if (off < best) best = off, curvature = c;
         }
-        worst = fmax(worst, best / modes.value[SCALE_HIGH]);
+        worst = fmax(worst, best / modes.value[MODE_HIGH]);
         table_row(names[m], modes.value[m], curvature);
     }
     table_end();
@@ -55,8 +55,9 @@ int main(void)
     }
     claim(worst < 1e-7, "the factors are the curvatures of psi along the modes "
           "(off by %g of the largest)", worst);
-    claim(modes.value[TWIST] < 0.0 && modes.value[FLIP] > 0.0 &&
-              modes.value[SCALE_LOW] > 0.0,
-          "of the four only the twist is negative (%g)", modes.value[TWIST]);
+    claim(modes.value[MODE_TWIST] < 0.0 && modes.value[MODE_FLIP] > 0.0 &&
+              modes.value[MODE_LOW] > 0.0,
+          "of the four only the twist is negative (%g)",
+          modes.value[MODE_TWIST]);
     return table_finish();
 }

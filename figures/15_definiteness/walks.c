@@ -42,7 +42,7 @@ static int negative_elements(const struct scene *s)
     int count = 0;
     for (int t = 0; t < s->mesh->n_triangle; t++)
         count += modes_at(&s->body->material, body_deformation(
-                              s->body, s->u, t)).value[TWIST] < 0.0;
+                              s->body, s->u, t)).value[MODE_TWIST] < 0.0;
     return count;
 }
 

@@ -137,13 +137,13 @@ static void every_mode_has_its_factor(void)
         const double scale = by_gsl(&material, F, -INFINITY, gsl, C);
         const struct svd svd = modes_svd(F);
         eigenvalues(&material, svd.s1, svd.s2, value);
-        for (int m = TWIST; m <= FLIP; m++) {
+        for (int m = MODE_TWIST; m <= MODE_FLIP; m++) {
             const mat2 D = placed(&svd, E[m]);
             expect_close(value[m],
                          mat2_dot(D, material2_dpk1(&material, F, D)),
                          ROUND_OFF, scale, "%s, %s law: factor of %s, against "
                          "D:dP(D)", name, material_law(material.law),
-                         m == TWIST ? "TWIST" : "FLIP");
+                         m == MODE_TWIST ? "MODE_TWIST" : "MODE_FLIP");
         }
     }
 }
@@ -159,9 +159,9 @@ static void eigenvalues_are_those_of_gsl(void)
         const double scale = by_gsl(&material, F, -INFINITY, gsl, C);
         const struct svd svd = modes_svd(F);
         eigenvalues(&material, svd.s1, svd.s2, value);
-        expect(value[SCALE_LOW] <= value[SCALE_HIGH],
-               "%s: SCALE_LOW %g is above SCALE_HIGH %g", name,
-               value[SCALE_LOW], value[SCALE_HIGH]);
+        expect(value[MODE_LOW] <= value[MODE_HIGH],
+               "%s: MODE_LOW %g is above MODE_HIGH %g", name,
+               value[MODE_LOW], value[MODE_HIGH]);
         for (int a = 0; a < 4; a++) /* sort */
             for (int b = 0; b < 3; b++)
                 if (value[b] > value[b + 1]) {
@@ -268,7 +268,7 @@ static void agrees_with_the_common_modes(void)
         const mat2 want = modes_dpk1(&modes, 0.0, dF);
         const mat2 got = projected_dpk1(&material, F, 0.0, dF);
         expect_close(mat2_norm(mat2_subtract(got, want)), 0.0, 1e-11,
-                     1e3 + fabs(modes.value[SCALE_HIGH]), "%s: against modes.h",
+                     1e3 + fabs(modes.value[MODE_HIGH]), "%s: against modes.h",
                      name);
     }
 }

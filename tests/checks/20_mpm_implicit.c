@@ -322,8 +322,25 @@ static void inverted_states_are_avoided(void)
     }
 }
 
+/* A tangent 1e16 times too soft: du is so much too long. */
+static mat2 much_too_soft(const struct material *material, mat2 F, mat2 dF)
+{
+    return mat2_scale(1e-16, material2_dpk1(material, F, dF));
+}
+
 static void failures_are_named(void)
 {
+    struct trial_body soft =
+        trial_of(cloud_hanging(2, 8, 2), CUBIC, 0.0, 500.0, 0);
+    soft.how.wall = HELD;
+    soft.of.dpk1 = much_too_soft;
+    const struct particle_report end =
+        newton(&soft.of, &soft.how, guarded_alloc(soft.n_all));
+    expect(end.status == STALLED && end.iterations == 0, "du is 1e16 times too "
+           "long, so that 40 halvings are not enough: the status must be "
+           "STALLED after 0 iterations, not %s after %d",
+           status_name(end.status), end.iterations);
+    cloud_free(soft.cloud);
     struct trial_body t =
         trial_of(cloud_hanging(3, 8, 1), CUBIC, 0.0, 500.0, 0);
     double *u = guarded_alloc(t.n_all);
@@ -337,6 +354,37 @@ static void failures_are_named(void)
     expect(got == NOT_SPD, "a static bar that nothing holds must be NOT_SPD, "
            "not %s", status_name(got));
     cloud_free(t.cloud);
+}
+
+/* A block at rest, pressed to half its area, a long step: A is indefinite at
+ * u = 0.  There may be several u with r = 0; any will do. */
+static void indefinite_matrices_are_projected(void)
+{
+    for (int k = 0; k < 4; k++) {
+        const char *law = k / 2 ? "cubic" : "log";
+        struct cloud cloud = cloud_block(1 + k % 2);
+        for (int q = 0; q < cloud.p->n; q++) {
+            cloud.p->F[q] = mat2_scale(0.7, cloud.p->F[q]);
+            cloud.p->v[2 * q] = cloud.p->v[2 * q + 1] = 0.0;
+        }
+        struct trial_body t = trial_of(cloud, k / 2 ? CUBIC : LOG, 0.3, 0.0, 0);
+        double *u = guarded_alloc(t.n_all), *r = guarded_alloc(t.n_all);
+        double *zero = guarded_alloc(t.n_all);
+        memset(zero, 0, (size_t)t.n_all * sizeof *zero);
+        struct potential before, after;
+        const struct particle_report got = newton(&t.of, &t.how, u);
+        expect(got.status == OK, "a pressed block, %s law: A is indefinite, "
+               "and has to be projected; the status is %s", law,
+               status_name(got.status));
+        particle_potential(&t.of, &t.how, zero, &before, r);
+        particle_potential(&t.of, &t.how, u, &after, r);
+        for (int s = 0; s < t.n_all; s++)
+            expect_close(r[s], 0.0, CONVERGED, 100.0, "a pressed block, %s "
+                         "law: r of node %d", law, s / 2);
+        expect(potential_sum(after) < potential_sum(before),
+               "a pressed block, %s law: the potential must decrease", law);
+        cloud_free(cloud);
+    }
 }
 
 /* ---- 20d ----------------------------------------------------------------- */
@@ -522,6 +570,8 @@ static const struct claim claims[] = {
     {"newton_is_quadratic", newton_is_quadratic, "20b"},
     {"inverted_states_are_avoided", inverted_states_are_avoided, "20b"},
     {"failures_are_named", failures_are_named, "20b"},
+    {"indefinite_matrices_are_projected", indefinite_matrices_are_projected,
+     "20b"},
     {"balances_hold", balances_hold, "20b"},
     {"newton_agrees_with_the_library", newton_agrees_with_the_library, "20b"},
     {"small_steps_are_explicit", small_steps_are_explicit, "20b"},

@@ -86,7 +86,7 @@ static void modes_are_the_eigenvectors(void)
             for (int r = 0; r < 4; r++)
                 largest = fmax(largest, fabs(value[r])), sum += modes.value[r];
             close_to(sum, trace, 1e-14 * 4.0 * largest);
-            ck_assert(modes.value[SCALE_LOW] <= modes.value[SCALE_HIGH]);
+            ck_assert(modes.value[MODE_LOW] <= modes.value[MODE_HIGH]);
             for (int r = 0; r < 4; r++) {
                 const mat2 D = modes.direction[r];
                 const mat2 dP = material2_dpk1(&m, states[k], D);

@@ -300,6 +300,46 @@ static void halving_keeps_particles_from_inverting(void)
     cloud_free(c);
 }
 
+/* A block pressed to half its area: A is indefinite at u = 0, where a direction
+ * of the projected one makes E fall, and r = 0 is found. */
+static void projection_goes_on_where_A_is_indefinite(void)
+{
+    for (int k = 0; k < 4; k++) {
+        const struct particle_step step = {.rate = 10.0 / 3.0};
+        struct cloud c = cloud_block(1 + k % 2);
+        for (int p = 0; p < c.p->n; p++)
+            c.p->F[p] = mat2_scale(0.7, c.p->F[p]);
+        const struct particle_body body = {
+            c.grid, c.p, material_notes(k / 2 ? CUBIC : LOG), NULL};
+        ck_assert_int_eq(grid_p2g(c.grid, c.p), OK);
+        struct unknowns *map = unknowns_alloc(c.grid);
+        unknowns_number(c.grid, NO_WALL, map);
+        struct matrix *A = unknowns_matrix(&body, map);
+        double *u = allocate(2 * (size_t)map->n_dof, sizeof *u);
+        double *r = u + map->n_dof;
+        particle_stiffness(&body, u, map->equation, map->sign, A);
+        particle_mass_matrix(&body, 0, step.rate * step.rate, map, A);
+        ck_assert_int_eq(matrix_factor(A), NOT_SPD);
+        const struct particle_report report =
+            particle_newton(&body, &step, 1e-10, u);
+        struct potential E;
+        ck_assert_int_eq(report.status, OK);
+        ck_assert_int_ge(report.projections, 1);
+        ck_assert_int_lt(report.projections, report.iterations);
+        ck_assert_double_gt(report.part[0], 0.0);
+        particle_potential(&body, &step, u, &E, r);
+        for (int s = 0; s < map->n_dof; s++) close_to(r[s], 0.0, 1e-9);
+        matrix_free(A);
+        unknowns_free(map);
+        free(u);
+        cloud_free(c);
+    }
+    const struct material linear = material_notes(LINEAR);
+    const mat2 F = {{{1.2, 0.3}, {-0.1, 0.7}}}, dF = {{{0.1, 0.2}, {0.5, 0.3}}};
+    close_to(particle_projected(&linear, F, dF).m[1][0],
+             material2_dpk1(&linear, F, dF).m[1][0], 1e-15);
+}
+
 static void print_block(void)
 {
     struct cloud c = cloud_block(2);
@@ -338,6 +378,8 @@ static const struct unit_law laws[] = {
     {"failures_are_named", failures_are_named},
     {"halving_keeps_particles_from_inverting",
      halving_keeps_particles_from_inverting},
+    {"projection_goes_on_where_A_is_indefinite",
+     projection_goes_on_where_A_is_indefinite},
     {"tables_have_their_names", tables_have_their_names},
 };
 
