@@ -20,7 +20,8 @@ static struct {
 /* Parse "--n 8 ..." with the table of an imaginary program. */
 static void parse(const char *line)
 {
-    char words[256], *argv[16] = {"prog"};
+    static char words[256]; /* a text option borrows from it */
+    char *argv[16] = {"prog"};
     int argc = 1;
     snprintf(words, sizeof words, "%s", line);
     for (char *w = strtok(words, " "); w; w = strtok(NULL, " "))
