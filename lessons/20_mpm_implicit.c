@@ -105,8 +105,7 @@ static struct particle_report newton(const struct particle_body *body,
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
     /* SLOT 20b(body, &convex, step, n, small, &report, map, &there, r, y, du,
-     * trial, &weight, A, u, potential): also particle_stiffness(),
-     * particle_mass_matrix(). */
+     * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
     todo("20b", body, &convex, step, n, small, &report, map, &there, r, y, du,
          trial, &weight, A, u, potential);
     /* END 20b */

@@ -127,8 +127,7 @@ static struct particle_report newton(const struct particle_body *body,
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
     /* SLOT 20b(body, &convex, step, n, small, &report, map, &there, r, y, du,
-     * trial, &weight, A, u, potential): also particle_stiffness(),
-     * particle_mass_matrix(). */
+     * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
     memset(u, 0, (size_t)n * sizeof *u);
     for (int k = 0;; k = ++report.iterations) {
         report.status = potential(body, step, u, &report.E, r);
