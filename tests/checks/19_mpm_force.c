@@ -492,6 +492,7 @@ static const char *const runs[] = {
     "--order 3 --nu 0.2385 --shake 0.51 --stretch 1.713 --ppc 5 --shift 0",
     "--order 2 --law log --nu 0 --shake 0.31 --stretch 2.385 --ppc 1",
     "--shake 0 --stretch 1",
+    "--nu 0 --stretch 3 --ppc 1", /* where the cubic law has no stress */
     "--law log --shake 3",
 };
 
