@@ -331,7 +331,7 @@ static mat2 much_too_soft(const struct material *material, mat2 F, mat2 dF)
     return mat2_scale(1e-16, material2_dpk1(material, F, dF));
 }
 
-/* A tangent a hundred times too stiff: every step goes a hundredth of the way. */
+/* A tangent a hundred times too stiff: a step goes a hundredth of the way. */
 static mat2 much_too_stiff(const struct material *material, mat2 F, mat2 dF)
 {
     return mat2_scale(100.0, material2_dpk1(material, F, dF));
