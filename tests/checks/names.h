@@ -16,6 +16,7 @@
 #define wrong judge_wrong
 #define column judge_column
 #define lesson judge_lesson
+#define measured judge_measured
 #define output judge_output
 #define word_at judge_word_at
 #define child_run judge_child_run

@@ -119,15 +119,22 @@ rule 'every picture and file that the text names is there' \
 # ---- equation labels ----------------------------------------------------------
 labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
 undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
-defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
+equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
+defined=$(sed -n 's/^| \(<a [^>]*><.a>\)*\[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\2/p' "$equations")
 cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
-rule 'every label cited by code is defined in workbook.md' \
+rule "every label cited by code is defined in $equations" \
     "$(echo "$cited" | undefined)"
-rule 'every label of workbook.md is cited by code' \
+rule "every label of $equations is cited by code" \
     "$(for d in $defined; do echo "$cited" | grep -qxF "$d" || echo "$d"; done)"
-rule 'every label cited in the book is defined in workbook.md' \
+rule "every label cited in the book is defined in $equations" \
     "$(cat $book | labels | undefined)"
+rule 'a label is a link, by itself: no other one, no bracket and no colon behind it' \
+    "$(for f in $book; do
+        awk '/^<!-- labels -->$/ { exit }
+            /\[(eq|alg):[^]]*\][[(]/ || (/^ *\[(eq|alg):[^]]*\]:/ && before == "") {
+                print FILENAME ":" FNR }
+            { before = $0 }' "$f"; done)"
 
 # ---- each lesson is whole -----------------------------------------------------
 for slug in $lessons; do
@@ -154,6 +161,20 @@ for slug in $lessons; do
     done
     grep -q '<summary>Answer' "$hints" || missing="$missing answer"
     rule "lesson $nn is whole" "$missing"
+    # two to four numbers to predict, dots in the solution too; the checks and
+    # the chapter know them by their keys
+    asked=$(sed -n 's/^ \* PREDICT \([0-9a-z]*\) [^:]*: \.\.\.$/\1/p' "solutions/$slug.c")
+    known=$(awk '/^static void what_was_predicted/, /^}/' "tests/checks/$slug.c" |
+        grep -oE '"[0-9][a-z]?"' | tr -d '"' | sort -u)
+    rule "lesson $nn has its predictions" \
+        "$([ "$(grep -c 'PREDICT' "solutions/$slug.c")" = "$(echo "$asked" | wc -l)" ] ||
+            echo 'a line is malformed'
+        [ "$(echo "$asked" | sort)" = "$known" ] || echo "checks measure $known"
+        case $(echo "$asked" | wc -l) in *[234]*) ;; *) echo 'too few' ;; esac
+        for key in $asked; do
+            awk '/^## /{ in_ = /^## Predict/ } in_' "lessons/$slug.md" |
+                grep -q "^${key%[a-z]}\. " || echo "no $key in the chapter"
+        done)"
     rule "hints of lesson $nn name checks or slots that exist" \
         "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |
             while read -r what; do
