@@ -110,7 +110,7 @@ predicted() {
         [ $status = 0 ] && echo "$text" | grep -q "VERDICT $nn: OK, all" &&
             echo "$text" | grep -qF -e "$4"
     else
-        [ $status = 1 ] && echo "$text" | grep -q "VERDICT $nn: UNFINISHED" &&
+        [ $status != 0 ] && echo "$text" | grep -q "VERDICT $nn: UNFINISHED" &&
             ! echo "$text" | grep -qi predicted
     fi
     result $? "predictions, $1" "$said"
