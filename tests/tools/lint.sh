@@ -100,6 +100,8 @@ rule 'hints and answers are in solutions/, not in a chapter' \
     "$(grep -nE '<summary>(Hint|Answer)' workbook.md lessons/*.md figures/*/README.md)"
 rule 'every formula survives Markdown (tests/tools/math.awk)' \
     "$(awk -f tests/tools/math.awk README.md $book)"
+rule 'every symbol of a chapter is in the notation (tests/tools/symbols.awk)' \
+    "$(awk -f tests/tools/symbols.awk workbook.md lessons/[0-9]*.md figures/*/README.md)"
 rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
     "$(grep -nE '^ *<!-- n ' $book)"
 
