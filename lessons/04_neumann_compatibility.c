@@ -5,10 +5,10 @@
  * Notes: Lecture 2, section 1.1, exercise (2).
  *
  * Problem.  -u'' = e^x on (0, 1) with flux u' n = 0 at x = 0 and -(e - 1) at
- * x = 1 has solutions: int f dx + q_a + q_b = 0.  But A is singular, and with b
- * from a quadrature rule A u = b has none [eq:neumann-compatibility].  Measure
- * that defect, remove it, solve for the member of minimum norm of the family
- * [eq:neumann-family], and refuse a problem that has no solution.
+ * x = 1 has solutions.  But A is singular, and with b from a quadrature rule
+ * A u = b has none [eq:neumann-compatibility].  Measure that defect, remove it,
+ * solve for the member of minimum norm of the family [eq:neumann-family], and
+ * refuse a problem that has no solution.
  *
  *     |  k -k  .  . |
  *     | -k 2k -k  . |   every row adds up to 0: A (1,1,1,1)^T = 0.  What does
