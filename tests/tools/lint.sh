@@ -180,6 +180,8 @@ rule 'every figure is committed' \
 rule 'every figure is in the book' \
     "$(for f in $plots; do
         echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
+rule 'the map of the course shows what the chapters say (make figures)' \
+    "$(awk -f figures/map.awk lessons/[0-9]*.md | cmp - figures/map.svg 2>&1)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"
