@@ -29,6 +29,7 @@ a, summary { color: #0b5394; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
 img { max-width: 100%; height: auto; }
+td img { max-width: none; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
 mstyle[mathvariant=normal] mi { text-transform: none; }
 mstyle[mathvariant=bold] { font-weight: bold; }
@@ -48,7 +49,7 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
-    .figure img { max-width: none; width: 620px; }
+    p .figure img { max-width: none; width: 620px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
 END
 

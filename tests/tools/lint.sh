@@ -105,8 +105,10 @@ rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
 
 # What the text links to, as FILE:TARGET from the top of the tree.
 links=$(for f in README.md $book; do
-    awk '/^ *```/ { fence = !fence; next } !fence' "$f" | grep -oE '\]\([^)]*\)' |
-        sed -n 's/^](\([^#)][^#)]*\).*/\1/p' | grep -v '^https*:' |
+    awk '/^ *```/ { fence = !fence; next } !fence' "$f" |
+        grep -oE '\]\([^)]*\)|<img src="[^"]*"' |
+        sed -n 's/^](\([^#)][^#)]*\).*/\1/p; s/^<img src="\(.*\)"/\1/p' |
+        grep -v '^https*:' |
         sed "s|^|$(dirname "$f")/|; s|^\./||
              :up
              s|[^/.][^/]*/\.\./||; t up
