@@ -1,5 +1,6 @@
 # body.gp - a schematic: body, map and traction; below, what F does to the edges
-# of a triangle.  All places, the traction and J are computed here.
+# of a triangle.  All places, the traction and J are computed here.  The space
+# behind an index is one that does not break, which every viewer keeps.
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 680,580 enhanced font "Helvetica,15"
