@@ -88,7 +88,7 @@ set label 5 "{/:Italic F dX}" at \
     y(X0, Y0) + F21(X0, Y0) * eX + F22 * eY + 0.12 left front tc rgb "#0072B2"
 set label 6 "normal{/:Italic  n̂}" at NX + 0.5 * nX + 0.1, NY + 0.5 * nY \
     left front tc rgb "#D55E00"
-set label 7 "traction{/:Italic  Pn̂}" at far + x(NX, NY) + hX - 0.15, \
+set label 7 "traction{/:Italic  Pn̂}" at far + x(NX, NY) + hX - 0.32, \
     y(NX, NY) + hY right front tc rgb "#D55E00"
 set label 8 "at rest" at 0, -1.42 center
 set label 9 "deformed" at far + 0.2, -1.42 center
