@@ -42,7 +42,9 @@
 #define expect_refusal judge_expect_refusal
 #define child_am_inside judge_child_am_inside
 #define guarded_indices judge_guarded_indices
+#define predictions_read judge_predictions_read
 #define child_on_interrupt judge_child_on_interrupt
+#define prediction_compare judge_prediction_compare
 #define child_restart_clock judge_child_restart_clock
 
 #endif

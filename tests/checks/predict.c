@@ -3,19 +3,22 @@
 
 #include "output.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The answer behind the colon, without blanks at its ends. */
+/* The answer behind the colon, without blanks before it, and blanks and dots
+ * behind it; it is printed, so that what moves a cursor becomes a ?. */
 static void read_answer(const char *from, size_t size, char answer[])
 {
     from += strspn(from, " \t");
     size_t n = strlen(from);
-    while (n > 0 && strchr(" \t\r\n", from[n - 1])) n--;
-    if (strspn(from, ".") == n) n = 0;
+    while (n > 0 && strchr(" \t\r\n.", from[n - 1])) n--;
     snprintf(answer, size, "%.*s", (int)n, from);
+    for (char *c = answer; *c; c++)
+        if (iscntrl((unsigned char)*c)) *c = '?';
 }
 
 int predictions_read(const char *path, struct prediction p[])
