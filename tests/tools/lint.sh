@@ -171,10 +171,10 @@ for slug in $lessons; do
     known=$(awk '/^static void what_was_predicted/, /^}/' "tests/checks/$slug.c" |
         grep -oE '"[0-9][a-z]?"' | tr -d '"' | sort -u)
     rule "lesson $nn has its predictions" \
-        "$([ "$(grep -c 'PREDICT' "solutions/$slug.c")" = "$(echo "$asked" | wc -l)" ] ||
+        "$([ "$(grep -c 'PREDICT' "solutions/$slug.c")" -eq "$(echo "$asked" | wc -l)" ] ||
             echo 'a line is malformed'
         [ "$(echo "$asked" | sort)" = "$known" ] || echo "checks measure $known"
-        case $(echo "$asked" | wc -l) in *[234]*) ;; *) echo 'too few' ;; esac
+        [ "$(echo "$asked" | wc -l)" -ge 2 ] || echo 'too few'
         for key in $asked; do
             awk '/^## /{ in_ = /^## Predict/ } in_' "lessons/$slug.md" |
                 grep -q "^${key%[a-z]}\. " || echo "no $key in the chapter"

@@ -28,7 +28,7 @@ solution)
     guess=$BUILD/test/$slug.guess.c
     sed 's/^\( \* PREDICT .*: \)\.\.\.$/\11/' "solutions/$slug.c" >"$guess"
     said=$(judge_one "$BUILD/solutions/$slug.judge" --source "$guess")
-    [ "$(echo "$said" | tr '\n' ' ' | tr -s ' ' | grep -o ': 1, measured' | wc -l)" = \
+    [ "$(echo "$said" | tr '\n' ' ' | tr -s ' ' | grep -o ': 1, measured' | wc -l)" -eq \
         "$(grep -c '^ \* PREDICT ' "$guess")" ]
     result $? "$nn: every prediction is measured" "$said"
     rm -f "$guess"
