@@ -58,9 +58,9 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 {
     const struct mesh *mesh = s->mesh;
     const struct material *material = &s->body->material;
-    /* SLOT 12b(s->f, mesh, material, u, q): mesh_gradients(mesh, e, g) fills g
-     * and returns the area; material_defined(), material2_pk1(). */
-    todo("12b", s->f, mesh, material, u, q);
+    /* SLOT 12b(s->f, mesh, material, u, q, deformation): mesh_gradients(mesh,
+     * e, g) fills g, returns the area; material_defined(), material2_pk1(). */
+    todo("12b", s->f, mesh, material, u, q, deformation);
     /* END 12b */
     return OK;
 }

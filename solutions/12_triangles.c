@@ -61,8 +61,8 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 {
     const struct mesh *mesh = s->mesh;
     const struct material *material = &s->body->material;
-    /* SLOT 12b(s->f, mesh, material, u, q): mesh_gradients(mesh, e, g) fills g
-     * and returns the area; material_defined(), material2_pk1(). */
+    /* SLOT 12b(s->f, mesh, material, u, q, deformation): mesh_gradients(mesh,
+     * e, g) fills g, returns the area; material_defined(), material2_pk1(). */
     for (int r = 0; r < s->n_dof; r++) q[r] = -s->f[r];
     for (int e = 0; e < mesh->n_triangle; e++) {
         const int *t = &mesh->triangle[3 * e];
