@@ -11,6 +11,7 @@ set xlabel "t (s)"
 set ylabel "energy (J)"
 set xrange [0:1.5]
 set yrange [-30:20]
+set label 1 "total, exact: 0" at 1.48, 1.4 right font ",12"
 plot data index "energies" using "t":"kinetic" with lines ls 3 \
          title "kinetic, Δt = 1/30 s", \
      "" index "energies" using "t":"total" with lines ls 1 \
@@ -20,7 +21,6 @@ plot data index "energies" using "t":"kinetic" with lines ls 3 \
      "" index "energies" using "t":"total_480" with lines ls 1 dt 3 \
          title "total, Δt = 1/480 s", \
      0 ls 8 notitle
-set label 1 "exact: 0" at 1.48, 1.2 right font ",12"
 set xlabel "Δt (s)"
 set ylabel "angular momentum after 1 s / at the start"
 unset label 1
