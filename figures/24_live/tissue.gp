@@ -29,7 +29,7 @@ around(when, layer) = rows(when, layer, "if (new) end(); print low; back[++n] = 
 upper(when) = rows(when, ".", "if (new) end(); print high")
 across(when) = rows(when, ".", "if (lines++ % 2 == 0) print low; \
     if (lines % 2) { print high; print \"\" }")
-pull(column) = system(sprintf("awk -F'\t' '$1 == \"%s\" && NF == 9 { \
+pull(column) = system(sprintf("awk -F'\t' '$1 == \"%s\" && NF == 11 { \
     print $%d }' '%s'", w, column, data)) + 0.0
 
 # A hook: from its centre straight out of the skin (q < 1), round (q < 2), and
