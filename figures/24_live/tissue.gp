@@ -42,8 +42,8 @@ round(q) = bend * (q < 1 ? 0 : q < 2 ? q - 1 : 1)
 shaft(q) = q < 2 ? 0 : (q - 2) * 7
 X(q) = along(q) + R * sin(round(q)) + shaft(q) * cos(bend)
 Y(q) = R * (1 - cos(round(q))) + shaft(q) * sin(bend)
-hx(q, side) = -side * (1e3 * pull(2) + X(q) * cos(turn) - Y(q) * sin(turn))
-hy(q) = 1e3 * pull(3) + X(q) * sin(turn) + Y(q) * cos(turn)
+hx(q, side) = -side * (cx + X(q) * cos(turn) - Y(q) * sin(turn))
+hy(q) = cy + X(q) * sin(turn) + Y(q) * cos(turn)
 
 array When[2] = ["half", "full"]
 array Title[2] = ["half way", "full pull"]
@@ -54,6 +54,8 @@ do for [k = 1:2] {
     set tmargin at screen k == 1 ? 1.0 : edge
     set bmargin at screen k == 1 ? edge : 0.0
     set yrange [-20.5:Top[k]]
+    cx = 1e3 * pull(2)
+    cy = 1e3 * pull(3)
     turn = pull(4)
     bend = atan2(pull(6), pull(5)) - turn
     set object 1 rectangle from -53, -18.5 to 53, -15 fc rgb "#EFE9DA" fs solid noborder behind
