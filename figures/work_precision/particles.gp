@@ -2,10 +2,10 @@
 # and against milliseconds: the bar, the block, and the block in fewer and fewer
 # steps.  Runs that fail have no cost and stand at the top.
 # Reads   data  tables bar, block, steps (curve error flops ms reason), fewest
-#               (floor), machine
+#               (floor), machine; from `make bench`
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/work_precision/particles.tsv"
-if (!exists("out"))  out  = "build/figures/work_precision/particles.svg"
+if (!exists("out"))  out  = "figures/work_precision/particles.svg"
 load "figures/style.gp"
 set terminal svg size 900,690
 set output out
