@@ -11,7 +11,7 @@
  *
  * In space: static, differences of meshes.  Predicted: 2 for the log law; for
  * the linear one, n = 64 to 256, twice the power of r that u has at the corner
- * between a held and a free side (Williams, J. Appl. Mech. 19, 1952).
+ * between a held and a free side [eq:corner].
  */
 #include "study.h"
 #include "table.h"
@@ -64,26 +64,19 @@ static void in_time(enum work_scene scene, struct count *count)
     }
 }
 
-/* sin^2(p pi/2) = ((kappa + 1)^2 / 4 - p^2) / kappa, kappa = 3 - 4 nu. */
-static double corner(double p, void *kappa)
-{
-    const double k = *(double *)kappa, s = sin(p * acos(0.0));
-    return s * s - (0.25 * (k + 1.0) * (k + 1.0) - p * p) / k;
-}
-
 static void in_space(enum work_scene scene, enum law law, struct count *count)
 {
     struct work_setting set = {scene, law, 0, 0, law == LOG ? 16 : 1,
                                BACKWARD_EULER, 1e-9};
     struct work run[3];
-    double kappa = 3.0 - 4.0 * 0.3;
+    const struct material notes = material_notes(law);
     for (int k = 0; k < 3; k++) {
         set.n = law == LINEAR ? 64 << k : work_coarsest(scene) * (4 << k);
         run[k] = work_run(&set);
     }
     const double fine = work_distance(&run[1], &run[2]);
     const double predicted =
-        law == LINEAR ? 2.0 * root_of(corner, &kappa, 0.5, 0.9) : 2.0;
+        law == LINEAR ? 2.0 * material_corner(&notes) : 2.0;
     print(scene, "space", material_law(law), predicted,
           order_of(work_distance(&run[0], &run[1]), fine, 2.0),
           fine / work_distance(&run[2], NULL), count);
