@@ -292,8 +292,8 @@ static void inertia_is_rayleighs(void)
 
 /* ---- 23d ----------------------------------------------------------------- */
 
-/* What counts for each model, of the parts 0.01, 0.02, 0.04, 0.08, 0.16; the sum
- * of their squares in units of 0.0001. */
+/* What counts for each model, of the parts 0.01, 0.02, 0.04, 0.08, 0.16; the
+ * sum of their squares in units of 0.0001. */
 static void verdict_counts_what_is_left_out(void)
 {
     static const struct {

@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { HANGING, CANTILEVER, SMALL_TWIST, BELOW = 4, ABOVE, SLOW, FAST, SHAKEN = 11 };
+enum {
+    HANGING, CANTILEVER, SMALL_TWIST, BELOW = 4, ABOVE, SLOW, FAST, SHAKEN = 11
+};
 
 static struct ladder_state *solved(int k, enum rung rung, int moving, int level)
 {
