@@ -14,8 +14,9 @@
  *     |  .  K10 K11+.. |   ...           | r1+..  |    each from its element)
  *
  * Run       make lesson-08, or with options: -h lists them
- * Expect    the same A and b in either --order; with --n 256 the same u for
- *           5.82 million flops (dense) or 2563 flops (banded)
+ * PREDICT 1 by how many eps A changes with --order reversed: ...
+ * PREDICT 2a flops of 256 elements in dense storage: ...
+ * PREDICT 2b and in banded storage: ...
  * Plot: nodes x u
  */
 #include "clock.h"

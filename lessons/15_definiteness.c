@@ -15,8 +15,8 @@
  * terms of body.h dt = 1 and rho = 0, q = dPsi/du.
  *
  * Run       make lesson-15, or with options: -h lists them
- * Expect    twist 85.3319060 for the generic F; the straight column at e = 0.05
- *           is a SADDLE of energy 0.570200, the buckled one has 0.546367
+ * PREDICT 1 J below which a pressed element of the cubic law is indefinite: ...
+ * PREDICT 3 systems for the pushed column, always over on demand: ...
  * Plot: where s least
  */
 #include "modes.h"

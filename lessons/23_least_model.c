@@ -7,7 +7,9 @@
  * is enough is asked of its own answer u, all that there is [alg:least-model].
  *
  * Run       make lesson-23, or with options: -h lists them
- * Expect    --scene shaken: enough on rung 5, cubic, in motion, mesh 1
+ * PREDICT 1 angle at which linear elasticity sees 10 % strain (degrees): ...
+ * PREDICT 2a rung of the ladder that is enough for the shaken block, 10 %: ...
+ * PREDICT 2b and for 50 %: ...
  * Plot: ladder rung estimate
  */
 #include "ladder.h"

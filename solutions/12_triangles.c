@@ -17,7 +17,8 @@
  *     0---1---2
  *
  * Run       make lesson-12, or with options: -h lists them
- * Expect    elastic energy 339.307925 after 5 Newton iterations
+ * PREDICT 1 force that holds the left side, --scene gravity (N/m): ...
+ * PREDICT 2 residual of the default scene after 1.8e-4 (N/m): ...
  * Plot: triangles e J
  */
 #include "options.h"
@@ -119,11 +120,9 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 
 /*
  * K = dq/du, before anything is held [eq:body-tangent]: row 2a + i, column
- * 2b + j gets from triangle e
- *
- *     area_e sum_km (dP_ik/dF_jm) dN_a/dX_k dN_b/dX_m     [eq:dP-dF]
- *
- * K is banded or dense; what it held is forgotten.  INVERTED as in residual().
+ * 2b + j gets from each triangle with the vertices a and b its part, by
+ * dP_ik/dF_jm [eq:dP-dF].  K is banded or dense; what it held is forgotten.
+ * INVERTED as in residual().
  */
 static enum status tangent(const struct scene *s, const double u[],
                            struct matrix *K)

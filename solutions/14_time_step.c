@@ -11,11 +11,11 @@
  *     frame     0         1         2         3       all implicit methods are
  *     time      |----+----|----+----|----+----|--     one: backward Euler from
  *               u0  u_m   u+                          some state (a, b), by
- *               BDF2: from (4 u0 - u_1) / 3, by 2/3   some step [eq:one-solve]
+ *                                                     some step [eq:one-solve]
  *
  * Run       make lesson-14, or with options: -h lists them
- * Expect    a mode with w dt = 0.5 is left with a hundredth of its amplitude by
- *           40 steps of backward Euler; of 102 frames none is lost
+ * PREDICT 1a part of a mode of 9.17 Hz left by a backward step of 1/30 s: ...
+ * PREDICT 1b part of a mode with w dt = 0.5 left by 40 such steps: ...
  * Plot: mode k backward_u
  */
 #include "integrate.h"
@@ -28,11 +28,8 @@
 #include <string.h>
 
 /*
- * The residual of a step of backward Euler [eq:time-residual]:
- *
- *     q = M (u - u0 - dt v0) + dt^2 (dPsi/du(u) - f)
- *
- * for the state (u0, v0) at the beginning and a candidate u for the end of the
+ * The residual q of a step of backward Euler [eq:time-residual], in kg m, for
+ * the state (u0, v0) at the beginning and a candidate u for the end of the
  * step; q = 0 for the right one.  f is model->f.  Status of model_force().
  */
 static enum status residual(const struct model *model, double dt,
@@ -107,11 +104,9 @@ static void print_stages(void)
  * step d of backward Euler from a state (a, b), and v* = (u* - a) / d.
  *
  *     BACKWARD_EULER     a = u0, b = v0, d = dt;  u+ = u*, v+ = v*
- *     IMPLICIT_MIDPOINT  a = u0, b = v0, d = dt/2, boundary values half-way;
- *                        u+ = 2 u* - u0, v+ = 2 v* - v0
- *     BDF2               a = (4 u0 - u_before) / 3, b = (4 v0 - v_before) / 3,
- *                        d = 2 dt / 3;  u+ = u*, v+ = v*; its first step, when
- *                        s->steps is 0, is one of IMPLICIT_MIDPOINT
+ *     IMPLICIT_MIDPOINT  with the boundary values half-way
+ *     BDF2               its first step, when s->steps is 0, is one of
+ *                        IMPLICIT_MIDPOINT
  *
  * s     in   state at the beginning
  * g     in   boundary values at the end of the step (NULL: linear model)

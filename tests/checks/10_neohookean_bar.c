@@ -484,6 +484,16 @@ static void history_shows_the_failure(void)
            "u in the middle is %g", u[5]);
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("");
+    const char *pressed = "--n 10 --law log --c 0 --left 0.099999999";
+    measured("1", fabs(cell(output, "history", "min_F", 5) -
+                       cell(output, "history", "min_F", -1)));
+    measured("2", cell(run(pressed), "history", "increment", 1));
+}
+
 static const struct claim claims[] = {
     {"loads_are_the_integrals", loads_are_the_integrals, "10a"},
     {"residual_of_a_shifted_bar_is_minus_b",
@@ -540,7 +550,8 @@ static const struct lesson lesson = {
     "still be worse than none: look at the residual of step 1.",
     "Stop on max|du| alone, and press the first element of a log law to 1e-8 "
     "of its length (--law log --c 0 --left 0.099999999 --n 10): which number "
-    "would have told the loop that this is no solution?"};
+    "would have told the loop that this is no solution?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

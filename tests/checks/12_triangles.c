@@ -626,6 +626,13 @@ static void numbers_are_the_oracles(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    measured("1", cell(run("--scene gravity"), "result", "hold_y", 0));
+    measured("2", cell(run(""), "history", "residual", 4));
+}
+
 static const struct claim claims[] = {
     {"edges_become_edges", edges_become_edges, "12a"},
     {"rigid_motion_gives_no_force", rigid_motion_gives_no_force, "12b"},
@@ -691,7 +698,8 @@ static const struct lesson lesson = {
     "In slot 12c give mu to one diagonal entry of each block only, as the "
     "notes print it: K stays symmetric, and what happens to the history? Then "
     "undo it and turn cof(j, m) into cof(m, j) instead: which check still "
-    "passes, and why?"};
+    "passes, and why?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -2,6 +2,7 @@
 #include "program.h"
 
 #include "judge.h"
+#include "output.h"
 
 #include "../oracle/body.h"
 
@@ -566,6 +567,32 @@ static void first_steps_are_the_oracles(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *spin = run("--scene spin");
+    const char *const scene[] = {"--n 4 --steps 30",
+                                 "--n 4 --steps 60 --dt 0.01666666666666667",
+                                 "--n 4 --steps 120 --dt 0.00833333333333333"};
+    char options[64];
+    double energy[3];
+    int n = 60, status = 1;
+    measured("1", cell(spin, "steps", "angular", -1) /
+                      cell(spin, "steps", "angular", 0));
+    while (status == 1 && n > 2) {
+        snprintf(options, sizeof options, "--scene rigid --steps 1 --n %d",
+                 --n);
+        struct output *output = output_of(NULL, options, ".");
+        status = output->status;
+        output_free(output);
+    }
+    measured("2", n + 1);
+    for (int k = 0; k < 3; k++)
+        energy[k] = cell(run(scene[k]), "steps", "total", -1);
+    measured("3", pow(10.0, 1.0 / log2((energy[0] - energy[1]) /
+                                       (energy[1] - energy[2]))));
+}
+
 static const struct claim claims[] = {
     {"mass_sums_to_the_mass_of_the_body", mass_sums_to_the_mass_of_the_body,
      "13a"},
@@ -627,7 +654,8 @@ static const struct lesson lesson = {
     "equation of a step has a solution, but Newton's method starts with the "
     "triangles at the boundary squeezed flat.",
     "In slot 13d leave out the velocity update. Which scenes look as before, "
-    "and which show at once that a body without velocity has no inertia?"};
+    "and which show at once that a body without velocity has no inertia?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

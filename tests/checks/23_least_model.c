@@ -418,6 +418,22 @@ static void what_is_too_strict_is_refused(void)
     expect_refusal("--scene nowhere", 2, "scene");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    double low = 0.01, high = 1.5; /* radians: less than 10 %, and more */
+    while (high - low > 1e-9) {
+        const double a = 0.5 * (low + high);
+        /* |H| = 2 sqrt 2 sin(a / 2), and what is seen is |H^T H| / 2 sqrt 2 */
+        const double seen =
+            affine_part(mat2_rotation(a), GEOMETRY) * 2.0 * sin(0.5 * a);
+        *(seen > 0.1 ? &high : &low) = a;
+    }
+    measured("1", high * 180.0 / acos(-1.0));
+    measured("2a", cell(run(""), "ladder", "rung", -1));
+    measured("2b", cell(run("--tolerance 0.5"), "ladder", "rung", -1));
+}
+
 static const struct claim claims[] = {
     {"geometry_sees_a_rotation", geometry_sees_a_rotation, "23a"},
     {"geometry_follows_a_stretch", geometry_follows_a_stretch, "23a"},
@@ -472,7 +488,8 @@ static const struct lesson lesson = {
     "small, the estimate says 3 %, and the truth is 99 %. Only the sign of the "
     "lowest eigenvalue of K knows it (figures/23_least_model/twelve.svg).",
     "Let the verdict forget the mesh. Which scenes then stop on a rung that is "
-    "wrong by half, and which do not change?"};
+    "wrong by half, and which do not change?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {
