@@ -15,11 +15,10 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-int main(void)
+/* Each rung and each law. */
+static void print_rungs(struct without_result all[2][N_WITHOUT])
 {
-    struct without_result all[2][N_WITHOUT];
     struct pointers hard = pointers_hard();
-    gsl_set_error_handler_off();
     table_begin("rungs", "without log_lost log_freeze log_p50 log_p99 log_most "
                          "log_energy log_last cubic_lost cubic_freeze "
                          "cubic_p50 cubic_p99 cubic_most cubic_energy "
@@ -34,50 +33,65 @@ int main(void)
                   b->p50, b->p99, b->most, b->energy, b->last);
     }
     table_end();
+    pointers_free(&hard);
+}
 
-    static const struct {
-        enum without which;
-        enum law law;
-        enum method method;
-        int seed;
-        const char *what;
-    } rare[] = {
-        {FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
-        {PROJECTION, CUBIC, IMPLICIT_MIDPOINT, 33, "most systems"},
-        {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
-        {HALVING, LOG, BACKWARD_EULER, 8, "frames the hand stands"},
-        {BOUND, CUBIC, BACKWARD_EULER, 18, "energy (J)"},
-        {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
-    double value[COUNT(rare)][2], most = 0.0;
+static const struct {
+    enum without which;
+    enum law law;
+    enum method method;
+    int seed; /* 0: hard */
+    const char *what;
+} RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
+            {PROJECTION, CUBIC, IMPLICIT_MIDPOINT, 33, "most systems"},
+            {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
+            {HALVING, LOG, BACKWARD_EULER, 8, "frames the hand stands"},
+            {BOUND, CUBIC, BACKWARD_EULER, 18, "energy (J)"},
+            {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
+
+/* value[k] := what tells, with all rungs and without one; of mad with all
+ * rungs, frames are counted, and those lost. */
+static void print_rare(double value[][2])
+{
     int frames = 0, lost = 0;
+    double most = 0.0;
     table_begin("rare", "without law integrator seed what all_rungs one_less");
-    for (int k = 0; k < COUNT(rare); k++) {
-        struct pointers mad = pointers_mad(rare[k].seed, 600);
+    for (int k = 0; k < COUNT(RARE); k++) {
+        const int seed = RARE[k].seed;
+        struct pointers script =
+            seed ? pointers_mad(seed, 600) : pointers_hard();
         for (int less = 0; less < 2; less++) {
             const struct without_result r =
-                without_play(less ? rare[k].which : NOTHING, 8, rare[k].law,
-                             rare[k].method, rare[k].seed ? &mad : &hard);
-            const double tells[] = {r.last, r.most, r.energy, r.stands,
-                                    r.energy, r.speed};
+                without_play(less ? RARE[k].which : NOTHING, 8, RARE[k].law,
+                             RARE[k].method, &script);
+            const double tells[COUNT(RARE)] = {r.last,   r.most,   r.energy,
+                                               r.stands, r.energy, r.speed};
             value[k][less] = tells[k];
-            if (less || !rare[k].seed) continue;
-            frames += mad.n;
+            if (less || !seed) continue;
+            frames += script.n;
             lost += r.lost;
             most = fmax(most, r.most);
         }
-        table_row(without_word(rare[k].which), material_law(rare[k].law),
-                  rare[k].method == BACKWARD_EULER ? "backward" : "midpoint",
-                  cell_if(rare[k].seed, rare[k].seed),
-                  rare[k].what, value[k][0], value[k][1]);
-        pointers_free(&mad);
+        table_row(without_word(RARE[k].which), material_law(RARE[k].law),
+                  RARE[k].method == BACKWARD_EULER ? "backward" : "midpoint",
+                  cell_if(seed, seed), RARE[k].what, value[k][0], value[k][1]);
+        pointers_free(&script);
     }
     table_end();
     table_begin("mad", "frames lost most");
     table_row(frames, lost, most);
     table_end();
-
     claim(lost == 0 && most <= 22.0, "mad loses no frame (%d), and takes 22 "
           "systems at most (%g)", lost, most);
+}
+
+int main(void)
+{
+    struct without_result all[2][N_WITHOUT];
+    double value[COUNT(RARE)][2];
+    gsl_set_error_handler_off();
+    print_rungs(all);
+    print_rare(value);
     for (int l = 0; l < 2; l++) {
         const struct without_result *a = all[l];
         claim(a[NOTHING].lost == 0 && a[SECOND_RUNG].freeze >= 40,
@@ -94,10 +108,9 @@ int main(void)
           "without a line search LOG loses frames (%d), and the cubic body "
           "explodes (%g J)", all[0][SEARCH].lost, all[1][SEARCH].energy);
     claim(value[0][1] < 1e-3 * value[0][0], "the first rung is what swings");
-    for (int k = 1; k < COUNT(rare); k++)
+    for (int k = 1; k < COUNT(RARE); k++)
         claim(value[k][1] > 1.2 * value[k][0], "without the %s, %s: %g, with "
-              "it %g", without_word(rare[k].which), rare[k].what, value[k][1],
+              "it %g", without_word(RARE[k].which), RARE[k].what, value[k][1],
               value[k][0]);
-    pointers_free(&hard);
     return table_finish();
 }

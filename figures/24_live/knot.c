@@ -3,9 +3,9 @@
  *
  * A corner of the square, n = 8, is grabbed and dragged about at random for two
  * seconds, then let go; eight seconds later, or when it has been still for one,
- * the body is looked at.  60 times, the same for both laws.  Tables: after (how many are at rest, knotted, or
- * neither), body (the triangles of the first body that is knotted, with J, and
- * its knots, with J = 0).
+ * the body is looked at.  60 times, the same for both laws.  Tables: after (how
+ * many are at rest, knotted, or neither), body (the triangles of the first body
+ * that is knotted, with J, and its knots, with J = 0).
  */
 #include "live.h"
 #include "study.h"
