@@ -205,12 +205,21 @@ static void narrow_solve(const struct matrix *L, double b[])
     }
 }
 
+void matrix_keep_single(struct matrix *A, int single)
+{
+    assert(A->storage == SPARSE);
+    if (A->single == single) return;
+    free(A->factor);
+    A->factor = NULL;
+    A->single = single;
+}
+
 enum status matrix_factor(struct matrix *A)
 {
     if (A->storage == SPARSE) {
-        const struct sparse *s = A->pattern;
-        if (!A->factor) A->factor = allocate_lines(s->factor + s->work);
-        return sparse_factor(s, A->a, A->factor, A->factor + s->factor);
+        if (!A->factor)
+            A->factor = allocate_lines(sparse_size(A->pattern, A->single));
+        return sparse_factor(A->pattern, A->a, A->single, A->factor);
     }
     if (A->storage == DENSE) return dense_factor(A);
     if (A->p < BAND_WIDE) return narrow_factor(A);
@@ -220,8 +229,7 @@ enum status matrix_factor(struct matrix *A)
 void matrix_solve(const struct matrix *L, double b[])
 {
     if (L->storage == SPARSE) {
-        const struct sparse *s = L->pattern;
-        sparse_solve(s, L->factor, L->factor + s->factor, b);
+        sparse_solve(L->pattern, L->single, L->factor, b);
     } else if (L->storage == BANDED && L->p < BAND_WIDE) {
         narrow_solve(L, b);
     } else if (L->storage == BANDED) {
@@ -394,9 +402,8 @@ double matrix_backward_error(const struct matrix *A, const double u[],
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    return (A->size +
-            (A->factor ? A->pattern->factor + A->pattern->work : 0)) *
-           sizeof *A->a;
+    const size_t more = A->factor ? sparse_size(A->pattern, A->single) : 0;
+    return (A->size + more) * sizeof *A->a;
 }
 
 double matrix_max_diagonal(const struct matrix *A)
