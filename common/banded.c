@@ -250,6 +250,7 @@ enum status front_factor(const struct front *f, int n, const double diagonal[])
     const size_t size = f->rounded ? front_size(f->pivots, f->rest) : 0;
     double *a = f->l, inverse[W] = {0.0};
     vec l[W] = {{0.0}};
+    assert(front_row(1, 0) == V); /* front.c was compiled with other flags */
     for (int K = 0; K < all; K++) {
         const int left = f->pivots - K * V, w = K < first && left < V ? left : V;
         enum status status = OK;

@@ -42,7 +42,7 @@ struct matrix {
     size_t size;   /* numbers of a */
     double *a;     /* entries, see above; owned */
     const struct sparse *pattern; /* of sparse storage; borrowed */
-    int single;     /* sparse: the factor is kept in single precision */
+    int single;     /* sparse: L is rounded to single precision */
     double *factor; /* sparse: room to work and L, or NULL; owned */
 };
 
@@ -61,8 +61,12 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_alloc_sparse(const struct sparse *pattern);
 struct matrix *matrix_copy(const struct matrix *A);
 
-/* Keep the factors of a sparse matrix in this precision from now on; those that
- * are there are lost when it changes.  DOUBLE, unless it is called. */
+/*
+ * Round the factor of a sparse matrix to single precision, or do not, from now
+ * on; one that is there is lost when this changes.  The factorisation and the
+ * residual stay in double precision: a solve then has seven digits, a chord
+ * step of step.h as many as ever, and refine.h finds the others.
+ */
 void matrix_keep_single(struct matrix *A, int single);
 
 /* A new matrix, of A's storage: rows and columns first .. first + n - 1 of A,
