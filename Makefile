@@ -66,7 +66,8 @@ TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
-FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f))
+FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
+           figures/map.svg
 TIMED_HERE := $(foreach f,$(filter-out speed/%,$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
@@ -187,6 +188,10 @@ $2: figures/$1.gp figures/style.gp $(call data_of,$1)
 endef
 $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
     $f,$(TIMED)),$(BUILD)/)$(call picture,$f))))
+# The map of the course is drawn from the heads of the chapters.
+figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md)
+	$(call say,map,$@)
+	$(Q)awk -f $< $(filter %.md,$^) > $@.part && mv $@.part $@
 figures: $(FIGURES) $(TIMED_HERE)
 	@echo 'figures: $(words $(FIGURES)) in figures/;' \
 	      '$(words $(TIMED_HERE)) with seconds of this machine in' \

@@ -169,8 +169,8 @@ all: programs $(PROGRAMS:=.judge) $(STUDIES:%=$(BUILD)/figures/%) \
 
 # what any test may rest on
 EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
-              lessons/*.c tests/*.mk tests/*/* figures/*.gp figures/*/*.gp \
-              figures/*/*.[ch] figures/many/*.t*)
+              lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
+              figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@

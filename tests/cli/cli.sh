@@ -111,7 +111,7 @@ wait $watch 2>/dev/null
 grep -q "VERDICT $nn: UNFINISHED" "$tmp/watch" && grep -q "VERDICT $nn: OK" "$tmp/watch"
 result $? 'watch checks again at a save' "$(cat "$tmp/watch")"
 
-figure=$(ls figures/"$slug"/*.gp | head -n 1)
+figure=$(grep -l '^# Reads' figures/"$slug"/*.gp | head -n 1)
 picture=${figure%.gp}.svg
 cp "$picture" "$tmp/before.svg"
 sh tests/tools/figure.sh "$figure" no-such-file.tsv "$picture" >/dev/null 2>&1
@@ -121,10 +121,10 @@ echo 'plot nonsense' >>"$figure"
 "$MAKE" "$picture" >/dev/null 2>&1
 [ $? != 0 ] && cmp -s "$picture" "$tmp/before.svg" && [ ! -e "$picture.part" ]
 result $? 'a figure whose script fails leaves the old picture' "$(ls figures/*)"
-sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' workbook.md >stale.md
-said=$(sh tests/tools/workbook.sh check workbook.md stale.md 2>&1)
+sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' lessons/ERRATA.md >stale.md
+said=$(sh tests/tools/workbook.sh check lessons/ERRATA.md stale.md 2>&1)
 [ $? = 1 ] && echo "$said" | grep -q '^stale.md is stale' &&
-    ! echo "$said" | grep -q '^workbook.md is stale'
+    ! echo "$said" | grep -q '^lessons/ERRATA.md is stale'
 result $? 'a stale number in the book is noticed' "$said"
 printf '%s\n' '# words' 'name	value' 'NOT_SPD	1.25' 'stretch	-' '' '' \
     >build/data/words.tsv
@@ -136,7 +136,7 @@ grep -qxF '| NOT_SPD | 1.2 | 1.25 |' words.md &&
 result $? 'a word in a table is printed as it is' "$(cat words.md)"
 comma=$(locale -a 2>/dev/null | grep -iE '^(de_DE|fr_FR|tr_TR)\.utf-?8$' | head -n 1)
 if [ -n "$comma" ]; then
-    said=$(LC_ALL=$comma sh tests/tools/workbook.sh check workbook.md 2>&1)
+    said=$(LC_ALL=$comma sh tests/tools/workbook.sh check lessons/ERRATA.md 2>&1)
     result $? "the book is filled alike under $comma" "$said"
     "$MAKE" "lesson-$nn" >/dev/null 2>&1
     said=$(LC_ALL=$comma "$MAKE" "lesson-$nn" 2>&1)

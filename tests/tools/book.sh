@@ -29,6 +29,7 @@ a, summary { color: #0b5394; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
 img { max-width: 100%; height: auto; }
+td img { max-width: none; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
 mstyle[mathvariant=normal] mi { text-transform: none; }
 mstyle[mathvariant=bold] { font-weight: bold; }
@@ -42,13 +43,16 @@ th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
 td:target { background: #fff3c4; }
 td a.label { font-size: 1em; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
-@media (min-width: 1000px) { .wide:has(table) { width: max-content;
+@media (min-width: 1000px) { img[src$="map.svg"] { width: 900px; max-width: none;
+    position: relative; left: 50%; transform: translateX(-50%); }
+    .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
     transform: translateX(-50%); } }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
-    .figure img { max-width: none; width: 620px; }
+    p .figure img[src$=".svg"] { max-width: none; width: 620px; }
+    td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
 END
 

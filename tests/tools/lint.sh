@@ -105,8 +105,10 @@ rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
 
 # What the text links to, as FILE:TARGET from the top of the tree.
 links=$(for f in README.md $book; do
-    awk '/^ *```/ { fence = !fence; next } !fence' "$f" | grep -oE '\]\([^)]*\)' |
-        sed -n 's/^](\([^#)][^#)]*\).*/\1/p' | grep -v '^https*:' |
+    awk '/^ *```/ { fence = !fence; next } !fence' "$f" |
+        grep -oE '\]\([^)]*\)|<img src="[^"]*"' |
+        sed -n 's/^](\([^#)][^#)]*\).*/\1/p; s/^<img src="\(.*\)"/\1/p' |
+        grep -v '^https*:' |
         sed "s|^|$(dirname "$f")/|; s|^\./||
              :up
              s|[^/.][^/]*/\.\./||; t up
@@ -180,6 +182,8 @@ rule 'every figure is committed' \
 rule 'every figure is in the book' \
     "$(for f in $plots; do
         echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
+rule 'the map of the course shows what the chapters say (make figures)' \
+    "$(awk -f figures/map.awk lessons/[0-9]*.md | cmp - figures/map.svg 2>&1)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"
