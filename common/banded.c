@@ -252,7 +252,8 @@ enum status front_factor(const struct front *f, int n, const double diagonal[])
     vec l[W] = {{0.0}};
     assert(front_row(1, 0) == V); /* front.c was compiled with other flags */
     for (int K = 0; K < all; K++) {
-        const int left = f->pivots - K * V, w = K < first && left < V ? left : V;
+        const int left = f->pivots - K * V;
+        const int w = 0 < left && left < V ? left : V;
         enum status status = OK;
         if (K == first) a = f->u;
         for (int i = K; i < all && status == OK; i += Q)

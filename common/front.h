@@ -3,13 +3,13 @@
  * rows, and u, which is what they subtract from rows and columns of the rest.
  *
  *      pivots  rest       pivots, and the rest, fill up whole blocks of V rows
- *     | l         |       (vec.h) with zeros; blocks of a panel of V columns lie
- *     | l l       |       in memory one after the other, each by columns, so
+ *     | l         |       (vec.h) with zeros; blocks of a panel of V columns
+ *     | l l       |       lie in memory one after another, each by columns, so
  *     | l l   u   |       that factoring and solving read it from end to end.
  *     | l l   u u |       The last panel of pivots is as wide as it must be.
  *
  * banded.h factors it.  What is kept of it is L, but for the triangle at the
- * diagonal of every panel, which is inverted and transposed: a solve then has no
+ * diagonal of each panel, which is inverted and transposed: a solve then has no
  * number in it that waits for the one before.  It is kept in double precision,
  * where l is, or rounded to single precision, elsewhere.
  */

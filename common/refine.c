@@ -19,8 +19,8 @@ enum status refine_solve(const struct matrix *A, double tolerance, double b[],
 {
     const size_t n = (size_t)A->n;
     double *x = allocate(3 * n, sizeof *x), *r = x + n, *Ax = r + n;
-    double size = largest(A->n, b), before = INFINITY;
-    const double goal = tolerance * size;
+    const double b_size = largest(A->n, b), scale = matrix_max_diagonal(A);
+    double size = b_size, goal = 0.0, before = INFINITY;
     enum status status = OK;
     int turn = 0;
     assert(A->storage == SPARSE); /* the others have lost A */
@@ -31,6 +31,7 @@ enum status refine_solve(const struct matrix *A, double tolerance, double b[],
         matrix_multiply(A, x, Ax);
         for (size_t i = 0; i < n; i++) r[i] = b[i] - Ax[i];
         size = largest(A->n, r);
+        goal = tolerance * (scale * largest(A->n, x) + b_size);
         if (!isfinite(size)) status = NONFINITE;
         else if (size > goal && size > 0.5 * before) status = STALLED;
     }

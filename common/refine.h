@@ -3,9 +3,10 @@
  *
  *     x := 0;   r := b - A x, in double precision;   x := x + (L L^T)^-1 r
  *                                                                 [eq:refine]
- * With |A - L L^T| = delta |A| each turn divides the error by about
- * 1 / (delta cond(A)): factors in single precision give seven digits at first,
- * and twelve after a turn or two.
+ * until |r| <= tolerance (max A_ii |x| + |b|), maximum norms: then x solves a
+ * system exactly that is as close to A x = b.  Where the factors are off by
+ * delta |A|, each turn divides the error by some 1 / (delta cond(A)); those in
+ * single precision give seven digits at first, and twelve after a turn more.
  *
  * Source: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
  *         chapter 12.
@@ -16,9 +17,9 @@
 #include "matrix.h"
 
 /*
- * b := A^-1 b for a sparse A that matrix_factor() has factored, until
- * max|b - A x| <= tolerance max|b|.  Statuses with x as it is then: STALLED, a
- * turn has not halved the residual; NONFINITE.  *solves, or NULL: how many.
+ * b := A^-1 b for a sparse A that matrix_factor() has factored.  Statuses with x
+ * as it is then: STALLED, a turn has not halved the residual; NONFINITE.
+ * *solves, or NULL: how many.
  */
 enum status refine_solve(const struct matrix *A, double tolerance, double b[],
                          int *solves);
