@@ -17,9 +17,9 @@
 #include "matrix.h"
 
 /*
- * b := A^-1 b for a sparse A that matrix_factor() has factored.  Statuses with x
- * as it is then: STALLED, a turn has not halved the residual; NONFINITE.
- * *solves, or NULL: how many.
+ * b := A^-1 b for a sparse A that matrix_factor() has factored, in *solves
+ * (which may be NULL) solves.  STALLED: a turn has not halved the residual;
+ * NONFINITE: a NaN or an infinity.  b is then x as far as it is known.
  */
 enum status refine_solve(const struct matrix *A, double tolerance, double b[],
                          int *solves);
