@@ -17,9 +17,8 @@
  * With next = stride - 1, entry (i, j) is a[i + j*next]; as next is a multiple
  * of 8, rows i..i+7 lie in the cache alike for every j.
  *
- * A tile of a front is the same with blocks for rows.  H is Q V and W is V, the
- * numbers in a register, vec.h.  What is wanted 16 columns later is fetched from
- * memory ahead of time.
+ * H is Q V and W is V, the numbers in a register, vec.h.  What is wanted 16
+ * columns later is fetched from memory ahead of time.
  */
 #include "banded.h"
 

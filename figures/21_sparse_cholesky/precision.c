@@ -1,11 +1,11 @@
 /*
  * precision.c - how many digits must a factor have?
  *
- * K of system.h and its right-hand side: the residual after one solve, of max
- * K_ii max|x| + max|b|, and how many solves refinement needs to 1e-12 of that
- * [eq:refine].  The first steps of the same stretch, with kept factors [alg:chord]: how many
- * systems, and how far apart they end.  By fronts, with factors in double and
- * in single precision.  Megabytes: entries of K and of L.
+ * K of system.h and its right-hand side, by fronts, with factors in double and
+ * in single precision: the residual after one solve, of max K_ii max|x| +
+ * max|b|, and how many solves refinement needs to 1e-12 of that [eq:refine].
+ * The first steps of the same stretch, with kept factors [alg:chord]: how many
+ * systems, and how far apart they end.  Megabytes: entries of K and of L.
  */
 #include "refine.h"
 #include "sparse.h"
