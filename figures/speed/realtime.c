@@ -1,10 +1,10 @@
 /*
  * realtime.c - up to which n is a step ready for the next picture?
  *
- * The stretch of step.c: ninety steps of 1/30 s from rest, with the jolt of the
- * start.  An n is in time when 99 of 100 steps take at most 1/30 s.  The largest
- * is found by halving an interval, for the band and for dissection with factors
- * in double and in single precision, on one thread.
+ * The stretch of step.c: ninety steps of 1/30 s from rest, with the jolt of
+ * the start.  An n is in time when 99 of 100 steps take at most 1/30 s.  The
+ * largest is found by halving an interval, for the band and for dissection with
+ * factors in double and in single precision, on one thread.
  */
 #include "clock.h"
 #include "scene.h"
