@@ -142,7 +142,7 @@ $(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge guard output child)
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge guard output predict child)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)

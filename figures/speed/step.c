@@ -9,8 +9,8 @@
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
  *     sparse    the same with common/sparse.c
  *
- * They take turns; one that was twice too slow for 30 pictures per second does a
- * few steps.  A run off the path of `sparse` ends it.
+ * They take turns; one that was twice too slow for 30 pictures per second does
+ * a few steps.  A run off the path of `sparse` ends it.
  */
 #include "machine.h"
 #include "readable.h"
