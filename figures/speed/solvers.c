@@ -4,8 +4,8 @@
  * K of system.h: analysis, factorisation and solve by the band, by nested
  * dissection, by the same with factors in single precision, refined, and by
  * CHOLMOD, where there is one (same order, by supernodes, analysed once).  And
- * steps of the stretch with each, after the jolt of the start.  They take turns.
- * A backward error above 1e-12 has no time.
+ * steps of the stretch with each, after the jolt of the start.  They take
+ * turns.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
 #include "refine.h"
