@@ -510,6 +510,9 @@ static void refinement_ends_and_says_how(void)
     ck_assert_int_eq(matrix_factor(A), OK);
     ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
     ck_assert_int_eq(solves, 0);
+    for (int i = 0; i < p.n; i++) b[i] = -2.385; /* it is no zero */
+    ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
+    ck_assert_int_eq(solves, 1);
     fill(p.n, b);
     ck_assert_int_eq(refine_solve(A, 0.0, b, &solves), STALLED);
     ck_assert_int_le(solves, 9);
