@@ -444,7 +444,7 @@ static void step_stops_where_it_is_told(void)
                 s->u[r] = off * 1e-8 * ((r + r / 2) % 2 ? 1.0 : -1.0);
                 s->v[r] = -s->u[r] / set.dt;
             }
-            const struct report report =
+            const struct history report =
                 step(s, small ? 0.1 * tolerance : tolerance, CAP, 0);
             const int want = off && small ? 2 : 1;
             expect(report.status == OK && report.iterations == want,
