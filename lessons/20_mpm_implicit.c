@@ -134,7 +134,6 @@ static enum status update(const struct grid *grid,
     return OK;
 }
 
-/* P2G, the nodes' new places, and the particles'. */
 static struct particle_report advance(struct cloud c, struct material material,
                                       const struct particle_step *step)
 {

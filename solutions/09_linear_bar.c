@@ -60,10 +60,7 @@ static struct bar_scene scene_of_options(int argc, char *argv[], double *nu)
     options_parse("09_linear_bar", options, COUNT(options), argc, argv);
     s.material = material_make(LINEAR, 1000.0, *nu);
     s.shape = (enum shape)shape;
-    for (int k = 0; k < 2; k++) {
-        s.held[k] = held[k];
-        *(held[k] ? &s.g[k] : &s.pull[k]) = end[k];
-    }
+    bar_scene_ends(&s, held[0], held[1], end);
     return s;
 }
 

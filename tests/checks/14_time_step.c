@@ -10,6 +10,13 @@ static const double ROUND_OFF = 1e-12;
 /* Newton's tolerance on the body, 1e-10 m, with the condition of K. */
 static const double SOLVED = 1e-8;
 
+static struct step_report advance(struct model *model, enum method method,
+                                  double dt, const double g[], struct state *s)
+{
+    return integrate_by(symplectic_euler, implicit_step, model, method, dt, g,
+                        s);
+}
+
 /* A square of n x n, its left side held, or (held is 2) both. */
 static struct scene *square(int n, enum law law, int held)
 {

@@ -566,7 +566,6 @@ static const char *const runs[] = {
 static const struct column_rule rules[] = {
     {"modes", "state", 0, "a word", 0},
     {"modes", "*", 1e-12, CLOSED, 0},
-    {"where", "law", 0, "a word", 0},
     {"where", "*", 1e-12, CLOSED, 1e3},
     {"descent", "state", 0, "a word", 0},
     {"descent", "definite", 0, "a word", 0},
