@@ -104,6 +104,14 @@ rule 'every symbol of a chapter is in the notation (tests/tools/symbols.awk)' \
     "$(awk -f tests/tools/symbols.awk workbook.md lessons/[0-9]*.md figures/*/README.md)"
 rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
     "$(grep -nE '^ *<!-- n ' $book)"
+chapters="$(ls lessons/[0-9]*.md) $(for f in robustness speed work_precision many; do
+    echo figures/$f/README.md; done)"
+rule 'a chapter shows at most 1200 words (tests/tools/words.awk)' \
+    "$(awk -v most=1200 -f tests/tools/words.awk lessons/[0-9]*.md figures/*/README.md)"
+rule 'pictures are numbered, and chapters lead to each other (tests/tools/chapters.awk)' \
+    "$(awk -f tests/tools/chapters.awk $chapters)"
+rule 'every link into a page finds its place (tests/tools/anchors.awk)' \
+    "$(awk -f tests/tools/anchors.awk README.md $book README.md $book)"
 
 # What the text links to, as FILE:TARGET from the top of the tree.
 links=$(for f in README.md $book; do
