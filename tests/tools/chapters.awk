@@ -5,7 +5,8 @@
 #
 # prints "FILE: what is wrong".  The pictures of a chapter are Figure X.1, X.2, ...,
 # at most three in a lesson, each with its caption behind it; X is the number of a
-# lesson, and a letter elsewhere.  No other number of this kind is in the text.
+# lesson, and a letter elsewhere.  The text names each before it comes, but for the
+# first, which opens the chapter, and no other number of this kind.
 
 function base(path) { sub(/.*\//, "", path); return path }
 # The name by which a link knows a chapter: its file, or folder/README.md.
@@ -20,6 +21,7 @@ function finish(    i) {
     if (file ~ /^lessons/ && pictures > 3) bad(pictures " pictures")
     for (i in cited) if (cited[i] > captions) bad("no Figure " letter "." cited[i])
     split("", cited)
+    split("", named)
     if (before_is != "" && before !~ name(before_is) "\\)") bad("previous")
     if (behind_is != "" && behind !~ name(behind_is) "\\)") bad("next")
     if (behind_is == "" && behind != "") bad("next")
@@ -45,6 +47,7 @@ fence { next }
     if (letter == "") letter = substr(text, 1, 1)
     if (text != letter "." captions) bad("Figure " text " is number " captions)
     if (captions != pictures) bad("Figure " text " has no picture before it")
+    if (captions > 1 && !(captions in named)) bad("Figure " text " comes unannounced")
 }
 {
     line = $0
@@ -53,7 +56,10 @@ fence { next }
         line = substr(line, RSTART + RLENGTH)
         sub(/^[^ ]* /, "", text)
         split(text, part, ".")
-        if (letter != "" && part[1] == letter) cited[++n_cited] = part[2]
+        if (letter == "" ? part[1] ~ /[A-Z]/ : part[1] == letter) {
+            cited[++n_cited] = part[2]
+            named[part[2]] = 1
+        }
     }
 }
 /^Previous: / { before = $0; sub(/\|.*/, "", before) }
