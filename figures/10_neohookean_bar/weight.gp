@@ -24,7 +24,7 @@ set yrange [-1.6:1.8]
 set xtics 1000
 set label 1 "standing" at -3900,1.55
 set label 2 "hanging" at 250,-1.35
-set label 3 "log, -4000: Newton inverts" at -4100,-0.3 tc ls 1
+set label 3 "log, -4000: Newton inverts" at -4050,-0.12 tc ls 1
 plot data index "weight_curve" using "c":"log" with lines ls 1 notitle, \
      "" index "weight" using "c":"log_u1" with points ls 1 ps 0.8 notitle, \
      NaN with linespoints ls 1 ps 0.8 title "log, 16 elements", \

@@ -13,8 +13,8 @@ triangles(moved) = sprintf( \
          print $4, $5, $3; print $6, $7, $3; \
          print $8, $9, $3; print $4, $5, $3; print \"\"; print \"\" }' '%s'", \
     moved, data)
-set palette defined (0.1 "#8C3A00", 0.5 "#D55E00", 0.85 "#F5B98F", \
-                     1 "#FFFFFF", 1.15 "#A8D0EA", 1.5 "#0072B2", 1.9 "#003A5C")
+set palette defined (0.1 "#003A5C", 0.5 "#0072B2", 0.85 "#A8D0EA", \
+                     1 "#FFFFFF", 1.15 "#F5B98F", 1.5 "#D55E00", 1.9 "#8C3A00")
 set cbrange [0.1:1.9]
 set style fill solid noborder
 unset key

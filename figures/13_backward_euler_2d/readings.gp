@@ -16,8 +16,8 @@ triangles(scene, t, first) = sprintf( \
 
 set datafile nocolumnheaders
 set datafile separator whitespace
-set palette defined (0.5 "#8C3A00", 0.7 "#D55E00", 0.85 "#F5B98F", \
-                     1 "#FFFFFF", 1.15 "#A8D0EA", 1.3 "#0072B2", 1.5 "#003A5C")
+set palette defined (0.5 "#003A5C", 0.7 "#0072B2", 0.85 "#A8D0EA", \
+                     1 "#FFFFFF", 1.15 "#F5B98F", 1.3 "#D55E00", 1.5 "#8C3A00")
 set cbrange [0.5:1.5]
 set style fill solid noborder
 unset key

@@ -17,8 +17,8 @@ array Curve[9] = ["elements", "linear", "quadratic", "cubic", "FLIP", \
 array Name[9] = ["elements", "linear", "quadratic", "cubic kernel", \
     "quadratic, FLIP", "linear, ten grids", "quadratic, ten grids", \
     "cubic, ten grids", "quadratic, implicit"]
-array Color[9] = ["#000000", "#E69F00", "#0072B2", "#D55E00", "#009E73", \
-    "#E69F00", "#0072B2", "#D55E00", "#CC79A7"]
+array Color[9] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#E69F00", \
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 array Dash[9] = [1, 1, 1, 1, 1, 2, 2, 2, 1]
 array Point[9] = [7, 9, 5, 13, 11, 8, 4, 12, 10]
 of(k) = strcol("curve") eq Curve[int(k)] && strcol("reason") eq "OK" ? \
