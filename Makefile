@@ -23,7 +23,7 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for common/banded.c, readable.c and body.c, where they count: those of
+# Flags for common/banded.c, front.c, readable.c and body.c, where they count: of
 # the list that the compiler takes; body.c goes without the last, so that its
 # digits are the same everywhere.  They make the build one for this machine; `make
 # clean` and NATIVE= give one for any.
@@ -125,7 +125,7 @@ $(LIB): $(OBJECTS)
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(if $(filter banded readable,$*),$(NATIVE)) \
+	    $(if $(filter banded front readable,$*),$(NATIVE)) \
 	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
 	    $< $(OBJECT)
 

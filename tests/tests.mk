@@ -144,7 +144,8 @@ define unit_mistake
 $(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
         $(BUILD)/unit/unit.o $(LIB)
 	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
-	$(Q)$$(QUICK) $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
+	$(Q)$$(QUICK) $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
+	    $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
 	    $$(word 4,$$^) $$(UNIT_LIBS)
 $(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
 	$$(call say,test,common/ with $1)

@@ -15,7 +15,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study without options table history particle_bodies particle_work'
+layers='status circuit clock tensor particles particle_scene material modes vec front banded mesh dissection sparse csr cg matrix refine multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study without options table history particle_bodies particle_work'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
