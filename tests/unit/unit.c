@@ -7,10 +7,21 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-int unit_run(const char *module, const struct unit_law laws[], int n)
+/* Is the law among those asked for? */
+static int wanted(const char *law, int argc, char *argv[])
 {
-    int failed = 0;
+    for (int k = 1; k < argc; k++)
+        if (strcmp(argv[k], law) == 0) return 1;
+    return argc < 2;
+}
+
+int unit_run(const char *module, const struct unit_law laws[], int n, int argc,
+             char *argv[])
+{
+    int failed = 0, run = 0;
     for (int i = 0; i < n; i++) {
+        if (!wanted(laws[i].name, argc, argv)) continue;
+        run++;
         const TTest test = {laws[i].name, (TFun)laws[i].check, __FILE__,
                             __LINE__};
         Suite *suite = suite_create(module);
@@ -30,6 +41,10 @@ int unit_run(const char *module, const struct unit_law laws[], int n)
         }
         free(result);
         srunner_free(runner);
+    }
+    if (argc > 1 && run != argc - 1) {
+        fprintf(stderr, "%s: a law that is asked for is not there\n", module);
+        return 2;
     }
     return failed > 0;
 }
