@@ -5,7 +5,7 @@
 
 T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
-.PHONY: test starters workbook programs studies all memcheck
+.PHONY: test starters workbook programs studies memcheck
 
 # ---- starters, known mistakes, workbook -------------------------------------
 
@@ -166,8 +166,26 @@ UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
 
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
 studies: $(COUNTED:%=$(BUILD)/figures/%)
-all: programs $(PROGRAMS:=.judge) $(STUDIES:%=$(BUILD)/figures/%) \
-     $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
+
+# Does another compiler warn?  LOOK says how far it goes; nothing is linked.
+LOOK = -fsyntax-only
+HEADERS := $(wildcard common/*.h tests/*/*.h)
+LOOKED := $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
+          $(STUDIES:%=figures/%) $(UNITS:%=tests/unit/%) tests/unit/unit \
+          $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%) \
+          $(LESSONS:%=tests/checks/%) $(LESSONS:%=$(BUILD)/starters/%)
+LOOK_AT = $(PLAIN) $(UNIT_FLAGS) -Itests/checks -I. -DBUILD_FLAGS='""' \
+          -DNATIVE_FLAGS='""' -DLAPACK='""' -Werror
+$(BUILD)/looked/%: %.c $(HEADERS) Makefile
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LOOK_AT) $(call native_for,$(notdir $*)) $(LOOK) $< && : > $@
+$(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
+        tests/checks/%.c solutions/%.c $(HEADERS) $(NAMING) Makefile
+	$(Q)mkdir -p $(@D) && $(NAMES) solutions/$*.c $* $@.h
+	$(Q)$(LOOK_AT) -DPROGRAM='"solutions/$*.c"' -DNAMES='"$@.h"' $(LOOK) $< \
+	    && : > $@
+.PHONY: look
+look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
 EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
@@ -211,7 +229,7 @@ $(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
         $(call mistakes_of,$(TRIED))
 	$(call say,test,$*)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
-$(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
+$(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
 	    sh tests/tools/build_variants.sh $* > $@
@@ -228,8 +246,11 @@ test: $(RESULTS)
 	@sh tests/tools/sizes.sh table
 	@cat $^ | sh tests/tools/count.sh
 
-memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
-	@cat $^ | sh tests/tools/count.sh
+# all that computes for long, too
+memcheck:
+	+@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
+	    tests/tools/build_variants.sh $$kind whole; done | sh \
+	    tests/tools/count.sh
 
 include tests/many.mk
 include tests/mutants.mk

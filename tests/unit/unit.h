@@ -3,8 +3,8 @@
  *
  * A unit file lists its laws and ends with UNIT_MAIN(module, laws); the
  * program prints "ok module: law" or "FAIL module: law: why" per law and exits
- * with 1 if any failed.  Arguments are the names of laws: then it runs these
- * alone, and exits with 2 if it has not all of them.
+ * with 1 if any failed.  Arguments name the laws to run, or those to leave out,
+ * as -law; it exits with 2 if it has not all of them.
  */
 #ifndef TESTS_UNIT_UNIT_H
 #define TESTS_UNIT_UNIT_H
