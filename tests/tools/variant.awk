@@ -101,7 +101,7 @@ END {
         for (e = 1; e <= n; e++) {
             file = check
             if (file ~ /\/$/) file = file value[e, "file"]
-            sub(/\n$/, "", file)
+            gsub(/^\.\/|\n$/, "", file)
             if (read(file) == "") wrong(e, "no file " file)
             if (kind[e] == "mistake" && !((e, "caught-by") in value))
                 wrong(e, "has no `caught-by:`")

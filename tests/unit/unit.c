@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Is the law to be run?  Arguments are laws to run, or, as -law, to leave out. */
+/* Is the law to be run?  Arguments name those to run or, as -law, to skip. */
 static int wanted(const char *law, int argc, char *argv[])
 {
     for (int k = 1; k < argc; k++) {
