@@ -436,9 +436,9 @@ static void the_largest_free_entry_is_found(void)
     }
 }
 
-/* Without lambda the tangent of the cubic law is mu (2 - 2 H), which at twice the
- * length is 0: all of the bar, or its last element, at whose pivot GSL does not
- * look. */
+/* Without lambda the tangent of the cubic law is mu (2 - 2 H), which at twice
+ * the length is 0: all of the bar, or its last element, at whose pivot GSL does
+ * not look. */
 static void a_pivot_of_zero_is_reported_by_gsl(void)
 {
     enum { n = 4 };
