@@ -17,7 +17,7 @@ $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
                            $(LIB) $(NAMING)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
-	$(Q)$(call build_judge,$<,$*,-Werror)
+	$(Q)$(call build_judge,$<,$*,-Werror -O0 -g0)
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
 # the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
