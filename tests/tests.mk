@@ -30,9 +30,10 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them, and they are run once: what counts is how soon.  Where
-# an entry does not fit the solution any more, there is none, and lint says why.
-QUICK = $(COMPILE) -O0 -g0 -w
+# There are many of them.  A judge is run once, and compiled as quickly as can
+# be; its search for a known mistake runs their programs often.  Where an entry
+# does not fit the solution any more, there is none, and lint says why.
+QUICK = $(COMPILE) -O1 -g0 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
