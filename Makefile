@@ -23,7 +23,7 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for common/banded.c, readable.c and body.c, where they count: those of
+# Flags for common/banded.c, front.c, readable.c and body.c, where they count: of
 # the list that the compiler takes; body.c goes without the last, so that its
 # digits are the same everywhere.  They make the build one for this machine; `make
 # clean` and NATIVE= give one for any.
@@ -66,7 +66,8 @@ TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
-FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f))
+FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
+           figures/map.svg
 TIMED_HERE := $(foreach f,$(filter-out speed/%,$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
@@ -121,7 +122,7 @@ $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
 
-native_for = $(if $(filter banded readable,$1),$(NATIVE)) \
+native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
              $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)))
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
@@ -141,7 +142,7 @@ $(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge guard output child)
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge guard output predict child)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
@@ -187,6 +188,10 @@ $2: figures/$1.gp figures/style.gp $(call data_of,$1)
 endef
 $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
     $f,$(TIMED)),$(BUILD)/)$(call picture,$f))))
+# The map of the course is drawn from the heads of the chapters.
+figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md)
+	$(call say,map,$@)
+	$(Q)awk -f $< $(filter %.md,$^) > $@.part && mv $@.part $@
 figures: $(FIGURES) $(TIMED_HERE)
 	@echo 'figures: $(words $(FIGURES)) in figures/;' \
 	      '$(words $(TIMED_HERE)) with seconds of this machine in' \

@@ -17,38 +17,17 @@
  * With next = stride - 1, entry (i, j) is a[i + j*next]; as next is a multiple
  * of 8, rows i..i+7 lie in the cache alike for every j.
  *
- * A vec is V numbers in one register, an extension of C that gcc and clang have
- * for any processor; to both of them it may alias the numbers.  Loops over vecs
- * are unrolled, with constants for bounds: otherwise t would not stay in
- * registers.  What is wanted 16 columns later is fetched from memory ahead of
- * time.
+ * H is Q V and W is V, the numbers in a register, vec.h.  What is wanted 16
+ * columns later is fetched from memory ahead of time.
  */
 #include "banded.h"
+
+#include "vec.h"
 
 #include <assert.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
-
-#if defined __AVX512F__
-enum { V = 8 };
-#elif defined __AVX__
-enum { V = 4 };
-#else
-enum { V = 2 };
-#endif
-enum { W = V, Q = 3, H = Q * V };
-typedef double vec __attribute__((vector_size(8 * V), aligned(8)));
-typedef double two __attribute__((vector_size(16), aligned(8)));
-#define VEC(x) (*(vec *)&(x)) /* the vec that begins with x */
-#define TWO(x) (*(two *)&(x))
-#define INLINE __attribute__((always_inline)) static inline
-#ifdef __clang__ /* a loop left as it is costs time, it is no error */
-#pragma clang diagnostic ignored "-Wpass-failed"
-#define UNROLL _Pragma("clang loop unroll(full)")
-#else
-#define UNROLL _Pragma("GCC unroll 8")
-#endif
 
 size_t band_stride(int p)
 {
@@ -221,179 +200,72 @@ void band_solve(int n, int p, size_t stride, const double l[], double b[])
 
 /* ---- fronts ------------------------------------------------------------- */
 
-static int blocks(int n)
-{
-    return (n + V - 1) / V;
-}
-
-static int at_most(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-/* Where panel K begins, when all before it are whole, in a triangle of `all`
- * blocks. */
-INLINE ptrdiff_t panel(ptrdiff_t K, ptrdiff_t all)
-{
-    return V * V * (K * all - K * (K - 1) / 2);
-}
-
-int front_row(int pivots, int k)
-{
-    return blocks(pivots) * V + k;
-}
-
-size_t front_size(int pivots, int rest)
-{
-    const int K = pivots / V, all = blocks(pivots) + blocks(rest);
-    return (size_t)(panel(K, all) + V * (all - K) * (pivots % V));
-}
-
-/* Column j of a front: row i is column[i / V * *down + i % V]. */
-INLINE double *front_column(const struct front *f, int j, ptrdiff_t *down)
-{
-    const int first = blocks(f->pivots), rest = blocks(f->rest);
-    ptrdiff_t K = j / V;
-    if (K >= first) { /* rows count from 0, in the rest they do from first */
-        *down = V * V;
-        K -= first;
-        return &f->u[panel(K, rest) - (K + first) * V * V + j % V * V];
-    }
-    *down = V * at_most(V, f->pivots - (int)K * V);
-    return &f->l[panel(K, first + rest) - K * *down + j % V * V];
-}
-
-double *front_entry(const struct front *f, int i, int j)
-{
-    ptrdiff_t down;
-    double *column = front_column(f, j, &down);
-    return &column[i / V * down + i % V];
-}
-
-void front_extend(const struct front *child, const int row[],
-                  const struct front *parent)
-{
-    const unsigned n = (unsigned)child->rest / 2;
-    const int skip = front_row(child->pivots, 0);
-    for (unsigned j = 0; j < n; j++) { /* two columns at a time */
-        ptrdiff_t down, ignored;
-        double *to = front_column(parent, row[j], &down);
-        const double *from = front_column(child, skip + 2 * (int)j, &ignored);
-        from += skip * V;
-        for (unsigned i = j; i < n; i++) {
-            const unsigned at = (unsigned)row[i];
-            double *sum = &to[at / V * down + at % V];
-            const double *add = &from[2 * i / V * V * V + 2 * i % V];
-            TWO(sum[0]) += TWO(add[0]);
-            TWO(sum[V]) += TWO(add[V]);
-        }
-    }
-}
-
 /* t -= the columns of L before pivot J, for rows of block i and block y. */
-INLINE void subtract_panels(const int q, const struct front *f, int J, int i,
-                            int y, vec t[W][Q])
+INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
+                            int i, int y, vec t[W][Q])
 {
-    const int all = blocks(f->pivots) + blocks(f->rest);
+    const double *l = f->l;
     for (int K = 0; K * V < J; K++) {
-        const int w = at_most(V, J - K * V);
-        const double *first = &f->l[panel(K, all)];
-        columns(q, w, V * w, V, first + (i - K) * V * w,
-                first + (y - K) * V * w, t);
+        const int w = J - K * V < V ? J - K * V : V;
+        columns(q, w, V * w, V, l + (i - K) * V * w, l + (y - K) * V * w, t);
+        l += (all - K) * V * w;
     }
 }
 
-/* Tile of q blocks from block i on: of the pivots of panel K, or (l == NULL) of
- * panel K of the rest, which is updated only. */
-INLINE enum status front_tile(const int q, const struct front *f, int n, int K,
-                              int i, const double diagonal[], vec l[W],
+/* Tile of q blocks from block i on, of `all`, of panel K, which has w columns
+ * and begins at a: of pivots, or of the rest. */
+INLINE enum status front_tile(const int q, const struct front *f, int all,
+                              int n, int K, int w, int i, double a[],
+                              const double diagonal[], vec l[W],
                               double inverse[W])
 {
-    const int first = blocks(f->pivots), all = first + blocks(f->rest);
-    const int w = K < first ? at_most(W, f->pivots - K * W) : W;
-    double *corner = K < first ? &f->l[panel(K, all) + (i - K) * V * w]
-                               : &f->u[panel(K - first, all - first) +
-                                       (i - K) * V * w];
+    const int of_rest = K * V >= f->pivots;
+    double *corner = a + (i - K) * V * w;
     vec t[W][Q] = {{{0.0}}};
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
-            if (c < w && (K < first || !f->fresh))
-                t[c][r] = VEC(corner[c * V + r * V * w]);
-    subtract_panels(q, f, at_most(K * W, f->pivots), i, K, t);
-    if (K < first && i == K) {
+            if (c < w && !of_rest) t[c][r] = VEC(corner[c * V + r * V * w]);
+    subtract_panels(q, f, all, of_rest ? f->pivots : K * V, i, K, t);
+    if (!of_rest && i == K) {
         if (eliminate(q, n, w, &diagonal[K * W], 1, t, l, inverse) != OK)
             return NOT_SPD;
-    } else if (K < first) {
+        UNROLL for (int c = 0; c < W; c++) /* L^-T for the triangle of L */
+            UNROLL for (int r = 0; r < V; r++) t[c][0][r] = r == c;
+        substitute(1, l, t);
+    } else if (!of_rest) {
         substitute(q, l, t);
     }
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
             if (c < w)
                 VEC(corner[c * V + r * V * w]) =
-                    K < first ? t[c][r] * inverse[c] : t[c][r];
+                    of_rest ? t[c][r] : t[c][r] * inverse[c];
     return OK;
 }
 
 enum status front_factor(const struct front *f, int n, const double diagonal[])
 {
-    const int all = blocks(f->pivots) + blocks(f->rest);
+    const int first = front_row(f->pivots, 0) / V;
+    const int all = first + front_row(f->rest, 0) / V;
+    const size_t size = f->rounded ? front_size(f->pivots, f->rest) : 0;
+    double *a = f->l, inverse[W] = {0.0};
     vec l[W] = {{0.0}};
-    double inverse[W] = {0.0};
-    enum status status = OK;
-    for (int K = 0; K < all && status == OK; K++)
+    assert(front_row(1, 0) == V); /* front.c was compiled with other flags */
+    for (int K = 0; K < all; K++) {
+        const int left = f->pivots - K * V;
+        const int w = 0 < left && left < V ? left : V;
+        enum status status = OK;
+        if (K == first) a = f->u;
         for (int i = K; i < all && status == OK; i += Q)
-            status = all - i == 1 ? front_tile(1, f, n, K, i, diagonal, l,
-                                               inverse)
-                   : all - i == 2 ? front_tile(2, f, n, K, i, diagonal, l,
-                                               inverse)
-                                  : front_tile(Q, f, n, K, i, diagonal, l,
-                                               inverse);
-    return status;
-}
-
-void front_forward(const struct front *f, double x[])
-{
-    const int all = blocks(f->pivots) + blocks(f->rest);
-    const double *l = f->l;
-    for (int J = 0; J < f->pivots; J += W) {
-        const int w = at_most(W, f->pivots - J);
-        double y[W] = {0.0};
-        for (int c = 0; c < w; c++) {
-            y[c] = x[J + c] / l[c * V + c];
-            for (int i = c + 1; i < w; i++) x[J + i] -= l[c * V + i] * y[c];
-            x[J + c] = y[c];
-        }
-        l += V * w;
-        for (int i = J / V + 1; i < all; i++, l += V * w) {
-            vec t = VEC(x[i * V]);
-            if (w == W)
-                UNROLL for (int c = 0; c < W; c++) t -= VEC(l[c * V]) * y[c];
-            else
-                for (int c = 0; c < w; c++) t -= VEC(l[c * V]) * y[c];
-            VEC(x[i * V]) = t;
-        }
+            status = all - i == 1 ? front_tile(1, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse)
+                   : all - i == 2 ? front_tile(2, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse)
+                                  : front_tile(Q, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse);
+        if (status != OK) return status;
+        a += (all - K) * V * w;
     }
-}
-
-void front_backward(const struct front *f, double x[])
-{
-    const int all = blocks(f->pivots) + blocks(f->rest);
-    for (int K = blocks(f->pivots) - 1; K >= 0; K--) {
-        const int w = at_most(W, f->pivots - K * W);
-        const double *triangle = &f->l[panel(K, all)], *l = triangle + V * w;
-        double *y = &x[K * V];
-        vec sum[W] = {{0.0}};
-        for (int i = K + 1; i < all; i++, l += V * w)
-            if (w == W)
-                UNROLL for (int c = 0; c < W; c++)
-                    sum[c] += VEC(l[c * V]) * VEC(x[i * V]);
-            else
-                for (int c = 0; c < w; c++)
-                    sum[c] += VEC(l[c * V]) * VEC(x[i * V]);
-        for (int c = w - 1; c >= 0; c--) {
-            for (int r = 0; r < V; r++) y[c] -= sum[c][r];
-            for (int i = c + 1; i < w; i++) y[c] -= triangle[c * V + i] * y[i];
-            y[c] /= triangle[c * V + c];
-        }
-    }
+    for (size_t i = 0; i < size; i++) f->rounded[i] = (float)f->l[i];
+    return OK;
 }

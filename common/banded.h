@@ -13,6 +13,7 @@
 #ifndef COMMON_BANDED_H
 #define COMMON_BANDED_H
 
+#include "front.h"
 #include "status.h"
 
 #include <stddef.h>
@@ -31,43 +32,10 @@ enum status band_factor(int n, int p, size_t stride, double a[]);
 /* b := A^{-1} b, for L from band_factor(). */
 void band_solve(int n, int p, size_t stride, const double l[], double b[]);
 
-/*
- * A front of sparse.h: the dense columns of some pivots with all their rows,
- * and u, which is what they subtract from the rows and columns of the rest.
- *
- *      pivots  rest       pivots, and the rest, fill up whole blocks of V rows
- *     | l         |       with zeros; blocks of a panel of V columns lie in
- *     | l l       |       memory one after the other, each by columns, so that
- *     | l l   u   |       factoring and solving read it from end to end.  The
- *     | l l   u u |       last panel of pivots is as wide as it must be.
+/* Keep L of a front, and u := -L L^T of its rest.  Statuses as matrix_factor(),
+ * with the order n of the matrix and the diagonal entries of it at the pivots.
  */
-struct front {
-    int pivots, rest; /* numbers of unknowns, even */
-    double *l, *u;    /* [front_size()], [front_size(front_row(rest, 0), 0)] */
-    int fresh;        /* u counts as zero, whatever it holds */
-};
-
-/* How many numbers l holds, and in which row unknown k of the rest is; that of
- * a pivot is its number. */
-size_t front_size(int pivots, int rest);
-int front_row(int pivots, int k);
-
-/* Entry (i, j) of l or u, for rows i >= j. */
-double *front_entry(const struct front *front, int i, int j);
-
-/* Add u of a child to its parent; row[k] is where unknowns 2 k and 2 k + 1 of
- * the child's rest are. */
-void front_extend(const struct front *child, const int row[],
-                  const struct front *parent);
-
-/* l := L, u := u - L L^T of the rest.  Statuses as matrix_factor(), with the
- * order n of the matrix and the diagonal entries that it has at the pivots. */
 enum status front_factor(const struct front *front, int n,
                          const double diagonal[]);
-
-/* The pivots' part of x := L^-1 x, which subtracts from the rest; and of
- * x := L^-T x.  x is [front_row(pivots, rest)] and on to the end of a block. */
-void front_forward(const struct front *front, double x[]);
-void front_backward(const struct front *front, double x[]);
 
 #endif

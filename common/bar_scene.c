@@ -20,6 +20,15 @@ void bar_scene_force(const struct bar_scene *scene, double f_mid[])
                            : scene->c * cos(M_PI_2 * (e - 0.5) / scene->n);
 }
 
+void bar_scene_ends(struct bar_scene *scene, int left, int right,
+                    const double end[2])
+{
+    scene->held[0] = left;
+    scene->held[1] = right;
+    for (int k = 0; k < 2; k++)
+        *(scene->held[k] ? &scene->g[k] : &scene->pull[k]) = end[k];
+}
+
 void bar_scene_load(const struct bar_scene *scene, double b[])
 {
     const int n = scene->n;
@@ -89,6 +98,16 @@ struct bar_state *bar_state_alloc(const struct bar_scene *scene)
     bar_scene_load(scene, state->b);
     if (scene->held[0]) state->u[0] = scene->g[0];
     if (scene->held[1]) state->u[n] = scene->g[1];
+    return state;
+}
+
+struct bar_state *bar_state_by(bar_load *load, const struct bar_scene *scene)
+{
+    struct bar_state *state = bar_state_alloc(scene);
+    double *f_mid = allocate((size_t)scene->n, sizeof *f_mid);
+    bar_scene_force(scene, f_mid);
+    load(scene->n, state->bar.h, f_mid, scene->pull, state->b);
+    free(f_mid);
     return state;
 }
 

@@ -35,6 +35,11 @@ struct bar_scene {
 /* The notes' bar with their E and nu, at rest and without a load. */
 struct bar_scene bar_scene_notes(enum law law, int n);
 
+/* Hold the left end, the right one; end[k] is u of an end that is held (m), the
+ * force on one that is not (N). */
+void bar_scene_ends(struct bar_scene *scene, int left, int right,
+                    const double end[2]);
+
 /* f_mid[e - 1] = f at the middle of element e = 1..n. */
 void bar_scene_force(const struct bar_scene *scene, double f_mid[]);
 
@@ -66,6 +71,11 @@ struct bar_state {
 /* The bar at rest but for its held ends, which have jumped to their places. */
 struct bar_state *bar_state_alloc(const struct bar_scene *scene);
 void bar_state_free(struct bar_state *state);
+
+/* The same, its loads b by another function than bar_scene_load(). */
+typedef void bar_load(int n, double h, const double f_mid[],
+                      const double pull[2], double b[]);
+struct bar_state *bar_state_by(bar_load *load, const struct bar_scene *scene);
 
 /* The same, and then bar_newton() with `control`, or with bar_scene_control()
  * where control is NULL. */

@@ -71,7 +71,7 @@ struct body {
 
 /* From so many cells across the shorter side on, dissection is faster than the
  * band, and body_alloc() makes K sparse; measured, then fixed. */
-enum { BODY_SPARSE_FROM = 44 };
+enum { BODY_SPARSE_FROM = 36 };
 
 /*
  * held[a] != 0: both components of vertex a are prescribed; not all may be.

@@ -71,6 +71,7 @@ double estimate_mesh(const struct ladder_state *s)
     const double *area = s->body->area;
     mat2 *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
     double *share = allocate((size_t)mesh->n_vertex, sizeof *share);
+    const double p = 2.0 * material_corner(&s->body->material);
     double off = 0.0, all = 0.0;
     for (int e = 0; e < mesh->n_triangle; e++)
         for (int k = 0; k < 3; k++) {
@@ -94,7 +95,7 @@ double estimate_mesh(const struct ladder_state *s)
     }
     free(mean);
     free(share);
-    return all > 0.0 ? off / all : 0.0;
+    return all > 0.0 ? off / all / (1.0 - pow(0.5, p)) : 0.0;
 }
 
 void estimate_parts(const struct ladder_state *s, double part[N_PART])
@@ -118,7 +119,7 @@ int estimate_verdict(struct ladder_model model, enum ladder_time time,
     *estimate = 0.0;
     *add = GEOMETRY;
     for (int k = 0; k < N_PART; k++) {
-        *estimate += part[k];
+        *estimate = hypot(*estimate, part[k]);
         if (part[k] > part[*add]) *add = (enum part)k;
     }
     if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;

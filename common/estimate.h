@@ -13,7 +13,8 @@
  *                                                           [eq:left-inertia]
  *     mesh       recovered strain, energy of the difference [eq:left-mesh]
  *
- * Source: Zienkiewicz & Zhu, Int. J. Numer. Meth. Eng. 24 (1987), for the mesh.
+ * Source: Zienkiewicz & Zhu, Int. J. Numer. Meth. Eng. 24 (1987), for the mesh;
+ * Bank & Smith, SIAM J. Numer. Anal. 30 (1993), for what it does not see.
  */
 #ifndef COMMON_ESTIMATE_H
 #define COMMON_ESTIMATE_H
@@ -33,7 +34,11 @@ double estimate_dimension(const struct ladder_state *state);
 /* min(1, 1 / (omega T)), omega^2 = f.u / u.M u for the density 1. */
 double estimate_inertia(const struct ladder_state *state);
 
-/* The energy of G - G_recovered over that of G, G = (F^T F - I) / 2. */
+/*
+ * The energy of G - G_recovered over that of G, G = (F^T F - I) / 2, over
+ * 1 - 2^-p: what is recovered is what half the cells would see, and these leave
+ * 2^-p of the error, p twice material_corner().
+ */
 double estimate_mesh(const struct ladder_state *state);
 
 /* All of them. */
@@ -41,7 +46,8 @@ void estimate_parts(const struct ladder_state *state, double part[N_PART]);
 
 /*
  * The verdict [alg:least-model]: parts that the model does not leave out become
- * 0, *estimate is the sum of the others, *add the largest; where the model is
+ * 0, *estimate is the root of the sum of the squares of the others, for their
+ * signs have nothing in common; *add is the largest; where the model is
  * linear and K is not positive definite, GEOMETRY.  true: the model is enough.
  */
 int estimate_verdict(struct ladder_model model, enum ladder_time time,

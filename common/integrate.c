@@ -158,24 +158,29 @@ static struct step_report implicit_step(struct model *model,
     return report;
 }
 
+struct step_report integrate_by(explicit_function *explicit,
+                                implicit_function *implicit,
+                                struct model *model, enum method method,
+                                double dt, const double g[], struct state *s)
+{
+    struct state next = state_make(s->n);
+    struct step_report report = {.status = OK};
+    state_copy(s, &next);
+    if (method == SYMPLECTIC_EULER)
+        report.status = explicit(model, dt, next.u, next.v);
+    else
+        report = implicit(model, method, dt, g, s, next.u, next.v);
+    if (report.status == OK) report.status = state_accept(s, next.u, next.v);
+    state_free(&next);
+    return report;
+}
+
 struct step_report integrate_step(struct model *model, enum method method,
                                   double dt, const double g[],
                                   struct state *s)
 {
-    const size_t size = (size_t)s->n * sizeof(double);
-    double *u = allocate(2 * (size_t)s->n, sizeof *u), *v = u + s->n;
-    struct step_report report = {.status = OK};
-
-    if (method == SYMPLECTIC_EULER) {
-        memcpy(u, s->u, size);
-        memcpy(v, s->v, size);
-        report.status = symplectic_euler(model, dt, u, v);
-    } else {
-        report = implicit_step(model, method, dt, g, s, u, v);
-    }
-    if (report.status == OK) report.status = state_accept(s, u, v);
-    free(u);
-    return report;
+    return integrate_by(symplectic_euler, implicit_step, model, method, dt, g,
+                        s);
 }
 
 /* Go from `start` to g in `parts` steps of backward Euler; false when one of

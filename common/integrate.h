@@ -76,7 +76,26 @@ struct step_report integrate_solve(struct model *model,
                                    const double a[], const double b[],
                                    const double g[], double u[]);
 
-/* One step of any method; s stays as it was when the status is not OK. */
+/* u, v := those after a step of SYMPLECTIC_EULER; of no use when not OK. */
+typedef enum status explicit_function(const struct model *model, double dt,
+                                      double u[], double v[]);
+
+/* u, v := the end of the step of an implicit method that begins with s; g are
+ * the boundary values at its end (NULL: linear model). */
+typedef struct step_report implicit_function(struct model *model,
+                                             enum method method, double dt,
+                                             const double g[],
+                                             const struct state *s, double u[],
+                                             double v[]);
+
+/* One step of any method by two such functions; s stays as it was when the
+ * status is not OK. */
+struct step_report integrate_by(explicit_function *explicit,
+                                implicit_function *implicit,
+                                struct model *model, enum method method,
+                                double dt, const double g[], struct state *s);
+
+/* The same by those of this library. */
 struct step_report integrate_step(struct model *model, enum method method,
                                   double dt, const double g[],
                                   struct state *s);

@@ -29,6 +29,23 @@ double material_modulus(const struct material *material)
     return 2.0 * material->mu + material->lambda;
 }
 
+double material_corner(const struct material *material)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    const double kappa = 3.0 - 2.0 * lambda / (mu + lambda); /* 3 - 4 nu */
+    double low = 0.5, high = 1.0;
+    for (int k = 0; k < 60; k++) {
+        const double p = 0.5 * (low + high), s = sin(p * acos(0.0));
+        const double free =
+            (0.25 * (kappa + 1.0) * (kappa + 1.0) - p * p) / kappa;
+        if (s * s < free)
+            low = p;
+        else
+            high = p;
+    }
+    return high;
+}
+
 /* s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near J = 1,
  * where the series begins, nor of a small J, which s does not know. */
 static double s_minus_r(const struct material *material, double s, double J)

@@ -52,6 +52,15 @@ struct material material_notes(enum law law);
 /* 2 mu + lambda: the modulus of every law at F = 1 in uniaxial strain. */
 double material_modulus(const struct material *material);
 
+/*
+ * Where a held side meets a free one at a right angle, u ~ r^p: p, between 1/2
+ * and 1, of the linear law in plane strain [eq:corner].  Elements of size h
+ * have h^(2 p) of the energy wrong there.
+ *
+ * Source: M. L. Williams, J. Appl. Mech. 19 (1952).
+ */
+double material_corner(const struct material *material);
+
 /* Whether psi exists at J: LOG needs J > 0 (false for NaN). */
 static inline int material_defined(const struct material *material, double J)
 {

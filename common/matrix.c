@@ -30,9 +30,8 @@ static double *entry(const struct matrix *A, int i, int j)
         const int block = sparse_block(A->pattern, i / 2, j / 2);
         return block < 0 ? NULL : &A->a[4 * block + j % 2 * 2 + i % 2];
     }
-    const size_t row = (size_t)(A->storage == DENSE ? i : j);
-    const size_t at = (size_t)(A->storage == DENSE ? j : i - j);
-    return &A->a[row * A->stride + at];
+    if (A->storage == DENSE) return &A->a[(size_t)i * A->stride + (size_t)j];
+    return &A->a[(size_t)j * A->stride + (size_t)(i - j)];
 }
 
 /* n zeros that start at a line of the cache: see banded.h. */
@@ -62,10 +61,10 @@ struct matrix *matrix_alloc_sparse(const struct sparse *pattern)
 {
     struct matrix *A = allocate(1, sizeof *A);
     const int n = 2 * pattern->n_vertex;
+    const size_t size = 4 * (size_t)pattern->start[pattern->n_vertex];
     *A = (struct matrix){.storage = SPARSE, .n = n, .p = n - 1, .stride = 3,
+                         .size = size, .a = allocate_lines(size),
                          .pattern = pattern};
-    A->size = 4 * (size_t)pattern->start[pattern->n_vertex];
-    A->a = allocate_lines(A->size);
     return A;
 }
 
@@ -205,23 +204,28 @@ static void narrow_solve(const struct matrix *L, double b[])
     }
 }
 
+void matrix_keep_single(struct matrix *A, int single)
+{
+    assert(A->storage == SPARSE);
+    if (A->single != single) free(A->factor), A->factor = NULL;
+    A->single = single;
+}
+
 enum status matrix_factor(struct matrix *A)
 {
-    if (A->storage == SPARSE) {
-        const struct sparse *s = A->pattern;
-        if (!A->factor) A->factor = allocate_lines(s->factor + s->work);
-        return sparse_factor(s, A->a, A->factor, A->factor + s->factor);
-    }
     if (A->storage == DENSE) return dense_factor(A);
-    if (A->p < BAND_WIDE) return narrow_factor(A);
-    return band_factor(A->n, A->p, A->stride, A->a);
+    if (A->storage == BANDED)
+        return A->p < BAND_WIDE ? narrow_factor(A)
+                                : band_factor(A->n, A->p, A->stride, A->a);
+    if (!A->factor)
+        A->factor = allocate_lines(sparse_size(A->pattern, A->single));
+    return sparse_factor(A->pattern, A->a, A->single, A->factor);
 }
 
 void matrix_solve(const struct matrix *L, double b[])
 {
     if (L->storage == SPARSE) {
-        const struct sparse *s = L->pattern;
-        sparse_solve(s, L->factor, L->factor + s->factor, b);
+        sparse_solve(L->pattern, L->single, L->factor, b);
     } else if (L->storage == BANDED && L->p < BAND_WIDE) {
         narrow_solve(L, b);
     } else if (L->storage == BANDED) {
@@ -307,7 +311,6 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[])
     gsl_vector_view values = gsl_vector_view_array(value, n);
     gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(n);
     enum status status = OK;
-
     if (!copy || !work) die("out of memory");
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
@@ -365,7 +368,6 @@ double matrix_residual(const struct matrix *A, const double x[],
 {
     double *r = allocate((size_t)A->n, sizeof *r);
     double largest = 0.0;
-
     matrix_multiply(A, x, r);
     for (int i = 0; i < A->n; i++) {
         const double size = fabs(b[i] - r[i]);
@@ -394,9 +396,8 @@ double matrix_backward_error(const struct matrix *A, const double u[],
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    return (A->size +
-            (A->factor ? A->pattern->factor + A->pattern->work : 0)) *
-           sizeof *A->a;
+    const size_t more = A->factor ? sparse_size(A->pattern, A->single) : 0;
+    return (A->size + more) * sizeof *A->a;
 }
 
 double matrix_max_diagonal(const struct matrix *A)

@@ -42,7 +42,8 @@ struct matrix {
     size_t size;   /* numbers of a */
     double *a;     /* entries, see above; owned */
     const struct sparse *pattern; /* of sparse storage; borrowed */
-    double *factor; /* sparse: L and room to work, or NULL; owned */
+    int single;     /* sparse: L is rounded to single precision */
+    double *factor; /* sparse: room to work and L, or NULL; owned */
 };
 
 /* What a matrix costs, see matrix_cost(). */
@@ -59,6 +60,14 @@ const char *storage_name(enum storage storage);
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_alloc_sparse(const struct sparse *pattern);
 struct matrix *matrix_copy(const struct matrix *A);
+
+/*
+ * Round the factor of a sparse matrix to single precision, or do not, from now
+ * on; one that is there is lost when this changes.  The factorisation and the
+ * residual stay in double precision: a solve then has seven digits, a chord
+ * step of step.h as many as ever, and refine.h finds the others.
+ */
+void matrix_keep_single(struct matrix *A, int single);
 
 /* A new matrix, of A's storage: rows and columns first .. first + n - 1 of A,
  * which is what is left when the others are struck out.  Not sparse. */

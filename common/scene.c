@@ -135,6 +135,31 @@ void scene_press(struct scene *scene, double e, double push)
                 0.5 * push * (1.0 + cos(M_PI * scene->mesh->X[y - 1]));
 }
 
+double *scene_middle(const struct scene *scene)
+{
+    return &scene->u[(scene->mesh->rows + 1) * (scene->mesh->n + 1)];
+}
+
+struct step_report scene_walk(struct scene *scene, const char *method, double e,
+                              double push)
+{
+    struct step_control control = step_method(method);
+    control.max_iterations = 400;
+    scene_press(scene, e, fabs(*scene_middle(scene)) < 1e-3 ? push : 0.0);
+    struct step_report report = step_solve(scene->body, &control, 1.0, scene->u,
+                                           NULL, scene->u);
+    if (report.status == OK)
+        report.status = step_certify(scene->body, 1.0, scene->u);
+    return report;
+}
+
+double scene_energy(const struct scene *scene)
+{
+    double energy;
+    return body_energy(scene->body, scene->u, &energy) == OK ? energy
+                                                             : INFINITY;
+}
+
 struct step_report scene_step(struct scene *scene,
                               const struct step_control *control)
 {

@@ -58,46 +58,42 @@ static int find_rest(struct sparse *s, int f, int at, int seen[])
 {
     struct sparse_front *front = &s->front[f];
     const struct piece piece = front->piece;
-    const struct sparse_front none = {.rest = 0}, *child[2];
     const int first = s->start[piece.first];
     const int own = s->start[piece.first + piece.count] - first;
+    int room = at + own + 1;
     for (int c = 0; c < 2; c++)
-        child[c] = piece.child[c] < 0 ? &none : &s->front[piece.child[c]];
-    const int room = at + own + child[0]->rest + child[1]->rest + 1;
+        if (piece.child[c] >= 0) room += s->front[piece.child[c]].rest;
     s->rest = realloc(s->rest, (size_t)room * sizeof *s->rest);
     if (!s->rest) die("out of memory: %d rows", room);
     front->at = at;
     add_rest(s, f, own, &s->row[first], seen);
-    for (int c = 0; c < 2; c++)
-        add_rest(s, f, child[c]->rest, &s->rest[child[c]->at], seen);
+    for (int c = 0; c < 2; c++) {
+        if (piece.child[c] < 0) continue;
+        const struct sparse_front *child = &s->front[piece.child[c]];
+        add_rest(s, f, child->rest, &s->rest[child->at], seen);
+    }
     qsort(&s->rest[at], (size_t)front->rest, sizeof(int), compare);
     return at + front->rest;
-}
-
-/* Numbers that a front leaves to its parent. */
-static size_t left_over(const struct sparse_front *f)
-{
-    return front_size(front_row(2 * f->rest, 0), 0);
 }
 
 /* Where the numbers of every front are, and what they cost.  Two stacks: what
  * the children leave is on top of the other one. */
 static void lay_out(struct sparse *s)
 {
-    size_t top[2] = {0, 0}, most[2] = {0, 0}, longest = 0;
+    size_t top[2] = {0, 0}, most[2] = {0, 0}, largest = 0;
     for (int i = 0; i < s->order->n_piece; i++) {
         struct sparse_front *f = &s->front[i];
         const int p = 2 * f->piece.count, rest = 2 * f->rest;
         const int odd = f->piece.depth % 2, *child = f->piece.child;
-        const size_t rows = (size_t)(front_row(p, 0) + front_row(rest, 0));
+        const size_t size = front_size(p, rest);
         f->l = s->factor;
-        s->factor += front_size(p, rest);
+        s->factor += size;
         f->u = top[odd];
-        top[odd] += left_over(f);
+        top[odd] += front_size(front_row(rest, 0), 0);
         if (top[odd] > most[odd]) most[odd] = top[odd];
         for (int c = 1; c >= 0; c--)
             if (child[c] >= 0) top[!odd] = s->front[child[c]].u;
-        if (rows > longest) longest = rows;
+        if (size > largest) largest = size;
         for (int m = p + rest - 1; m >= rest; m--) {
             s->numbers += m + 1.0;
             s->flops += (m + 1.0) * (m + 1.0);
@@ -107,18 +103,23 @@ static void lay_out(struct sparse *s)
     for (int i = 0; i < s->order->n_piece; i++)
         if (s->front[i].piece.depth % 2) s->front[i].u += most[0];
     s->vector = most[0] + most[1];
-    s->work = s->vector + longest;
+    s->l = s->vector; /* of a front's rows: two parts, filled up */
+    s->l += (size_t)(front_row(2 * s->n_vertex, 0) + front_row(1, 0));
+    s->work = s->l + largest;
 }
 
-/* The rows of every front's blocks in it, and of its rest in its parent. */
+/* Where the blocks of a front are in it; the rows of its rest in its parent. */
 static void find_rows(struct sparse *s, int n_rest)
 {
     s->up = allocate((size_t)n_rest + 1, sizeof *s->up);
     for (int i = 0; i < s->order->n_piece; i++) {
         const struct sparse_front *f = &s->front[i];
         const struct piece p = f->piece;
-        for (int b = s->start[p.first]; b < s->start[p.first + p.count]; b++)
-            s->local[b] = row_of(s, f, s->row[b]);
+        const int *start = &s->start[p.first];
+        for (int v = 0; v < p.count; v++)
+            for (int b = start[v]; b < start[v + 1]; b++)
+                s->local[b] = front_place(2 * p.count, 2 * f->rest,
+                                          row_of(s, f, s->row[b]), 2 * v);
         for (int c = 0; c < 2; c++) {
             if (p.child[c] < 0) continue;
             const struct sparse_front *child = &s->front[p.child[c]];
@@ -167,66 +168,67 @@ int sparse_block(const struct sparse *s, int i, int j)
     return -1;
 }
 
-static struct front front_of(const struct sparse *s, int i, double l[],
-                             double work[])
+size_t sparse_size(const struct sparse *s, int single)
 {
-    const struct sparse_front *f = &s->front[i];
-    const int leaf = f->piece.child[0] < 0 && f->piece.child[1] < 0;
-    return (struct front){2 * f->piece.count, 2 * f->rest, &l[f->l],
-                          &work[f->u], leaf};
+    return s->work + (single ? (s->factor + 1) / 2 : s->factor);
 }
 
-enum status sparse_factor(const struct sparse *s, const double a[], double l[],
-                          double work[])
+/* Front i, with its part of the memory. */
+static struct front front_of(const struct sparse *s, int i, int single,
+                             double memory[])
 {
-    double *diagonal = &work[s->vector];
+    const struct sparse_front *f = &s->front[i];
+    double *l = single ? &memory[s->l] : &memory[s->work + f->l];
+    float *rounded = single ? (float *)&memory[s->work] + f->l : NULL;
+    return (struct front){2 * f->piece.count, 2 * f->rest, l, &memory[f->u],
+                          rounded};
+}
+
+enum status sparse_factor(const struct sparse *s, const double a[], int single,
+                          double memory[])
+{
+    double *diagonal = &memory[s->vector];
     enum status status = OK;
     for (int i = 0; i < s->order->n_piece && status == OK; i++) {
-        const struct sparse_front *f = &s->front[i];
-        const struct front front = front_of(s, i, l, work);
-        memset(front.l, 0, front_size(front.pivots, front.rest) * sizeof *l);
-        if (!front.fresh)
-            memset(front.u, 0, left_over(f) * sizeof *front.u);
-        for (int v = 0; v < f->piece.count; v++) {
-            const int first = s->start[f->piece.first + v];
-            diagonal[2 * v] = a[4 * first];
-            diagonal[2 * v + 1] = a[4 * first + 3];
-            for (int b = first; b < s->start[f->piece.first + v + 1]; b++)
-                for (int k = 0; k < 2; k++) {
-                    double *to = front_entry(&front, s->local[b], 2 * v + k);
-                    to[0] = a[4 * b + 2 * k];
-                    to[1] = a[4 * b + 2 * k + 1];
-                }
-        }
-        for (int c = 0; c < 2; c++) {
-            const int k = f->piece.child[c];
+        const struct piece *piece = &s->front[i].piece;
+        const struct front front = front_of(s, i, single, memory);
+        const int *start = &s->start[piece->first];
+        front_fill(&front, start[piece->count] - start[0], &s->local[start[0]],
+                   &a[4 * start[0]]);
+        for (int k = 0; k < front.pivots; k++)
+            diagonal[k] = a[4 * start[k / 2] + k % 2 * 3];
+        for (int c = 0; c < 4; c++) { /* both children, before and after */
+            const int k = piece->child[c % 2];
+            if (c == 2)
+                status = front_factor(&front, 2 * s->n_vertex, diagonal);
             if (k < 0) continue;
-            const struct front child = front_of(s, k, l, work);
-            front_extend(&child, &s->up[s->front[k].at], &front);
+            const struct front child = front_of(s, k, single, memory);
+            front_extend(&child, &s->up[s->front[k].at], &front, c / 2);
         }
-        status = front_factor(&front, 2 * s->n_vertex, diagonal);
     }
     return status;
 }
 
-void sparse_solve(const struct sparse *s, double l[], double work[], double b[])
+void sparse_solve(const struct sparse *s, int single, double memory[],
+                  double b[])
 {
-    double *x = &work[s->vector];
+    double *x = &memory[s->vector];
     for (int turn = 0; turn < 2 * s->order->n_piece; turn++) {
         const int back = turn >= s->order->n_piece;
         const int i = back ? 2 * s->order->n_piece - 1 - turn : turn;
         const struct sparse_front *f = &s->front[i];
-        const struct front front = front_of(s, i, l, work);
-        const int p = front.pivots, rest = front.rest, below = front_row(p, 0);
-        double *pivot = &b[2 * f->piece.first];
-        memset(x, 0, (size_t)(below + front_row(rest, 0)) * sizeof *x);
+        const struct front front = front_of(s, i, single, memory);
+        const int p = front.pivots, *place = &s->rest[f->at];
+        const int rows = front_row(p, front_row(front.rest, 0));
+        double *pivot = &b[2 * f->piece.first], *rest = &x[front_row(p, 0)];
+        memset(x, 0, (size_t)rows * sizeof *x);
         memcpy(x, pivot, (size_t)p * sizeof *x);
-        for (int k = 0; back && k < rest; k++)
-            x[below + k] = b[2 * s->rest[f->at + k / 2] + k % 2];
+        for (int k = 0; back && k < f->rest; k++)
+            memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
         if (back) front_backward(&front, x);
         else front_forward(&front, x);
         memcpy(pivot, x, (size_t)p * sizeof *x);
-        for (int k = 0; !back && k < rest; k++)
-            b[2 * s->rest[f->at + k / 2] + k % 2] += x[below + k];
+        for (int k = 0; !back && k < front.rest; k++)
+            b[2 * place[k / 2] + k % 2] += rest[k];
     }
 }

@@ -1,7 +1,7 @@
 /*
  * sparse.h - Cholesky factorisation in the order of nested dissection.
  *
- * Each piece of dissection.h is a front of banded.h: its vertices are the
+ * Each piece of dissection.h is a front of front.h: its vertices are the
  * pivots; its rest are the later vertices next to what has been numbered inside
  * it [eq:fill].
  *
@@ -35,10 +35,10 @@ struct sparse {
     const int *place;       /* unknowns are 2 place and 2 place + 1 */
     const int *start, *row; /* the blocks */
     struct sparse_front *front; /* [order->n_piece] */
-    int *local;             /* row of a block in the front of its column */
+    int *local;             /* where a block is in the front of its column */
     int *rest, *up;         /* of all fronts: places; rows in the parent */
-    size_t factor, work;    /* numbers that sparse_factor() needs */
-    size_t vector;          /* where in the work a vector begins */
+    size_t factor, work;    /* numbers of L, and of room to work */
+    size_t vector, l;       /* where in the work a vector, a front begin */
     double numbers;         /* entries of L, those of the fronts */
     double flops, solve;    /* as those of matrix_cost() of matrix.h */
 };
@@ -51,13 +51,16 @@ void sparse_free(struct sparse *s);
 /* The block of places i >= j, -1: it is zero. */
 int sparse_block(const struct sparse *s, int i, int j);
 
-/* l := the factor of a; l is [s->factor], work [s->work]; it is faster when l
- * starts at a line of the cache.  Statuses as matrix_factor() of matrix.h. */
-enum status sparse_factor(const struct sparse *s, const double a[], double l[],
-                          double work[]);
+/* Numbers of the memory below: room to work, and L, as it is or rounded. */
+size_t sparse_size(const struct sparse *s, int single);
 
-/* b := A^{-1} b; the work as above. */
-void sparse_solve(const struct sparse *s, double l[], double work[],
+/* Factor a, in double precision; keep L in single precision, or as it is.  The
+ * memory starts at a line of the cache.  Statuses as matrix_factor(). */
+enum status sparse_factor(const struct sparse *s, const double a[], int single,
+                          double memory[]);
+
+/* b := A^{-1} b, for L as it is kept. */
+void sparse_solve(const struct sparse *s, int single, double memory[],
                   double b[]);
 
 #endif

@@ -96,19 +96,36 @@ static const struct work *find(const struct sweep *sweep,
     return NULL;
 }
 
-/* Relative distance of the runs of two settings; INFINITY if one has failed or
- * does not exist. */
+/* Of the mesh: |a - b| / size; INFINITY if one has failed. */
 static double apart(const struct sweep *sweep, const struct work_setting *a,
                     const struct work_setting *b)
 {
-    const struct work *x = find(sweep, a), *y = find(sweep, b);
-    return x && y ? work_distance(x, y) / sweep->size : INFINITY;
+    return work_distance(find(sweep, a), find(sweep, b)) / sweep->size;
 }
 
-void sweep_parts(const struct sweep *sweep, const struct work_setting *set,
-                 double part[N_PART])
+/* all += s (a - b), a part of the error; its size, relative, which is INFINITY
+ * if a run has failed or does not exist. */
+static double add_part(const struct sweep *sweep, double s,
+                       const struct work_setting *a,
+                       const struct work_setting *b, struct work *all)
+{
+    struct work one = {.status = OK};
+    const struct work *x = find(sweep, a), *y = find(sweep, b);
+    if (!x || !y) {
+        all->status = NONFINITE;
+        return INFINITY;
+    }
+    one.n_shared = all->n_shared = x->n_shared;
+    work_correct(&one, s, x, y);
+    work_correct(all, s, x, y);
+    return work_distance(&one, NULL) / sweep->size;
+}
+
+double sweep_parts(const struct sweep *sweep, const struct work_setting *set,
+                   double part[N_PART])
 {
     const int coarsest = work_coarsest(set->scene);
+    struct work all = {.status = OK};
     struct work_setting a = *set, b;
     /* the best in time of each mesh, the same law */
     a.tolerance = tolerances[1];
@@ -118,53 +135,62 @@ void sweep_parts(const struct sweep *sweep, const struct work_setting *set,
     }
     b = a;
     a.n = 2 * coarsest;
-    b.n = 4 * coarsest;
-    const double fine = apart(sweep, &a, &b);
     b.n = coarsest;
     const double coarse = apart(sweep, &a, &b);
-    const double ratio = fmin(fmax(coarse / fine, 1.5), 4.0);
-    part[SPACE] = fine / (ratio - 1.0);
-    for (int n = set->n; n < 4 * coarsest; n *= 2) part[SPACE] *= ratio;
+    b.n = 4 * coarsest;
+    const double ratio = fmin(fmax(coarse / apart(sweep, &a, &b), 1.5), 4.0);
+    double left = 1.0 / (ratio - 1.0); /* of the finest mesh */
+    for (int n = set->n; n < 4 * coarsest; n *= 2) left *= ratio;
+    part[SPACE] = add_part(sweep, left, &a, &b, &all);
 
-    a.n = 2 * coarsest; /* the model: what the coarsest mesh may not show */
-    b = a;
+    b = a; /* the model: what the coarsest mesh may not show */
     b.law = LOG;
     b.dynamic = 1;
     b.method = IMPLICIT_MIDPOINT;
     b.steps = last_steps(b.method, 2);
-    part[MODEL] = apart(sweep, &a, &b);
+    part[MODEL] = add_part(sweep, 1.0, &a, &b, &all);
 
     a = *set; /* time and solver */
     a.n = coarsest;
-    a.tolerance = tolerances[1];
     b = a;
-    b.tolerance = set->tolerance;
-    part[SOLVER] = apart(sweep, &a, &b);
-    b = a;
+    b.tolerance = tolerances[1];
+    part[SOLVER] = add_part(sweep, 1.0, &a, &b, &all);
+    a = b;
     b.method = IMPLICIT_MIDPOINT;
     b.steps = set->dynamic ? last_steps(b.method, 0) : set->steps;
-    part[TIME] = apart(sweep, &a, &b);
+    part[TIME] = add_part(sweep, 1.0, &a, &b, &all);
+    return work_distance(&all, NULL) / sweep->size;
 }
 
-/* Refine what has the largest part, of what can be refined; false when that is
- * nothing. */
-static int refine(const struct sweep *sweep, const double part[N_PART],
-                  struct work_setting *set)
+/* What the error should be; INFINITY if the run has failed. */
+static double whole(const struct sweep *sweep, const struct work_setting *set)
 {
-    struct work_setting next[N_PART];
-    int largest = MODEL;
-    for (int k = SPACE; k < N_PART; k++) {
-        next[k] = *set;
-        if (k == SPACE) next[k].n *= 2;
-        if (k == TIME) next[k].steps *= set->dynamic ? 2 : 8;
-        if (k == SOLVER) next[k].tolerance = tolerances[1];
-        const int other = k != SOLVER || set->tolerance != tolerances[1];
-        if (other && find(sweep, &next[k]) &&
-            (largest == MODEL || part[k] > part[largest]))
-            largest = k;
+    double part[N_PART];
+    const double all = sweep_parts(sweep, set, part);
+    return find(sweep, set)->status == OK ? all : INFINITY;
+}
+
+/* Refine what leaves the least error, of what can be refined, and rather the
+ * time where all of them fail; false when that is nothing. */
+static int refine(const struct sweep *sweep, struct work_setting *set)
+{
+    const struct work_setting from = *set;
+    double least = 0.0;
+    int any = 0;
+    for (int k = SOLVER; k >= SPACE; k--) {
+        struct work_setting next = from;
+        if (k == SPACE) next.n *= 2;
+        if (k == TIME) next.steps *= from.dynamic ? 2 : 8;
+        if (k == SOLVER) next.tolerance = tolerances[1];
+        if (k == SOLVER && from.tolerance == tolerances[1]) continue;
+        if (!find(sweep, &next)) continue;
+        const double left = whole(sweep, &next);
+        if (any && !(left < least)) continue;
+        any = 1;
+        least = left;
+        *set = next;
     }
-    if (largest != MODEL) *set = next[largest];
-    return largest != MODEL;
+    return any;
 }
 
 /* Follow the rule from a coarsest setting; the run it ends in, or NULL. */
@@ -172,15 +198,11 @@ static const struct work *balance(const struct sweep *sweep, double error,
                                   struct work_setting set)
 {
     double part[N_PART];
+    sweep_parts(sweep, &set, part);
+    if (part[MODEL] > error) return NULL;
     do {
-        const struct work *work = find(sweep, &set);
-        sweep_parts(sweep, &set, part);
-        if (!work || part[MODEL] > error) return NULL;
-        if (work->status != OK) part[TIME] = INFINITY;
-        if (hypot(hypot(part[MODEL], part[SPACE]),
-                  hypot(part[TIME], part[SOLVER])) <= error)
-            return work;
-    } while (refine(sweep, part, &set));
+        if (whole(sweep, &set) <= error) return find(sweep, &set);
+    } while (refine(sweep, &set));
     return NULL;
 }
 

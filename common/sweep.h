@@ -33,18 +33,20 @@ int sweep_cheapest(const struct sweep *sweep, double error);
 /*
  * What a setting should have wrong, part by part, relative to size, without a
  * look at the limit [eq:error-parts]: each part is a difference of two runs
- * that differ in one knob, on the coarsest mesh but for the space.
+ * that differ in one knob, on the coarsest mesh but for space and model.
+ * Returns the size of their sum: parts are vectors, and some cancel.  INFINITY
+ * where a run that is needed has failed.
  */
 enum part { MODEL, SPACE, TIME, SOLVER, N_PART };
 #define PARTS "model space time solver" /* as words, in this order */
-void sweep_parts(const struct sweep *sweep, const struct work_setting *set,
-                 double part[N_PART]);
+double sweep_parts(const struct sweep *sweep, const struct work_setting *set,
+                   double part[N_PART]);
 
 /*
  * The balance rule [alg:balance]: from the coarsest setting of every model and
- * method, refine what has the largest part until the sum of the parts is at
- * most `error`; of these settings the one that should have the fewest flops.
- * -1: none gets there.
+ * method whose own part is small enough, refine the knob that leaves the least
+ * error, until that is at most `error`; of these settings the one with the
+ * fewest flops.  -1: none gets there.
  */
 int sweep_balanced(const struct sweep *sweep, double error);
 

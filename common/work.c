@@ -23,6 +23,7 @@ static const struct {
     {"buckle", COMPRESS, 8, 64, 16, 2.0},
     {"push", STRETCH, 1, 32, 16, 0.08},
     {"flagship", STRETCH, 1, 32, 4, 1.0},
+    {"weight", GRAVITY, 1, 32, 4, 0.15},
 };
 
 const char *work_scene_name(enum work_scene scene)
@@ -164,7 +165,7 @@ static struct scene *alloc(const struct work_setting *set)
                                          set->n);
     s.mass = LUMPED;
     s.slender = scenes[set->scene].slender;
-    s.force = 0.0; /* of the scene whose left end alone is held */
+    if (set->scene != WEIGHT) s.force = 0.0; /* of the held left end */
     return scene_alloc(&s);
 }
 
@@ -174,6 +175,7 @@ static struct model *model_of(const struct work_setting *set, struct scene *s,
 {
     struct body *body = s->body;
     struct model *model = model_body(body);
+    memcpy(model->f, s->f, (size_t)s->n_dof * sizeof *s->f);
     if (!set->dynamic) body->rho = 0.0;
     model->solve = nonlinear;
     model->context = tolerance;

@@ -12,6 +12,8 @@
  *                  with 0.4 of the speed of sound
  *     flagship     the ends apart by 0.5 sin t, for 1 s: a pull that begins
  *                  with a jolt; not one of the six
+ *     weight       left end held, its weight of 50 N/m^2 let go; at 0.15 s;
+ *                  not one of the six either
  *
  * The notes' material and density; lumped mass, so that the explicit method
  * takes part.  A setting is one choice of every knob.  The answer is u at the
@@ -25,7 +27,7 @@
 #include "scene.h"
 
 enum work_scene {
-    SLOW_PULL, FAST_PULL, SHAKE, SWING, BUCKLE, PUSH, FLAGSHIP,
+    SLOW_PULL, FAST_PULL, SHAKE, SWING, BUCKLE, PUSH, FLAGSHIP, WEIGHT,
     WORK_SCENES
 };
 const char *work_scene_name(enum work_scene scene); /* "slow_pull", ... */

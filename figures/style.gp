@@ -11,8 +11,15 @@ set style line 2 lc rgb "#D55E00" lw 2 pt 5 ps 0.6     # computed, second
 set style line 3 lc rgb "#009E73" lw 2 pt 9 ps 0.7     # computed, third
 set style line 4 lc rgb "#CC79A7" lw 2 pt 13 ps 0.7    # computed, fourth
 set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7    # computed, fifth
+set style line 6 lc rgb "#56B4E9" lw 2 pt 6 ps 0.8     # computed, sixth
 set style line 8 lc rgb "#000000" lw 1 dt 2            # exact or expected
 set style line 9 lc rgb "#999999" lw 0.5               # axes and grid
+
+# One colour per meaning, wherever these are told apart:
+#   log law 1, cubic law 2, linear law 8; other laws 3, 4, 5, 6
+#   banded 1, dense 2, sparse 3; CG with Jacobi 5, incomplete 4, V-cycle 6
+#   backward Euler 1, symplectic Euler 2, midpoint 3, BDF2 4
+#   projection on demand 3, always 4; PIC 1, FLIP 2, APIC 3
 
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"

@@ -1,9 +1,7 @@
 /*
  * 01_deformation.c - what a deformation does near a point: F, J, and strain.
  *
- * Notes: Lecture 1, "Kinematics", the strain measures of "Elasticity and
- * Constitutive Modeling", and "Inversion" with its Figure 4.
- *
+ * Notes: Lecture 1, "Kinematics", the strain measures, and Figure 4.
  * Problem.  phi takes a material point X to its place x = phi(X) = X + u.  From
  * the places of the vertices of a mesh find F = d phi / d X on every element,
  * J = det F, and which elements are turned inside out, J < 0.  Then ask: which
@@ -15,7 +13,9 @@
  *        X0 -- X1             x0 -- x2
  *
  * Run       make lesson-01, or with options: -h lists them
- * Expect    4 elements of the bar inverted, 2 collapsed; 62 triangles inverted
+ * PREDICT 1 inverted, of 10 elements under sin 2 pi X: ...
+ * PREDICT 2 entry 11 of the linear strain of a body turned by 30 degrees: ...
+ * PREDICT 3 sum of J area over the pushed square (m^2): ...
  * Plot: bar X0 F
  */
 #include "mesh.h"
@@ -89,7 +89,7 @@ static double triangle_gradient(const int node[3], const double X[],
 {
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); *F = Ds Dm^{-1} and J = det F [eq:triangle-gradient]. */
+     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
     todo("1b", node, X, x, F, J);
     /* END 1b */
     return J;

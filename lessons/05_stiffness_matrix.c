@@ -10,14 +10,13 @@
  * [eq:stiffness-eigenvalues]; and count what a matrix costs to keep and to
  * factor, dense and banded [eq:band-cost].
  *
- *     | l0 -l0   .   .  |      l_j = 1 / h_{j+1}, one for each element:
- *     |-l0 l0+l1 -l1  .  |     3n + 1 numbers are not zero, each row and
- *     |  .  -l1 l1+l2 -l2|     each column adds up to 0, and only 2n + 1
- *     |  .   .  -l2  l2  |     numbers are kept by symmetry
+ *           h_1          h_2            h_n
+ *     x_0 -------- x_1 ------ x_2 - ... ---- x_n      row j of A: vertex j
  *
  * Run       make lesson-05, or with options: -h lists them
- * Expect    n = 12, both ends fixed: eigenvalues 0.8178 to 47.18; for 65536
- *           unknowns 2^32 numbers dense, 2^17 on a line
+ * PREDICT 2a condition number of 64 elements, both ends fixed: ...
+ * PREDICT 2b and one end fixed: ...
+ * PREDICT 3 times the flops, p = sqrt N, for four times the unknowns: ...
  * Plot: eigenvalues_none k exact
  */
 #include "options.h"
@@ -76,9 +75,8 @@ static void print_rows(const char *name, int n, double grading)
  */
 static double eigenvalue_exact(enum ends ends, int n, double h, int k)
 {
-    /* SLOT 5b(ends, n, h, k): return lambda = (2 / h) (1 - cos(theta)) with
-     * the theta of this k; with no end fixed the smallest, k = 1, is 0
-     * [eq:stiffness-eigenvalues]. */
+    /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
+     * fixed the smallest, k = 1, is 0 [eq:stiffness-eigenvalues]. */
     todo("5b", ends, n, h, k);
     /* END 5b */
 }

@@ -14,8 +14,9 @@
  *     |  .  K10 K11+.. |   ...           | r1+..  |    each from its element)
  *
  * Run       make lesson-08, or with options: -h lists them
- * Expect    the same A and b in either --order; with --n 256 the same u for
- *           5.82 million flops (dense) or 2563 flops (banded)
+ * PREDICT 1 by how many eps A changes with --order reversed: ...
+ * PREDICT 2a flops of 256 elements in dense storage: ...
+ * PREDICT 2b and in banded storage: ...
  * Plot: nodes x u
  */
 #include "clock.h"
@@ -32,8 +33,6 @@
  * most this many eps, as that of Cholesky does whatever the condition is. */
 static const double BACKWARD_EPS = 20.0;
 
-static const double U_LEFT = 1.0; /* u(0) of [eq:poisson-bvp] */
-
 /* A system on a grid; x owns the memory of x, b and u. */
 struct system {
     int n;
@@ -45,20 +44,6 @@ static void system_free(struct system *s)
 {
     free(s->x);
     matrix_free(s->A);
-}
-
-static void print_system(const struct system *s)
-{
-    if (s->n <= 12) table_matrix("A", s->A);
-    table_vector("b", s->n + 1, s->b);
-}
-
-static void print_nodes(const struct system *s)
-{
-    table_begin("nodes", "x u exact");
-    for (int i = 0; i <= s->n; i++)
-        table_row(s->x[i], s->u[i], bvp_exact(s->x[i]));
-    table_end();
 }
 
 /* One run of factor + solve, a point of a speed-accuracy chart. */
@@ -109,6 +94,23 @@ static void assemble(int n, const double x[], field *beta, field *f,
     /* END 8b */
 }
 
+/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
+static struct system system_make(enum storage storage, int n, double grading,
+                                 const struct quadrature *rule, int reversed)
+{
+    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
+    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
+                             matrix_alloc(storage, n + 1, 1)};
+    int *order = allocate((size_t)n, sizeof *order);
+    grid_make(0.0, 1.0, n, grading, s.x);
+    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
+    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
+    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
+    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
+    free(order);
+    return s;
+}
+
 /*
  * Flops (additions, multiplications, divisions, square roots, one each) of the
  * textbook factorisation A = L L^T and the two triangular solves
@@ -140,28 +142,11 @@ static struct point measure(const struct matrix *A, const double b[],
     return point;
 }
 
-/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
-static struct system system_make(enum storage storage, int n, double grading,
-                                 const struct quadrature *rule, int reversed)
-{
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
-                             matrix_alloc(storage, n + 1, 1)};
-    int *order = allocate((size_t)n, sizeof *order);
-    grid_make(0.0, 1.0, n, grading, s.x);
-    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
-    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
-    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
-    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
-    free(order);
-    return s;
-}
-
-/* u(0) = U_LEFT [eq:dirichlet-correction], then one run. */
+/* u(0) = 1 [eq:dirichlet-correction], then one run. */
 static struct point system_solve(struct system *s)
 {
-    const int left[] = {0};
-    matrix_dirichlet(s->A, s->b, 1, left, &U_LEFT, KEEP_DIAGONAL);
+    matrix_dirichlet(s->A, s->b, 1, (const int[]){0}, (const double[]){1.0},
+                     KEEP_DIAGONAL);
     return measure(s->A, s->b, 1, s->u);
 }
 
@@ -200,11 +185,14 @@ int main(int argc, char *argv[])
     };
     options_parse("08_element_assembly", options, COUNT(options), argc, argv);
     struct system s = system_make(DENSE, n, grading, rules[rule], reversed);
-    print_system(&s);
+    if (n <= 12) table_matrix("A", s.A);
+    table_vector("b", n + 1, s.b);
     const struct point point = system_solve(&s);
     if (!point.valid)
         die("u does not solve A u = b (%s)", status_name(point.status));
-    print_nodes(&s);
+    table_begin("nodes", "x u exact");
+    for (int i = 0; i <= n; i++) table_row(s.x[i], s.u[i], bvp_exact(s.x[i]));
+    table_end();
     print_runs(&s);
     system_free(&s);
     return table_finish();

@@ -2,18 +2,18 @@
  * 11_newton_failure.c - where Newton's method fails, predicted, and two cures.
  *
  * Notes: Lecture 2, sections 2.5.5 and 2.5.6.
- *
  * Problem.  In a bar with one free end every element carries a known stress p,
  * and Newton's method [alg:newton] is F := F + (p - P(F)) / P'(F) in each one.
  *
- *         P |       .-'         the tangent at F0 meets the level p at F1:
- *           |    .-'o F0        F1 <= 0 when p <= P(F0) - F0 P'(F0)
- *     ------+--/-.'------ F                            [eq:first-step]
+ *         P |       .-'
+ *           |    .-'o F0        the tangent at F0 meets the level p at F1; when
+ *     ------+--/-.'------ F     is F1 <= 0 [eq:first-step]?
  *           | /.'
  *       p - +.' - - -
  *
  * Run       make lesson-11, or with options: -h lists them
- * Expect    p = -1346 converges in 21 iterations, -1347 is INVERTED
+ * PREDICT 1 iterations of the log law at p = -1346: ...
+ * PREDICT 2 largest time step of the notes' example with 100 elements (s): ...
  * Plot: history k F
  */
 #include "bar.h"

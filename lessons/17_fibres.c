@@ -2,7 +2,6 @@
  * 17_fibres.c - fibres in a body: what one preferred direction costs and adds.
  *
  * Notes: Lecture 1, the anisotropic energy, Figures 2 and 3.
- *
  * Problem.  At rest a fibre lies along the unit vector g; l = |F g| is its
  * stretch.  Its energy W(l) adds to that of the material, and T = W' pulls
  * along n = F g / l [eq:fibre-tension].
@@ -14,7 +13,8 @@
  *          1-w   1    1+w
  *
  * Run       make lesson-17, or with options: -h lists them
- * Expect    the free strip contracts to 0.807570777793 of its length
+ * PREDICT 1a length of the free strip at full activation: ...
+ * PREDICT 1b and when it carries 100 N/m^2: ...
  * Plot: force_length l T
  */
 #include "fibre.h"

@@ -5,17 +5,18 @@
  * Notes: Lecture 2, section 1.1, exercise (1).
  *
  * Problem.  Linear elements for -beta u'' = f on (0, 1), n equal elements,
- * assembled with no thought of boundary conditions: A u = b is singular.  The
- * values of u at some nodes are given.  Correct A and b afterwards
- * [eq:dirichlet-correction], solve, and find from the A and b of before what
- * force holds each prescribed node in place [eq:reaction].
+ * assembled without boundary conditions: A u = b is singular.  The values of u
+ * at some nodes are given.  Correct A and b [eq:dirichlet-correction], solve,
+ * and find what force holds each prescribed node in place [eq:reaction].
  *
- *     | a00 a01  .  . | u0 |   | b0 |      | a00  0   .   . | u0 |   a00 g
- *     | a10 a11 a12 . | u1 | = | b1 |  ->  |  0  a11 a12  . | u1 | = b1 - a10 g
- *     |  .  a21  .  . | .. |   | .. |      |  .  a21  .   . | .. |   ...
+ *     | a00 a01  .  . | u0 |   | b0 |      what becomes of both where u0 = g
+ *     | a10 a11 a12 . | u1 | = | b1 |      is given, and A has to stay
+ *     |  .  a21  .  . | .. |   | .. |      symmetric?
  *
  * Run       make lesson-03, or with options: -h lists them
- * Expect    reactions 678.721, -3498.433 and 2581.212; the load is 238.5
+ * PREDICT 1 sum of the reactions under a load of 238.5: ...
+ * PREDICT 2a condition number, 64 elements, left end, diagonal kept: ...
+ * PREDICT 2b and with 1 on the diagonal: ...
  * Plot: nodes x u
  */
 #include "matrix.h"
@@ -68,8 +69,8 @@ static int prescribe(int fix, int node[3], double g[3])
 }
 
 /*
- * First half of the correction: bring the known part of every equation to the
- * right-hand side, b_i -= sum_k A_ik g_k [eq:dirichlet-correction].
+ * First half of the correction: b of the equations that are left, in which
+ * the prescribed values are known [eq:dirichlet-correction].
  *
  * A        in      N x N, not corrected yet
  * b        in/out  N
@@ -78,24 +79,24 @@ static int prescribe(int fix, int node[3], double g[3])
 static void move_known_values(int N, const double A[], double b[], int n_fixed,
                               const int node[], const double g[])
 {
-    /* SLOT 3a(N, A, b, n_fixed, node, g): subtract from every b[i] what the
-     * prescribed nodes contribute to row i of A u. */
+    /* SLOT 3a(N, A, b, n_fixed, node, g): change b, from A and g; what becomes
+     * of it at the prescribed nodes themselves does not matter. */
     for (int k = 0; k < n_fixed; k++)
         for (int i = 0; i < N; i++) b[i] -= A[i * N + node[k]] * g[k];
     /* END 3a */
 }
 
 /*
- * Second half: replace equation k by d u_k = d g_k, with its column cleared as
- * well, so that A stays symmetric [eq:dirichlet-correction].  The diagonal
- * entry d is the old A_kk (KEEP_DIAGONAL) or 1 (UNIT_DIAGONAL).
+ * Second half: replace equation k by d u_k = d g_k, and A stays symmetric
+ * [eq:dirichlet-correction].  d is the old A_kk (KEEP_DIAGONAL) or 1
+ * (UNIT_DIAGONAL).
  */
 static void replace_equations(int N, double A[], double b[], int n_fixed,
                               const int node[], const double g[],
                               enum diagonal diagonal)
 {
-    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): for each prescribed node
-     * clear its row and its column, then set its diagonal entry and its b. */
+    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): change A, and b at the
+     * prescribed nodes. */
     for (int f = 0; f < n_fixed; f++) {
         const int k = node[f];
         const double d = diagonal == KEEP_DIAGONAL ? A[k * N + k] : 1.0;
@@ -127,8 +128,8 @@ static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
 }
 
 /*
- * r := A u - b with the A and b of *before* the correction [eq:reaction].
- * r_k is the force that holds prescribed node k; it is zero at the others.
+ * r_k := the force that holds prescribed node k [eq:reaction], and what the
+ * same expression gives at the others; A and b are those before the correction.
  */
 static void reactions(int N, const double A[], const double b[],
                       const double u[], double r[])

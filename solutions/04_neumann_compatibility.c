@@ -5,18 +5,20 @@
  * Notes: Lecture 2, section 1.1, exercise (2).
  *
  * Problem.  -u'' = e^x on (0, 1) with flux u' n = 0 at x = 0 and -(e - 1) at
- * x = 1 has solutions: int f dx + q_a + q_b = 0.  But A is singular, and with b
- * from a quadrature rule A u = b has none [eq:neumann-compatibility].  Measure
- * that defect, remove it, solve for the member of minimum norm of the family
- * [eq:neumann-family], and refuse a problem that has no solution.
+ * x = 1 has solutions.  But A is singular, and with b from a quadrature rule
+ * A u = b has none [eq:neumann-compatibility].  Measure that defect, remove it,
+ * solve for the member of minimum norm of the family [eq:neumann-family], and
+ * refuse a problem that has no solution.
  *
  *     |  k -k  .  . |
- *     | -k 2k -k  . |   every row adds up to 0: A (1,1,1,1)^T = 0, and so
- *     |  . -k 2k -k |   sum_i b_i = (1,1,1,1) A u = 0 for every u
+ *     | -k 2k -k  . |   every row adds up to 0: A (1,1,1,1)^T = 0.  What does
+ *     |  . -k 2k -k |   that say about b?
  *     |  .  . -k  k |
  *
  * Run       make lesson-04, or with options: -h lists them
- * Expect    n = 4: sum b = -0.0044665 before the projection, u(0) = 0.2577505
+ * PREDICT 1 defect with 4 elements, midpoint rule: ...
+ * PREDICT 2a with 8 elements it is smaller by the factor: ...
+ * PREDICT 2b and by two-point Gauss: ...
  * Plot: nodes x u
  */
 #include "options.h"
@@ -54,8 +56,8 @@ static enum status solve_pinned(const struct matrix *A, const double b[],
 }
 
 /*
- * v^T A v = sum_j beta_j (v_j - v_{j-1})^2 / h_j without A [eq:quadratic-form];
- * beta_j is beta at the middle of element j, as the midpoint rule has it.
+ * v^T A v without A [eq:quadratic-form], with beta at the middle of each
+ * element, as the midpoint rule has it.
  *
  * x, v   in   nodes and nodal values, 0..n
  */
@@ -100,17 +102,18 @@ static void print_quadratic_form(int n, const double x[])
 }
 
 /*
- * Is A u = b solvable [eq:neumann-compatibility]?  *defect := sum_i b_i.
+ * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
  *
- * OK            |defect| <= N eps sum_i |b_i|: round-off of the sum, no more
+ * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
+ *               the same sum of absolute values
  * INCOMPATIBLE  otherwise (a NaN as well)
  */
 static enum status compatibility(int N, const double b[], double *defect)
 {
     double scale = 0.0;
     *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): add up b in *defect and |b| in scale, and
-     * return the status; eps is DBL_EPSILON. */
+    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
+     * status; eps is DBL_EPSILON. */
     for (int i = 0; i < N; i++) {
         *defect += b[i];
         scale += fabs(b[i]);
@@ -136,11 +139,11 @@ static void print_loads(int N, const double b[], const double c[])
 
 /*
  * b := the nearest right-hand side for which A u = b is solvable: its
- * orthogonal projection onto the range of A, b - (e.b / e.e) e, e = (1,..,1)^T.
+ * orthogonal projection onto the range of A.
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): take the same number from every b[i]. */
+    /* SLOT 4c(N, b): project b in its place. */
     double mean = 0.0;
     for (int i = 0; i < N; i++) mean += b[i] / N;
     for (int i = 0; i < N; i++) b[i] -= mean;
@@ -148,9 +151,9 @@ static void project(int N, double b[])
 }
 
 /*
- * The solution of A u = b that has the smallest sum_i u_i^2, which is the one
- * with sum_i u_i = 0 [eq:neumann-family].  A, of order N = A->n, is the matrix
- * of two flux ends and is left alone.
+ * The solution of A u = b that has the smallest sum_i u_i^2
+ * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
+ * and is left alone.
  *
  * OK            u is the solution
  * INCOMPATIBLE  b is not in the range of A; u is not set

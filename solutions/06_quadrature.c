@@ -15,7 +15,8 @@
  *           ...               j - 1   j   j + 1
  *
  * Run       make lesson-06, or with options: -h lists them
- * Expect    exact up to degree 1, 1 and 3; n = 6, midpoint: u(0) = 0.0301669
+ * PREDICT 1a integral of s^2 over (0, 1) less the midpoint rule: ...
+ * PREDICT 1b and less the trapezoidal rule: ...
  * Plot: nodes x u
  */
 #include "options.h"

@@ -15,7 +15,8 @@
  *         |/    log law is left  stable    G(J) a parabola everywhere
  *
  * Run       make lesson-16, or with options: -h lists them
- * Expect    work 1010.543808 once round the loop by `stress`, 0 by the others
+ * PREDICT 1 laws, of cubic, extended, stable, that open a point: ...
+ * PREDICT 3 `stable` is off the log law at a stretch of 1.1 by (%): ...
  * Plot: principal s2 P2
  */
 #include "circuit.h"
@@ -46,8 +47,7 @@ static void principal_extended(const struct principal_law *law,
                                const double s[2], double P[2])
 {
     const double mu = law->mu, lambda = law->lambda;
-    /* SLOT 16b(law, mu, lambda, s, P): the log law has
-     * P^i = mu si + (lambda ln(s1 s2) - mu) / si. */
+    /* SLOT 16b(law, mu, lambda, s, P): P[0] and P[1]. */
     const double c[2] = {fmax(s[0], law->eps), fmax(s[1], law->eps)};
     const double pull = lambda * log(c[0] * c[1]) - mu;
     for (int i = 0; i < 2; i++) {

@@ -13,7 +13,9 @@
  *     o -- o -- o -- o     node[i] and gradient[i] of a struct support
  *     |    | .  |  . |     (particles.h)
  * Run       make lesson-19, or with options: -h lists them
- * Expect    seven particles: torque 0, and 2.816223533 about the old places
+ * PREDICT 2a part of the stress that an inner node feels, 8 cells, linear: ...
+ * PREDICT 2b and with 64 cells: ...
+ * PREDICT 3 and one step from rest: ...
  * Plot: taylor t force
  */
 #include "options.h"

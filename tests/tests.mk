@@ -146,8 +146,18 @@ UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
     tests/unit/mistakes.txt)
 unit_field = $(word $2,$(subst $(comma), ,$1))
 define unit_mistake
+<<<<<<< HEAD
 $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
         $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
+=======
+$(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
+        $(BUILD)/unit/unit.o $(LIB)
+	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
+	$(Q)$$(QUICK) $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
+	    $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
+	    $$(word 4,$$^) $$(UNIT_LIBS)
+$(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
+>>>>>>> main
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
 	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w $(BUILD)/unit/$1.c \
@@ -190,8 +200,8 @@ look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
 EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
-              lessons/*.c tests/*.mk tests/*/* figures/*.gp figures/*/*.gp \
-              figures/*/*.[ch] figures/many/*.t*)
+              lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
+              figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@

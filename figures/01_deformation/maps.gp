@@ -25,8 +25,8 @@ set xlabel "X (m)"
 set ylabel "φ(X) (m)" offset 1.5
 set xtics 0.25
 set ytics 0.25
-set label 1 "φ' = 0 at X = 0" at 0.03, 0.16 font ",12"
-set arrow 1 from 0.1, 0.13 to 0.012, 0.012 lw 1 lc rgb "black" size 0.03, 20
+set label 1 "φ' = 0 at X = 0" at 0.03, 0.33 font ",12"
+set arrow 1 from 0.07, 0.28 to 0.012, 0.012 lw 1 lc rgb "black" size 0.03, 20
 plot data index "curve" using "X":"square" with lines ls 8 title "φ = X^2", \
      data index "bar" using "X0":(square(column("X0"))): \
          (column("X1") - column("X0")): \

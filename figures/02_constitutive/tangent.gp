@@ -14,6 +14,9 @@ F_cubic = STATS_max
 stats data index "thresholds" using "F_log" nooutput
 F_log = STATS_max
 
+# the laws in their colours, the critical ν thick
+array Cubic[4] = ["#7A3500", "#A84800", "#D55E00", "#F0A060"]
+array Log[4] = ["#003A5C", "#005688", "#0072B2", "#6FB7E0"]
 set multiplot
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
     fc rgb "#f6dcd0" fs solid noborder behind
@@ -29,17 +32,17 @@ set rmargin at screen 0.49
 set xrange [0:5]
 set yrange [-0.8:2.4]
 set ylabel "dP/dF over its value at rest, 2μ + λ"
-plot data index "tangent_cubic" using "F":"nu_03" with lines ls 1 \
+plot data index "tangent_cubic" using "F":"nu_03" with lines lw 2 lc rgb Cubic[1] \
          title "cubic, ν = 0.3", \
-     "" index "tangent_cubic" using "F":"nu_01" with lines ls 3 \
+     "" index "tangent_cubic" using "F":"nu_01" with lines lw 2 lc rgb Cubic[2] \
          title "cubic, ν = 0.1", \
-     "" index "tangent_cubic" using "F":"nu_critical" with lines ls 2 \
+     "" index "tangent_cubic" using "F":"nu_critical" with lines lw 3.5 lc rgb Cubic[3] \
          title sprintf("cubic, ν = %.7f: touches 0", nu_cubic), \
-     "" index "tangent_cubic" using "F":"nu_002" with lines ls 4 dt 4 \
+     "" index "tangent_cubic" using "F":"nu_002" with lines lw 2 dt 4 lc rgb Cubic[4] \
          title "cubic, ν = 0.02", \
      0 with lines ls 9 lw 1 notitle, \
      "+" using (F_cubic):(0) every ::0::0 with points pt 7 ps 0.8 \
-         lc rgb "#D55E00" notitle
+         lc rgb Cubic[3] notitle
 
 set key at screen 0.59, screen 0.975 left top vertical maxrows 4 reverse Left
 set lmargin at screen 0.59
@@ -49,15 +52,15 @@ set xrange [1:32]
 set xtics (1, 2, 4, 8, 16, 32)
 set yrange [-0.06:0.32]
 unset ylabel
-plot data index "tangent_log" using "F":"nu_03" with lines ls 1 \
+plot data index "tangent_log" using "F":"nu_03" with lines lw 2 lc rgb Log[1] \
          title "log, ν = 0.3", \
-     "" index "tangent_log" using "F":"nu_045" with lines ls 3 \
+     "" index "tangent_log" using "F":"nu_045" with lines lw 2 lc rgb Log[2] \
          title "log, ν = 0.45", \
-     "" index "tangent_log" using "F":"nu_critical" with lines ls 2 \
+     "" index "tangent_log" using "F":"nu_critical" with lines lw 3.5 lc rgb Log[3] \
          title sprintf("log, ν = %.7f: touches 0", nu_log), \
-     "" index "tangent_log" using "F":"nu_0499" with lines ls 4 dt 4 \
+     "" index "tangent_log" using "F":"nu_0499" with lines lw 2 dt 4 lc rgb Log[4] \
          title "log, ν = 0.499", \
      0 with lines ls 9 lw 1 notitle, \
      "+" using (F_log):(0) every ::0::0 with points pt 7 ps 0.8 \
-         lc rgb "#D55E00" notitle
+         lc rgb Log[3] notitle
 unset multiplot

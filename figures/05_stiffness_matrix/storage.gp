@@ -3,8 +3,7 @@
 # Reads   data  tables costs, times_dense, times_banded, growth_seconds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,450 enhanced font "Helvetica,13" \
-    background rgb "white"
+set terminal svg size 760,450
 set output out
 
 dense = "times_dense"
@@ -36,11 +35,11 @@ set rmargin at screen 0.48
 set key at screen 0.07, screen 0.985 left top vertical maxrows 4 reverse Left
 set ylabel "storage, bytes" offset 0.5
 set yrange [100:1e13]
-plot data index "costs" using "N":"dense_bytes" with linespoints ls 1 lw 1 \
+plot data index "costs" using "N":"dense_bytes" with linespoints ls 2 lw 1 \
          title "dense: 8 N^2", \
-     data index "costs" using "N":"plane_bytes" with linespoints ls 3 lw 1 \
+     data index "costs" using "N":"plane_bytes" with linespoints ls 6 lw 1 \
          title "banded, p = √N: 8 N(p + 1)", \
-     data index "costs" using "N":"line_bytes" with linespoints ls 2 lw 1 \
+     data index "costs" using "N":"line_bytes" with linespoints ls 1 lw 1 \
          title "banded, p = 1: 16 N", \
      16 * 2.0**30 with lines ls 8 title "16 GiB"
 unset label 1
@@ -49,10 +48,10 @@ set rmargin at screen 0.98
 set key at screen 0.57, screen 0.985 left top vertical maxrows 4 reverse Left
 set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
-plot data index dense using "N":"seconds" with linespoints ls 1 lw 1 \
+plot data index dense using "N":"seconds" with linespoints ls 2 lw 1 \
          title sprintf("dense: measured N^{%.2f}", p_dense), \
      s_dense * (x / N_dense)**3 with lines ls 8 title "due: N and N^3", \
-     data index banded using "N":"seconds" with linespoints ls 2 lw 1 \
+     data index banded using "N":"seconds" with linespoints ls 1 lw 1 \
          title sprintf("banded, p = 1: measured N^{%.2f}", p_banded), \
      s_banded * (x / N_banded) with lines ls 8 notitle
 unset multiplot

@@ -1,21 +1,20 @@
 # kink.gp - errors of the solution against element length: a smooth problem, a
 # point load inside an element, a jump of beta inside one.
-# Expected slopes: 2, 1.5, 1 in L2; 1, 0.5 in energy.
+# Expected slopes: 2, 1.5, 1 (with the right mean of beta: 1.5) in L2 and
+# 1, 0.5, 0.5 in energy.
 #
 # Reads   data  tables solution, point_load, jump (and _orders)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,500
+set terminal svg size 860,600
 set output out
-set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7  # computed, fifth
 
 set logscale xy
 set xrange [5.5e-3:0.36]
+set xtics ("1/128" 1./128, "1/32" 1./32, "1/8" 1./8)
 set format y "10^{%T}"
-set xtics ("1/128" 1./128, "1/64" 1./64, "1/32" 1./32, "1/16" 1./16, \
-           "1/8" 1./8, "1/4" 1./4)
-set xlabel "element length h"
-set key above left vertical maxrows 5 reverse Left samplen 2 font ",12"
+set key above left vertical maxrows 3 reverse Left samplen 1.5 width -2 \
+    font ",12"
 
 # The one number of a column of the table NAME_orders.
 order(table, name) = system(sprintf( \
@@ -23,47 +22,56 @@ order(table, name) = system(sprintf( \
      '$0 == t { on = 1; next } on == 1 { for (i = 1; i <= NF; i++) \
       if ($i == c) k = i; on = 2; next } on == 2 { print $k; exit }' '%s'", \
     table, name, data)) + 0.0
-say(text, table, name) = sprintf("%s: order %.2f", text, order(table, name))
+# "rule: orders in L2 and in energy", for the upper panels only
+say(text, table, suffix) = row == 2 ? "" : sprintf("%s: %.2f and %.2f", text, \
+    order(table, "L2".suffix), order(table, "energy".suffix))
 
-set multiplot layout 1,2 margins 0.085,0.985,0.115,0.77 spacing 0.1,0
-
-set ylabel "L^2 norm of the error"
-set yrange [1e-6:1]
-set label 1 "slope 1" at 0.0062, 6e-3 font ",12"
-set label 2 "1.5" at 0.0062, 2.6e-4 font ",12"
-set label 3 "2" at 0.0066, 4e-6 font ",12"
-
-plot data index "jump" using "h":"L2_sampled" with linespoints ls 2 \
-         title say("β jumps, sampled", "jump", "L2_sampled"), \
-     data index "jump" using "h":"L2_exact" with linespoints ls 4 \
-         title say("β jumps, integrated exactly", "jump", \
-                   "L2_exact"), \
-     data index "jump" using "h":"L2_harmonic" with linespoints ls 3 \
-         title say("β jumps, harmonic mean", "jump", \
-                   "L2_harmonic"), \
-     data index "point_load" using "h":"L2" with linespoints ls 5 \
-         title say("point load", "point_load", "L2"), \
-     data index "solution" using "h":"L2_midpoint" with linespoints ls 1 \
-         title say("all smooth", "solution", "L2_midpoint"), \
-     0.34 * x ls 8 notitle, 0.24 * x**1.5 ls 8 notitle, \
-     0.22 * x**2 ls 8 notitle
-
-unset label
-set ylabel "energy norm of the error"
-set yrange [3e-3:3]
-set label 1 "slope 0.5" at 0.0062, 0.125 font ",12"
-set label 2 "1" at 0.0072, 4.3e-3 font ",12"
-plot data index "jump" using "h":"energy_sampled" with linespoints ls 2 \
-         title say("β jumps, sampled", "jump", "energy_sampled"), \
-     data index "jump" using "h":"energy_exact" with linespoints ls 4 \
-         title say("β jumps, integrated exactly", "jump", \
-                   "energy_exact"), \
-     data index "jump" using "h":"energy_harmonic" with linespoints ls 3 \
-         title say("β jumps, harmonic mean", "jump", \
-                   "energy_harmonic"), \
-     data index "point_load" using "h":"energy" with linespoints ls 5 \
-         title say("point load", "point_load", "energy"), \
-     data index "solution" using "h":"energy_midpoint" with linespoints ls 1 \
-         title say("all smooth", "solution", "energy_midpoint"), \
-     0.9 * x**0.5 ls 8 notitle, 0.8 * x ls 8 notitle
+array Smooth[3] = ["midpoint", "trapezoid", "gauss2"]
+array Rule[3] = ["midpoint", "trapezoid", "Gauss"]
+array Mean[3] = ["sampled", "exact", "harmonic"]
+array Beta[3] = ["β sampled", "mean of β", "On paper 6"]
+set multiplot
+set tmargin 0
+set bmargin 0
+do for [row = 1:2] {
+    norm = word("L2 energy", row)
+    if (row == 2) { unset key }
+    set yrange [row == 1 ? 1e-6 : 3e-3 : row == 1 ? 0.2 : 1.5]
+    set tmargin at screen (row == 1 ? 0.87 : 0.455)
+    set bmargin at screen (row == 1 ? 0.53 : 0.095)
+    set xlabel row == 2 ? "element length h" : ""
+    do for [col = 1:3] {
+        set lmargin at screen 0.085 + 0.308 * (col - 1)
+        set rmargin at screen 0.37 + 0.308 * (col - 1)
+        set format y col == 1 ? "10^{%T}" : ""
+        set ylabel col == 1 ? (row == 1 ? "L^2 norm of the error" : \
+            "energy norm of the error") : ""
+        set label 1 row == 2 ? "" : col == 1 ? "all data smooth" : \
+            col == 2 ? "point load" : "β jumps" at graph 0.04, graph 0.93
+        s = row == 1 ? (col == 1 ? 2 : 1.5) : (col == 1 ? 1 : 0.5)
+        dashed = (row == 1 ? (col == 1 ? 1.1 : 0.25) : col == 1 ? 2.4 : \
+                  col == 2 ? 0.85 : 1.4)
+        set label 2 row == 1 && col == 3 ? "slopes 1, 1.5" : \
+            sprintf("slope %g", s) at graph 0.6, graph 0.08 font ",12"
+        if (col == 1) {
+            plot for [k = 1:3] data index "solution" \
+                using "h":(column(norm."_".Smooth[k])) \
+                with linespoints ls k \
+                title say(Rule[k], "solution", "_".Smooth[k]), \
+                dashed * x**s ls 8 notitle
+        }
+        if (col == 2) {
+            plot data index "point_load" using "h":norm \
+                with linespoints ls 1 title say("order", \
+                "point_load", ""), dashed * x**s ls 8 notitle
+        }
+        if (col == 3) {
+            plot for [k = 1:3] data index "jump" \
+                using "h":(column(norm."_".Mean[k])) with linespoints ls k + 2 \
+                title say(Beta[k], "jump", "_".Mean[k]), \
+                dashed * x**s ls 8 notitle, \
+                (row == 1 ? 0.4 * x : NaN) ls 8 notitle
+        }
+    }
+}
 unset multiplot

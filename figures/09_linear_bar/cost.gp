@@ -4,24 +4,24 @@
 # Reads   data  tables newton, cost
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,440 enhanced font "Helvetica,13" \
-    background rgb "white"
+set terminal svg size 720,430
 set output out
 set logscale y
 set xrange [0.6:5.6]
-set yrange [1e-16:100]
-set ytics ("10^{-15}" 1e-15, "10^{-12}" 1e-12, "10^{-9}" 1e-9, \
-           "10^{-6}" 1e-6, "10^{-4}" 1e-4, "1 %%" 1e-2, "100 %%" 1)
+set yrange [1e-16:10]
+set format y "10^{%T}"
+set ytics 1e-15,1e3
 set xtics 1
 set xlabel "linear solves"
 set ylabel "relative error of u(L)"
-set key above left vertical maxrows 3 reverse Left
-set label 1 "linear bar" at 1, 8 center
+set key above left vertical maxrows 2 reverse Left samplen 2.5
+set label 1 "linear bar" at 1, 4 center
 set arrow 1 from 0.6, 0.01 to 5.6, 0.01 nohead ls 8
+set label 3 "1 %" at 5.55, 0.03 right
 set label 2 "round-off" at 5.55, 4e-16 right tc rgb "#555555"
 set object 1 rectangle from 0.6, 1e-16 to 5.6, 1e-14 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
-set object 2 rectangle from 0.8, 1e-16 to 1.2, 100 behind \
+set object 2 rectangle from 0.8, 1e-14 to 1.2, 10 behind \
     fc rgb "#F0E442" fs transparent solid 0.30 noborder
 load_of(l) = system(sprintf( \
     "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
@@ -30,11 +30,15 @@ load_of(l) = system(sprintf( \
 # than that it is there
 shown(c) = (before = column(0) == 0 ? 1 : now, now = column(c), \
     before < 1e-14 ? NaN : now < 1e-14 ? 1.5e-15 : now)
-plot for [l = 1:4] data index "newton" \
+# colours by the size of the force; a bar that stands is dashed and hollow
+array Hollow[2] = [4, 8]
+plot for [l = 1:3] data index "newton" \
          using (column("solves")):(shown(l + 1)) \
          with linespoints ls l ps 0.9 \
-         title sprintf("body force %+g N/m³", load_of(l)), \
-     data index "newton" using (column("solves")):(shown(6)) \
-         with linespoints lc rgb "#000000" lw 2 dt 4 pt 4 ps 0.9 \
-         title sprintf("body force %+g N/m³", load_of(5))
+         title sprintf("hanging, %+g N/m³", load_of(l)), \
+     NaN with points pt 0 lc rgb "white" title " ", \
+     for [l = 4:5] data index "newton" \
+         using (column("solves")):(shown(l + 1)) with linespoints ls l - 2 \
+         dt 2 pt Hollow[l - 3] ps 1.3 \
+         title sprintf("standing, %+g N/m³", load_of(l))
 set output

@@ -10,7 +10,7 @@ set output out
 array Table[4] = ["chart_readable", "chart_gsl", "chart_fused", "chart_both"]
 array Name[4] = ["readable", "GSL tridiagonal", "fused sweep", \
                  "fused, from both ends"]
-array Style[4] = [2, 4, 3, 1]
+array Style[4] = [2, 5, 3, 1]
 # The entry of a column in row r = 0, 1, ... of a table.
 cell(table, name, r) = system(sprintf( \
     "awk -F'\t' -v t='# %s' -v c='%s' -v r=%d \

@@ -10,23 +10,27 @@ set output out
 stats data index "newton" using "k":"predicted" name "P" nooutput
 stats data index "newton" using "k":"residual" name "R" nooutput
 C = P_max_y
-# what is there before round-off: an error above 1e-10
-clean(name) = column("error") > 1e-10 ? column(name) : NaN
+stats data index "newton" every ::0::0 using "residual" name "Q" nooutput
+stats data index "newton" every ::0::0 using "error" name "E" nooutput
+stats data index "newton" every ::1::1 using "increment" name "D" nooutput
+# over its first value, and only what is there before round-off: an error
+# above 1e-10
+clean(name, first) = column("error") > 1e-10 ? column(name) / first : NaN
 set multiplot layout 1,2 margins 0.085,0.985,0.13,0.80 spacing 0.11,0
 set logscale y
 set format y "10^{%T}"
-set yrange [1e-10:1e3]
-set ytics 1e3
+set yrange [1e-9:30]
+set ytics 1e-8,1e2
 set xlabel "step k"
-set ylabel "size"
+set ylabel "size over its first value"
 set xrange [-0.3:R_max_x + 0.3]
 set xtics 1
-plot data index "newton" using "k":(clean("residual")) with linespoints ls 1 \
-         title "residual max |q_i| (N)", \
-     "" index "newton" using "k":"increment" with linespoints ls 3 \
-         title "increment max |Δu_i| (m)", \
-     "" index "newton" using "k":(clean("error")) with linespoints ls 2 \
-         title "error max |F_e - F_e^∞|"
+plot data index "newton" using "k":(clean("residual", Q_max)) \
+         with linespoints ls 1 title "residual max |q_i|", \
+     "" index "newton" using "k":(column("increment") / D_max) \
+         with linespoints ls 3 title "increment max |Δu_i|", \
+     "" index "newton" using "k":(clean("error", E_max)) \
+         with linespoints ls 2 title "error max |F_e - F_e^∞|"
 
 set logscale xy
 set format x "10^{%T}"

@@ -1,85 +1,80 @@
-# gives_up.gp - what the cubic law gives up: stress over stretch
-# for small nu, which rest state Newton finds, and a bar that localises.
+# gives_up.gp - what the cubic law gives up for a small ν: its stress has a
+# largest value and may return to 0; Newton's method then finds one rest state
+# or the other; a bar pulled to twice its length gives way in one element.
 # Reads   data  tables stress, giveup, critical, rest_map, localised
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,470
+set terminal svg size 900,430
 set output out
-set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
 stats data index "critical" using "cubic_tangent" name "LIMIT" nooutput
 stats data index "critical" using "cubic_rest" name "REST" nooutput
-set style textbox opaque noborder margins 0.3,0.3
+# the cubic law is orange: the smaller ν, the lighter
+set style line 11 lc rgb "#7A3500" lw 2
+set style line 12 lc rgb "#D55E00" lw 2
+set style line 13 lc rgb "#F5A25D" lw 2
 set multiplot
-set origin 0, 0
-set size 0.385, 1
-set lmargin 7
-set rmargin 1
-set tmargin at screen 0.78
-set bmargin at screen 0.12
+set tmargin at screen 0.80
+set bmargin at screen 0.13
+set key above left vertical maxrows 4 reverse Left samplen 2
+
+set lmargin at screen 0.085
+set rmargin at screen 0.365
 set xlabel "stretch F"
 set ylabel "stress P / E"
-set xrange [-0.5:5.5]
-set yrange [-5:2]
-set key at graph 0, graph 1.03 left bottom maxrows 3 samplen 1.5 width -1 \
-    font ",12"
-set object 1 rectangle from -0.5, -5 to 0, 2 fc rgb "#EEEEEE" \
-    fs solid noborder behind
-set label 1 "← inverted, and" at 0.75, -4.2 font ",12"
-set label 2 "    P is still defined" at 0.75, -4.55 font ",12"
-plot data index "stress" using "F":"nu30" with lines ls 1 title "ν = 0.3", \
-     data index "stress" using "F":"nu7" with lines ls 3 title "0.07", \
-     data index "stress" using "F":"nu5" with lines ls 2 title "0.05", \
-     data index "stress" using "F":"nu2" with lines ls 4 title "0.02", \
-     data index "stress" using "F":"nu0" with lines ls 5 title "0", \
-     data index "stress" using (column("F") > 0.05 ? column("F") : NaN):\
-         "log30" with lines ls 8 title "log law, 0.3", \
-     data index "giveup" using "F_limit":(column("P_limit") / 1000) \
-         with points pt 6 ps 0.9 lc rgb "black" lw 1.5 title "limit load", \
-     data index "giveup" using "F_rest":(0) \
-         with points pt 4 ps 0.9 lc rgb "black" lw 1.5 title "second zero", \
-     0 with lines ls 9 notitle
-unset object 1
+set xrange [0:4.5]
+set yrange [-1:1.4]
+set label 1 "limit loads" at 1.55, 0.64 right
+set label 2 "second rest state" at 2.85, -0.13 right
+plot data index "stress" using (column("F") > 0.05 ? column("F") : NaN): \
+         "log30" with lines ls 1 title "log law, ν = 0.3", \
+     data index "stress" using "F":"nu30" with lines ls 11 \
+         title "cubic law, ν = 0.3", \
+     data index "stress" using "F":"nu5" with lines ls 12 title "ν = 0.05", \
+     data index "stress" using "F":"nu0" with lines ls 13 title "ν = 0", \
+     data index "giveup" using (column("nu") == 0 || column("nu") == 0.05 ? \
+         column("F_limit") : NaN):(column("P_limit") / 1000) \
+         with points pt 7 ps 0.9 lc rgb "black" notitle, \
+     data index "giveup" every ::0::0 using "F_rest":(0) \
+         with points pt 6 ps 1.1 lw 1.5 lc rgb "black" notitle
 unset label
-unset arrow
-set origin 0.385, 0
-set size 0.345, 1
-set xlabel "start F_0 , no load"
+
+set lmargin at screen 0.465
+set rmargin at screen 0.725
+set xlabel "start F_0, no load"
 set ylabel "Poisson's ratio ν"
-set xrange [-1.1:6.1]
-set yrange [-0.004:0.104]
-set lmargin 10
-set arrow 1 from -1.1, LIMIT_max to 6.1, LIMIT_max nohead ls 8 front
-set arrow 2 from -1.1, REST_max to 6.1, REST_max nohead ls 8 front
+set xrange [-1.05:6.05]
+set yrange [-0.0025:0.0975]
+set xtics 2
+set arrow 1 from -1.05, LIMIT_max to 6.05, LIMIT_max nohead ls 8 front
+set arrow 2 from -1.05, REST_max to 6.05, REST_max nohead ls 8 front
 set label 1 sprintf("limit load below %.4f", LIMIT_max) \
-    at -0.9, LIMIT_max + 0.0035 font ",12" front boxed
+    at -0.9, LIMIT_max + 0.0035 front
 set label 2 sprintf("two rest states below %.4f", REST_max) \
-    at -0.9, REST_max + 0.0038 font ",12" front boxed
-set key at graph 0, graph 1.03 left bottom maxrows 3 samplen 1 font ",12"
-ends(a, b) = strcol("reason") eq "OK" && column("F") > a && \
-    column("F") < b ? column("nu") : NaN
-lost(reason) = strcol("reason") eq reason ? column("nu") : NaN
-plot data index "rest_map" using "start":(ends(0.99, 1.01)) \
-         with points pt 7 ps 0.35 lc rgb "#9CC7E6" title "ends at F = 1", \
-     data index "rest_map" using "start":(ends(1.01, 9)) \
-         with points pt 5 ps 0.45 lc rgb "#D55E00" \
-         title "at another rest state", \
-     data index "rest_map" using "start":(lost("NONFINITE")) \
-         with points pt 2 ps 0.9 lw 2 lc rgb "black" \
-         title "not finite: P' = 0"
+    at -0.9, REST_max + 0.0035 front
+set style fill solid noborder
+unset grid
+plot data index "rest_map" using (strcol("reason") eq "OK" ? \
+         column("start") : NaN):"nu":(0.05):(0.0025) \
+         with boxxyerror fc rgb "#CFE3F0" title "ends at F = 1", \
+     data index "rest_map" using (strcol("reason") eq "OK" && \
+         column("F") > 1.01 ? column("start") : NaN):"nu":(0.05):(0.0025) \
+         with boxxyerror fc rgb "#D55E00" title "at the other rest state", \
+     data index "rest_map" using (strcol("reason") eq "NONFINITE" ? \
+         column("start") : NaN):"nu" with points pt 2 ps 0.9 lw 2 \
+         lc rgb "black" title "nowhere: P' = 0"
 unset arrow
 unset label
-set origin 0.73, 0
-set size 0.27, 1
-set xlabel "X"
+set grid back ls 9
+
+set lmargin at screen 0.815
+set rmargin at screen 0.99
+set xlabel "X (m)"
 set ylabel "stretch F of the elements" offset 1,0
 set xrange [0:1]
 set yrange [1.5:3.6]
-set xtics 0.25
-set lmargin 8
-set key at graph 0, graph 1.03 left bottom maxrows 3 samplen 1.5 font ",12"
-plot data index "localised" using "X":"nu5" with histeps ls 2 \
-         title "ν = 0.05", \
-     data index "localised" using "X":"nu30" with histeps ls 1 \
-         title "ν = 0.3", \
-     2 ls 8 title "uniform"
+set xtics 0.5
+plot data index "localised" using "X":"nu30" with histeps ls 11 \
+         title "cubic law, ν = 0.3", \
+     data index "localised" using "X":"nu5" with histeps ls 12 \
+         title "ν = 0.05"
 unset multiplot

@@ -13,7 +13,7 @@ set xrange [3.5:75]
 set yrange [1e-3:0.6]
 set xtics (4, 8, 16, 32, 64)
 set format y "%g"
-set xlabel "squares a side n"
+set xlabel "squares per side n"
 set ylabel "missing displacement, 1 - u / reference"
 set key above left horizontal maxrows 2 samplen 2
 plot data index "locking" using "n":"error_0.4999" with linespoints ls 2 \

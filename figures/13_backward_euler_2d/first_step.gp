@@ -30,8 +30,8 @@ do for [k = 0:2] {
     set lmargin at screen 0.065 + 0.32 * k
     set rmargin at screen 0.345 + 0.32 * k
     if (k > 0) { unset ylabel }
-    set label 1 "Δg / h = ".word("0.5 1.2 1.2", k + 1).(k == 2 ? \
-        ", lifted" : "") at graph 0, graph 1.07
+    set label 1 "Δg = ".word("0.5 1.2 1.2", k + 1)." h".(k == 2 ? ", lifted" : \
+        k == 1 ? ": turned inside out" : "") at graph 0, graph 1.07
     set arrow 1 from 0, -0.1 to 0, 3.1 nohead ls 8
     up = sprintf("$1 == %d && $10 > 1e-9", k)
     turned = sprintf("$1 == %d && $10 <= 1e-9", k)

@@ -1,5 +1,5 @@
 # motion.gp - a free square that starts with 6 rad/s and (0.2, 0.1) m/s, each
-# time step of 1/30 s a frame: it ought to spin on.
+# time step of 1/30 s per frame: it ought to spin on, as the grey square does.
 # Reads   data  table motion
 # Writes  out   GIF
 load "figures/style.gp"
@@ -28,7 +28,15 @@ set ytics 1
 set xlabel "x1 (m)"
 set ylabel "x2 (m)"
 set style fill solid noborder
+# corner k of a square that keeps its 6 rad/s and its velocity
+cx(k, t) = 0.2 * t + sqrt(2) * cos(6 * t + (2 * k + 1) * pi / 4)
+cy(k, t) = 0.1 * t + sqrt(2) * sin(6 * t + (2 * k + 1) * pi / 4)
+set label 2 "grey: as it ought to" at graph 0.04, graph 0.05
 do for [m = 0:45] {
+    t = m / 30.0
+    set object 1 polygon from cx(0, t), cy(0, t) to cx(1, t), cy(1, t) \
+        to cx(2, t), cy(2, t) to cx(3, t), cy(3, t) to cx(0, t), cy(0, t) \
+        behind fs empty border lc rgb "#777777"
     set label 1 sprintf("t = %.2f s", m / 30.0) at graph 0.04, graph 0.95
     plot frame(m / 30.0) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
          "" using 1:2 with lines lw 1 lc rgb "#0072B2", \

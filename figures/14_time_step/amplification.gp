@@ -17,10 +17,10 @@ do for [k = 1:3] {
 set logscale x
 set xrange [0.01:100]
 set yrange [0:1.6]
-set xlabel "ω dt"
+set xlabel "ω Δt"
 set ylabel "amplitude after one step over that before"
 set arrow 1 from 2, 0 to 2, 1.6 nohead ls 8
-set label 1 "ω dt = 2" at 1.7, 1.45 right
+set label 1 "ω Δt = 2" at 1.7, 1.45 right
 set label 2 "bar, modes 1, 3, 5\nat 1/30 s" at 9.5, 0.66 left
 plot data index "amplification" using "w_dt":"symplectic" with lines ls 2 \
          title "symplectic Euler", \

@@ -1,5 +1,6 @@
 # damping.gp - energy of the linear bar in its first mode, in time; the number
-# behind a name is its steps in 1/30 s.
+# behind a name is its steps in a frame of 1/30 s; the key is in the order of
+# the curves.
 # Expected: 1, and (1 + omega^2 dt^2)^-1 per step for backward Euler.
 # Reads   data  tables damping, first_mode
 # Writes  out   SVG
@@ -18,17 +19,17 @@ set yrange [1e-4:2]
 set xlabel "time (s)"
 set ylabel "energy over energy at the start"
 plot data index "damping" using "t":"midpoint_1" with linespoints ls 3 \
-         title "midpoint, 1 a frame", \
+         title "midpoint, 1 per frame", \
      data index "damping" using "t":"symplectic_64" with linespoints ls 2 \
          title "symplectic Euler, 64", \
      data index "damping" using "t":"bdf2_16" with linespoints ls 4 \
          title "BDF2, 16", \
-     data index "damping" using "t":"bdf2_1" with linespoints ls 4 dt 3 \
-         title "BDF2, 1", \
      data index "damping" using "t":"backward_256" with linespoints ls 1 pt 6 \
          title "backward Euler, 256", \
      data index "damping" using "t":"backward_16" with linespoints ls 1 pt 4 \
          title "backward Euler, 16", \
+     data index "damping" using "t":"bdf2_1" with linespoints ls 4 dt 3 \
+         title "BDF2, 1", \
      data index "damping" using "t":"backward_1" with linespoints ls 1 \
          title "backward Euler, 1", \
      (1 + (w / 30)**2)**(-30 * x) with lines ls 8 title "expected", \

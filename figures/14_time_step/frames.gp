@@ -23,6 +23,8 @@ stats data index "loop" using "p50" nooutput
 p50 = STATS_max * 1e3
 stats data index "loop" using "p99" nooutput
 p99 = STATS_max * 1e3
+stats data index "frames" using "seconds" nooutput
+worst = STATS_max * 1e3
 stats data index "loop" using "n" nooutput
 n = STATS_max
 by(a, b) = column("attempts") >= a && column("attempts") <= b \
@@ -36,10 +38,11 @@ set xrange [0:3.4]
 set yrange [0.4:1000]
 set xlabel "time in the script (s)"
 set ylabel "time for the frame (ms)"
+set label 21 sprintf("n = %d: median %.1f ms, 99 of 100 within %.0f ms, worst \
+%.0f ms", n, p50, p99, worst) at graph 0.01, first 300 left font ",12"
 plot 1000.0 / 30 with lines ls 8 lw 1.5 title "1/30 s", \
      data index "frames" using "t":(by(1, 1)) with points ls 1 \
-         title sprintf("FAST; n = %d: median %.1f ms, p99 %.0f ms", n, p50, \
-                       p99), \
+         title "FAST", \
      data index "frames" using "t":(by(2, 2)) with points ls 2 \
          title "ROBUST", \
      data index "frames" using "t":(by(3, 9)) with points ls 3 ps 0.9 \

@@ -1,12 +1,12 @@
-# mode.gp - one mode: its path in the plane of u and v / omega, and the error
-# after omega T = 2.385 against omega dt.
+# mode.gp - one mode: its path in the plane of u and v / omega by each method
+# (dashed: exact), and the error after omega T = 2.385 against omega dt.
 # Expected: slopes 1, 1, 2, 2 with the constants of [eq:mode-constants].
 # Reads   data  tables mode, orders
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/14_time_step/mode.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/mode.svg"
 load "figures/style.gp"
-set terminal svg size 900,470
+set terminal svg size 900,460
 set output out
 array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
 array Column[4] = ["symplectic", "backward", "midpoint", "bdf2"]
@@ -20,28 +20,47 @@ do for [m = 1:4] {
     stats data index "orders" using "order" every ::9*m-2::9*m-1 nooutput
     Slope[m] = STATS_mean
 }
-set multiplot layout 1,2 margins 0.075,0.985,0.14,0.76 spacing 0.11,0
-set key at screen 0.06, screen 0.99 left top vertical maxrows 3 reverse Left \
-    samplen 2
+set multiplot
+# one small panel for each, with its name above
+unset key
 set size ratio -1
 set xrange [-1.3:1.3]
 set yrange [-1.3:1.3]
-set xlabel "u"
-set ylabel "v / ω"
+set xtics 1
+set ytics 1
 set parametric
 set trange [0:2*pi]
-plot cos(t), sin(t) with lines ls 8 title "exact", \
-     for [m = 1:4] data index "mode" using Column[m]."_u":Column[m]."_v" \
-         every ::0::24 with linespoints ls Style[m] lw 1 ps 0.5 title Name[m]
+do for [m = 1:4] {
+    col = (m - 1) % 2
+    row = (m - 1) / 2
+    set lmargin at screen 0.065 + 0.205 * col
+    set rmargin at screen 0.255 + 0.205 * col
+    set tmargin at screen 0.93 - 0.43 * row
+    set bmargin at screen 0.57 - 0.43 * row
+    set label 1 Name[m] at graph 0.5, graph 1.08 center
+    set format x row == 1 ? "%g" : ""
+    set format y col == 0 ? "%g" : ""
+    set xlabel row == 1 ? "u" : ""
+    set ylabel col == 0 ? "v / ω" : ""
+    plot cos(t), sin(t) with lines ls 8 lw 1.5, \
+         data index "mode" using Column[m]."_u":Column[m]."_v" \
+             every ::0::24 with linespoints ls Style[m] lw 1 ps 0.5
+}
 unset parametric
-set key at screen 0.50, screen 0.99 left top vertical maxrows 3 reverse Left \
-    samplen 2 width -2
+unset label
+set lmargin at screen 0.575
+set rmargin at screen 0.985
+set tmargin at screen 0.75
+set bmargin at screen 0.14
+set key above left vertical maxrows 5 reverse Left samplen 2
 set size noratio
 set logscale xy
 set format xy "10^{%T}"
+set xtics autofreq
+set ytics autofreq
 set xrange [2e-3:1]
 set yrange [1e-7:2]
-set xlabel "ω dt"
+set xlabel "ω Δt"
 set ylabel "error of (u, v / ω) at ω T = 2.385"
 plot for [m = 1:4] data index "orders" using "w_dt":"error" \
          every ::9*m-9::9*m-1 with points ls Style[m] \

@@ -19,31 +19,6 @@ static struct scene *column(int n)
     return scene_alloc(&set);
 }
 
-static double *middle(const struct scene *s)
-{
-    return &s->u[(s->mesh->rows + 1) * (s->mesh->n + 1)];
-}
-
-/* On to the load e from where the column is; pushed if it is straight. */
-static struct step_report walk(struct scene *s, const char *method, double e,
-                               double push)
-{
-    struct step_control control = step_method(method);
-    control.max_iterations = 400;
-    scene_press(s, e, fabs(*middle(s)) < 1e-3 ? push : 0.0);
-    struct step_report report =
-        step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
-    if (report.status == OK) report.status = step_certify(s->body, 1.0, s->u);
-    return report;
-}
-
-static double energy(const struct scene *s)
-{
-    double psi;
-    if (body_energy(s->body, s->u, &psi) != OK) die("the column has no energy");
-    return psi;
-}
-
 /* By halving between a load that it bears and one that it does not. */
 static double critical(int n)
 {
@@ -51,7 +26,7 @@ static double critical(int n)
     double low = 0.01, high = 0.1;
     while (high - low > 1e-6) {
         const double e = 0.5 * (low + high);
-        (walk(s, "notes", e, 0.0).status == OK ? &low : &high)[0] = e;
+        (scene_walk(s, "notes", e, 0.0).status == OK ? &low : &high)[0] = e;
     }
     scene_free(s);
     return low;
@@ -73,11 +48,11 @@ int main(void)
                             "energy_straight");
     for (int k = 0; k <= 30; k++) {
         const double e = 0.02 + 0.001 * k;
-        const enum status straight = walk(flat, "notes", e, 0.0).status;
-        walk(up, "demand+search", e, 1e-3);
-        table_row(e, fabs(*middle(up)), fabs(*middle(flat)),
-                  straight == OK ? "stable" : "saddle", energy(up),
-                  energy(flat));
+        const enum status straight = scene_walk(flat, "notes", e, 0.0).status;
+        scene_walk(up, "demand+search", e, 1e-3);
+        table_row(e, fabs(*scene_middle(up)), fabs(*scene_middle(flat)),
+                  straight == OK ? "stable" : "saddle", scene_energy(up),
+                  scene_energy(flat));
     }
     table_end();
     table_begin("shape", "x0 y0 x1 y1 x2 y2 negative");

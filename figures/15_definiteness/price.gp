@@ -19,11 +19,11 @@ set yrange [3:300]
 set xlabel "step"
 set ylabel "linear systems in it"
 set key at graph 0, 1.2 left top maxrows 3 samplen 2
-plot data index "steps" using "k":"always" with linespoints ls 2 \
+plot data index "steps" using "k":"always" with linespoints ls 4 \
          title "always, ".total("always")." in all", \
-     data index "steps" using "k":"demand" with linespoints ls 1 \
+     data index "steps" using "k":"demand" with linespoints ls 3 \
          title "on demand, ".total("on demand")." in all", \
-     data index "steps" using "k":"never" with linespoints ls 3 \
+     data index "steps" using "k":"never" with linespoints ls 2 \
          title "never; fails in the step after its last point"
 set lmargin at screen 0.62
 set rmargin at screen 0.98
@@ -34,8 +34,8 @@ set ytics 1e-16, 1e4
 set xlabel "linear systems"
 set ylabel "distance to the solution (m)"
 set key at graph 0, 1.2 left top maxrows 3 samplen 2
-plot data index "approach" using "k":"always" with linespoints ls 2 \
+plot data index "approach" using "k":"always" with linespoints ls 4 \
          title "always: each divides it by 4 to 5", \
-     data index "approach" using "k":"demand" with linespoints ls 1 \
+     data index "approach" using "k":"demand" with linespoints ls 3 \
          title "never, on demand: the digits double"
 unset multiplot

@@ -19,24 +19,6 @@ static struct scene *column(int n)
     return scene_alloc(&set);
 }
 
-static double *middle(const struct scene *s)
-{
-    return &s->u[(s->mesh->rows + 1) * (s->mesh->n + 1)];
-}
-
-/* On to the load e from where the column is; pushed if it is straight. */
-static struct step_report walk(struct scene *s, const char *method, double e,
-                               double push)
-{
-    struct step_control control = step_method(method);
-    control.max_iterations = 400;
-    scene_press(s, e, fabs(*middle(s)) < 1e-3 ? push : 0.0);
-    struct step_report report =
-        step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
-    if (report.status == OK) report.status = step_certify(s->body, 1.0, s->u);
-    return report;
-}
-
 static int negative_elements(const struct scene *s)
 {
     int count = 0;
@@ -44,13 +26,6 @@ static int negative_elements(const struct scene *s)
         count += modes_at(&s->body->material, body_deformation(
                               s->body, s->u, t)).value[MODE_TWIST] < 0.0;
     return count;
-}
-
-static double energy(const struct scene *s)
-{
-    double psi;
-    if (body_energy(s->body, s->u, &psi) != OK) die("the column has no energy");
-    return psi;
 }
 
 int main(void)
@@ -66,9 +41,10 @@ int main(void)
         struct scene *s = column(80);
         for (int l = 0; l < 5; l++) {
             const double push = k % 2 ? 1e-3 : 0.0;
-            const struct step_report r = walk(s, method[k / 2], load[l], push);
+            const struct step_report r =
+                scene_walk(s, method[k / 2], load[l], push);
             status[k][l] = r.status;
-            psi[k][l] = energy(s), out[k][l] = fabs(*middle(s));
+            psi[k][l] = scene_energy(s), out[k][l] = fabs(*scene_middle(s));
             elements[k][l] = negative_elements(s);
             table_row(method[k / 2], push, load[l], r.iterations, out[k][l],
                       psi[k][l], elements[k][l], status_name(r.status));

@@ -23,24 +23,24 @@ set yrange [-35:5]
 set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
     fc rgb "#eeeeee" fs solid noborder behind
 set label 1 "inside out" at -0.03, 3.2 right font ",12" textcolor rgb "#555555"
-set label 2 "log law" at 0.10, -26 left
+set label 2 "log law" at 0.10, -26 left textcolor rgb "#0072B2"
 set label 3 "stable" at -0.97, -1.4 left textcolor rgb "#B07800"
 set label 4 "energy" at -0.97, -7.6 left textcolor rgb "#CC79A7"
 set label 5 "cubic" at -0.50, -14.5 right textcolor rgb "#D55E00"
 set label 6 "stress" at -0.485, -25.2 left textcolor rgb "#009E73"
-set label 7 "extended" at -0.30, -29.5 left textcolor rgb "#0072B2"
+set label 7 "extended" at -0.30, -29.5 left textcolor rgb "#2E86C1"
 plot data index "principal" using (of("stress")):(P("stress")) \
          with lines ls 3, \
      "" index "principal" using (of("energy")):(P("energy")) \
          with lines ls 4, \
      "" index "principal" using (of("extended")):(P("extended")) \
-         with lines ls 1, \
+         with lines ls 6, \
      "" index "principal" using (of("cubic")):(P("cubic")) \
          with lines ls 2, \
      "" index "principal" using (of("stable")):(P("stable")) \
-         with lines lw 2 lc rgb "#E69F00", \
+         with lines ls 5, \
      "" index "principal" using (of("cubic")):(log_P("cubic")) \
-         with lines ls 8 lw 1.5
+         with lines ls 1
 unset label
 unset object
 set label 3 "stable" at 1.17, 0.66 right textcolor rgb "#B07800"
@@ -53,11 +53,11 @@ set xtics 0.2
 set xlabel "s_2, near rest"
 unset ylabel
 plot data index "principal" using (of("extended")):(P("extended")) \
-         with lines ls 1, \
+         with lines ls 6, \
      "" index "principal" using (of("cubic")):(P("cubic")) with lines ls 2, \
      "" index "principal" using (of("stable")):(P("stable")) \
-         with lines lw 2 lc rgb "#E69F00", \
+         with lines ls 5, \
      "" index "principal" using (of("cubic")):(log_P("cubic")) \
-         with lines ls 8 lw 1.5
+         with lines ls 1
 unset multiplot
 set output

@@ -24,6 +24,10 @@ stats data index "stuck" using "energy" every ::0::0 nooutput
 energy = STATS_min
 stats data index "stuck" using "min_J" every ::0::0 nooutput
 least = STATS_min
+stats data index "scramble" using (stringcolumn("law") eq "cubic" ? \
+    column("error") : NaN) name "CUBIC" nooutput
+stats data index "scramble" using (stringcolumn("law") eq "stable" ? \
+    column("error") : NaN) name "STABLE" nooutput
 # the way round the boundary, drawn a little further out from vertex to vertex
 array Way[9] = [0, 1, 2, 5, 8, 7, 6, 3, 0]
 out_by(k) = 1.04 + 0.045 * k
@@ -86,33 +90,34 @@ set grid back ls 9
 set lmargin at screen 0.56
 set rmargin at screen 0.98
 set tmargin at screen 0.83
-set bmargin at screen 0.13
+set bmargin at screen 0.17
 set key at screen 0.53, screen 0.985 left top vertical maxrows 3 reverse Left
-# the place of an error is its root: 0 has a place, and 9 % does not rule all
-set xrange [-0.3:3.5]
+# three bars for each law, the worse its error the further to the right
+set xrange [-0.6:2.6]
 set yrange [0:112]
-set xtics ("0" 0, "0.25" 0.5, "1" 1, "2.25" 1.5, "4" 2, "6.25" 2.5, "9" 3)
-set ytics 0,25,100
-set xlabel "stress error at a stretch of 1.1 (%)"
+set xtics nomirror ("extended\n0 %%" 0, sprintf("cubic\n%.2f %%%%", CUBIC_max) 1, \
+    sprintf("stable\n%.1f %%%%", STABLE_max) 2)
+set ytics nomirror 0,25,100
+set xlabel "law; its stress error at a stretch of 1.1" offset 0,-0.8
 set ylabel "scrambled squares that come back (%)"
-at(n, b) = column("n") == n && stringcolumn("boundary") eq b
-rate(n, b) = at(n, b) ? column("rate") : NaN
-many(n, b) = at(n, b) ? sprintf("%.0f", column("iterations")) : ""
-set label 1 "extended" at 0.06, 68 center rotate font ",13"
-set label 2 "cubic" at 0.543, 68 center rotate font ",13"
-set label 3 "stable" at 3.07, 68 center rotate font ",13"
-set label 4 "beside a point: iterations, the median" at 1, 8 left font ",12"
-plot data index "scramble" using (sqrt(column("error"))):(rate(4, "held")) with points ls 3 \
-         ps 1.3 title "n = 4, boundary held", \
-     "" index "scramble" using (sqrt(column("error"))):(rate(2, "free")) with points ls 1 \
-         ps 1.3 title "n = 2, all vertices scrambled", \
-     "" index "scramble" using (sqrt(column("error"))):(rate(4, "free")) with points ls 2 \
-         ps 1.3 title "n = 4, all vertices scrambled", \
-     "" index "scramble" using (sqrt(column("error"))):(rate(2, "free")):(many(2, "free")) \
-         with labels right offset -1.2,-0.4 font ",12" textcolor rgb "#0072B2" \
-         notitle, \
-     "" index "scramble" using (sqrt(column("error"))):(rate(4, "free")):(many(4, "free")) \
-         with labels left offset 1.2,0 font ",12" textcolor rgb "#D55E00" \
-         notitle
+array N[3] = [4, 2, 4]
+array Boundary[3] = ["held", "free", "free"]
+array Title[3] = ["n = 4, boundary held", "n = 2, all vertices scrambled", \
+    "n = 4, all vertices scrambled"]
+array Style[3] = [3, 1, 2]
+array Colour[3] = ["#009E73", "#0072B2", "#D55E00"]
+place(k) = (stringcolumn("law") eq "extended" ? 0 : \
+    stringcolumn("law") eq "cubic" ? 1 : 2) + 0.26 * (k - 2)
+rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
+    column("rate") : NaN
+set style fill solid 0.85 border
+set boxwidth 0.22
+set label 1 "above a bar: iterations, the median" at graph 0.99, graph 1.03 \
+    right font ",12"
+plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
+         with boxes ls Style[k] title Title[k], \
+     for [k = 1:3] data index "scramble" using (place(k)):(rate(k) + 4): \
+         (sprintf("%.0f", column("iterations"))) with labels font ",12" \
+         textcolor rgb Colour[k] notitle
 unset multiplot
 set output

@@ -37,19 +37,21 @@ set xrange [0:1]
 set yrange [0.71:1.005]
 set ytics 0.05
 array Row[3] = ["linear cord", "linear muscle", "cubic cord"]
-array Style[3] = [2, 4, 3]
+array Colour[3] = ["#000000", "#000000", "#D55E00"]
 do for [i = 1:3] {
     set object i circle at limit(Row[i]), height(Row[i]) size 0.009 \
-        fc ls Style[i] fs solid noborder front
+        fc rgb Colour[i] fs solid noborder front
     set label i sprintf("1 %% off at %.2f", limit(Row[i])) \
         at limit(Row[i]) + 0.02, height(Row[i]) + 0.012 left font ",11"
 }
-set label 11 "cubic material, muscle" at 0.02, 0.795 left tc rgb "#0072B2"
-set label 12 "cubic material, cord" at 0.02, 0.775 left tc rgb "#009E73"
-set label 13 "linear material, muscle" at 0.02, 0.755 left tc rgb "#CC79A7"
-set label 14 "linear material, cord" at 0.02, 0.735 left tc rgb "#D55E00"
-plot data index "length" using "activation":"linear_cord" with lines ls 2, \
-     "" index "length" using "activation":"linear_muscle" with lines ls 4 dt 4, \
-     "" index "length" using "activation":"cubic_cord" with lines ls 3 dt 2, \
-     "" index "length" using "activation":"cubic_muscle" with lines ls 1 lw 3
+set key at graph 0.02, graph 0.03 left bottom vertical maxrows 4 reverse Left \
+    samplen 3
+plot data index "length" using "activation":"cubic_muscle" with lines ls 2 \
+         title "cubic material, muscle", \
+     "" index "length" using "activation":"cubic_cord" with lines ls 2 dt 4 \
+         title "cubic material, cord", \
+     "" index "length" using "activation":"linear_muscle" with lines ls 8 \
+         lw 1.5 title "linear material, muscle", \
+     "" index "length" using "activation":"linear_cord" with lines ls 8 lw 1.5 \
+         dt 4 title "linear material, cord"
 unset multiplot

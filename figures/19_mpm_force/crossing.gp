@@ -6,7 +6,7 @@ load "figures/style.gp"
 set terminal svg size 1000,430
 set output out
 set multiplot
-set tmargin at screen 0.83
+set tmargin at screen 0.78
 set bmargin at screen 0.14
 set logscale xy
 array Name[3] = ["linear", "quadratic", "cubic"]
@@ -20,10 +20,10 @@ set xtics ("0.1" 0.1, "1/8" 0.125, "1/5" 0.2, "1/4" 0.25, "1/3" 1./3, \
 set format y "10^{%T}"
 set xlabel "spacing of the particles (cells)"
 set ylabel "force left over / stress" offset 1
-set key above left horizontal maxrows 2 samplen 2
+set key above left vertical maxrows 4 samplen 2
 of(s, column_) = column("order") == s ? column(column_) : NaN
 plot for [s = 1:3] data index "spacing" using "s":(of(s, "measured")) \
-         with points ls s ps 0.45 title Name[s], \
+         with points ls s ps 0.35 title Name[s], \
      for [s = 2:3] data index "spacing" using "s":(of(s, "predicted")) \
          with lines ls 8 dt 1 title (s == 3 ? "Poisson summation" : "")
 

@@ -9,10 +9,10 @@ set terminal svg size 860,400
 set output out
 array Name[3] = ["jacobi", "incomplete", "multigrid"]
 array Text[3] = ["Jacobi", "incomplete Cholesky", "V-cycle"]
-array Style[3] = [2, 4, 3]
+array Style[3] = [5, 4, 6]
 of(k, what) = strcol("with") eq Name[k] ? column(what) : NaN
 
-set multiplot layout 1,2 margins 0.085,0.985,0.145,0.86 spacing 0.09,0
+set multiplot layout 1,2 margins 0.085,0.985,0.145,0.83 spacing 0.09,0
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-11:30]

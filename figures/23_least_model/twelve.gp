@@ -25,10 +25,10 @@ set style fill transparent solid 0.12 noborder
 plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) ** (($0) / 99.0) / 3):(3 * 0.012 * (200 / 0.012) ** (($0) / 99.0)) \
          with filledcurves lc rgb "#0072B2" notitle, \
      x with lines ls 8 notitle, \
-     data index "rungs" using "error":(of("bar")) with points ls 2 ps 0.9 title "bar", \
-     "" index "rungs" using "error":(of("linear")) with points ls 1 ps 0.9 title "linear", \
-     "" index "rungs" using "error":(of("cubic")) with points ls 3 ps 1.0 title "cubic", \
-     "" index "rungs" using "error":(of("log")) with points ls 4 ps 1.1 title "logarithm", \
+     data index "rungs" using "error":(of("bar")) with points ls 3 ps 1.0 title "bar", \
+     "" index "rungs" using "error":(of("linear")) with points pt 13 ps 1.0 lc rgb "black" title "linear", \
+     "" index "rungs" using "error":(of("cubic")) with points ls 2 ps 0.9 title "cubic", \
+     "" index "rungs" using "error":(of("log")) with points ls 1 ps 0.9 title "log", \
      "" index "chosen" using "error":"estimate" with points pt 6 ps 1.9 lw 1.5 lc rgb "black" \
          title "enough for 10 %", \
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \

@@ -1,120 +1,116 @@
 /*
  * hard.c - what each rung of the ladder is for: one is taken away at a time.
  *
- * The script `hard` on the square, n = 8, a patch in the hand, backward Euler.
- * Table: of 300 frames lost, longest freeze, systems at p99, largest energy and
- * |u|, |u| at the end; the same in words, which do not hang on round-off.
+ * The square, n = 8, a patch in the hand.  Tables: rungs (the script `hard`,
+ * 300 frames, backward Euler, every rung and both laws), rare (what `hard` does
+ * not show: the midpoint rule, or the one of 40 seeds of `mad` in which a rung
+ * is seen best; what tells, with all rungs and without that one), mad (those
+ * seeds with all rungs: frames, lost, most systems).
  */
-#include "live.h"
+#include "options.h"
 #include "study.h"
 #include "table.h"
+#include "without.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum without {
-    NOTHING, DOWNHILL, SEARCH, HALVING, PROJECTION, BOUND, STOPPING, N_WITHOUT
-};
-static const char *const WITHOUT[] = {
-    "nothing",            "second rung",  "line search",       "halved ways",
-    "projection of lift", "bounded hand", "stop if unfinished"};
-static enum without without; /* the rung that is not there */
-static enum status downhill(struct live *live, double u[], double v[],
-                            struct live_report *report)
+/* Each rung and each law. */
+static void print_rungs(struct without_result all[2][N_WITHOUT])
 {
-    const double dt = live->dt, *u0 = live->now.u;
-    const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, unused;
-    enum status status = INVERTED;
-    for (int r = 0; r < n; r++) w[r] = u0[r] + dt * live->now.v[r];
-    report->part = 1.0;
-    const int tries = without == HALVING ? 1 : LIVE_HALVINGS;
-    for (int k = 0; status != OK && k < tries; k++) {
-        if (k > 0) report->part *= 0.5;
-        for (int r = 0; r < n; r++)
-            g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
-        report->systems++;
-        status = live_lift(live->body, dt, w, u0, g,
-                           without == PROJECTION ? EXACT : PROJECTED, u);
-        if (status == OK) status = body_energy(live->body, u, &unused);
+    struct pointers hard = pointers_hard();
+    table_begin("rungs", "without log_lost log_freeze log_p50 log_p99 log_most "
+                         "log_energy log_last cubic_lost cubic_freeze "
+                         "cubic_p50 cubic_p99 cubic_most cubic_energy "
+                         "cubic_last");
+    for (int w = 0; w < N_WITHOUT; w++) {
+        for (int l = 0; l < 2; l++)
+            all[l][w] = without_play((enum without)w, 8, l ? CUBIC : LOG,
+                                     BACKWARD_EULER, &hard);
+        const struct without_result *a = &all[0][w], *b = &all[1][w];
+        table_row(without_word((enum without)w), a->lost, a->freeze, a->p50,
+                  a->p99, a->most, a->energy, a->last, b->lost, b->freeze,
+                  b->p50, b->p99, b->most, b->energy, b->last);
     }
-    if (status != OK) report->part = 0.0, memcpy(u, u0, (size_t)n * sizeof *u);
-    struct step_control control = LIVE_DOWNHILL;
-    if (without == SEARCH) control.line_search = 0;
-    const struct step_report newton =
-        step_solve(live->body, &control, dt, w, NULL, u);
-    report->systems += newton.iterations;
-    const int whole = (newton.status == OK && report->part == 1.0) ||
-                      without == STOPPING;
-    for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
-    free(w);
-    return newton.status;
+    table_end();
+    pointers_free(&hard);
 }
 
-struct result {
-    int lost, frozen, freeze;
-    double p99, farthest;
-};
+static const struct {
+    enum without which;
+    enum law law;
+    enum method method;
+    int seed; /* 0: hard */
+    const char *what;
+} RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
+            {PROJECTION, CUBIC, IMPLICIT_MIDPOINT, 33, "most systems"},
+            {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
+            {HALVING, LOG, BACKWARD_EULER, 8, "frames the hand stands"},
+            {BOUND, CUBIC, BACKWARD_EULER, 18, "energy (J)"},
+            {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
 
-/* All of `hard`; its row. */
-static struct result play(enum law law)
+/* value[k] := what tells, with all rungs and without one; of mad with all
+ * rungs, frames are counted, and those lost. */
+static void print_rare(double value[][2])
 {
-    const struct live_setting set = {8, law, BACKWARD_EULER, PATCH, ELASTIC,
-                                     without != DOWNHILL};
-    struct live *live = live_alloc(&set);
-    struct pointers hard = pointers_hard();
-    struct result sum = {0};
-    struct times systems = {0};
-    double energy = 0.0, far = 0.0;
-    for (int k = 0; k < hard.n; k++) {
-        double to[2] = {hard.frame[k].x, hard.frame[k].y};
-        live_input(live, &hard.frame[k]);
-        if (without != BOUND) live_hand(live->hand, &hard.frame[k], to);
-        live_carry(live, to);
-        const struct live_report report =
-            live_frame_by(live, live_lift, downhill, to);
-        const int lost = strcmp(report.rung, "lost") == 0;
-        sum.lost += lost;
-        sum.frozen = lost ? sum.frozen + 1 : 0;
-        if (sum.frozen > sum.freeze) sum.freeze = sum.frozen;
-        times_record(&systems, report.systems, 1);
-        energy = fmax(energy, live_energy(live));
-        far = 0.0;
-        for (int r = 0; r < live->n_dof; r++)
-            far = fmax(far, fabs(live->now.u[r]));
-        sum.farthest = fmax(sum.farthest, far);
+    int frames = 0, lost = 0;
+    double most = 0.0;
+    table_begin("rare", "without law integrator seed what all_rungs one_less");
+    for (int k = 0; k < COUNT(RARE); k++) {
+        const int seed = RARE[k].seed;
+        struct pointers script =
+            seed ? pointers_mad(seed, 600) : pointers_hard();
+        for (int less = 0; less < 2; less++) {
+            const struct without_result r =
+                without_play(less ? RARE[k].which : NOTHING, 8, RARE[k].law,
+                             RARE[k].method, &script);
+            const double tells[COUNT(RARE)] = {r.last,   r.most,   r.energy,
+                                               r.stands, r.energy, r.speed};
+            value[k][less] = tells[k];
+            if (less || !seed) continue;
+            frames += script.n;
+            lost += r.lost;
+            most = fmax(most, r.most);
+        }
+        table_row(without_word(RARE[k].which), material_law(RARE[k].law),
+                  RARE[k].method == BACKWARD_EULER ? "backward" : "midpoint",
+                  cell_if(seed, seed), RARE[k].what, value[k][0], value[k][1]);
+        pointers_free(&script);
     }
-    sum.p99 = times_quantile(&systems, 0.99);
-    table_row(material_law(law), WITHOUT[without], sum.lost, sum.freeze,
-              sum.p99, energy, sum.farthest, far,
-              sum.lost == 0 ? "none" : sum.lost < 20 ? "few" : "many",
-              far < 1e-2 ? "at rest" : far < 10.0 ? "frozen" : "exploded");
-    pointers_free(&hard);
-    live_free(live);
-    return sum;
+    table_end();
+    table_begin("mad", "frames lost most");
+    table_row(frames, lost, most);
+    table_end();
+    claim(lost == 0 && most <= 22.0, "mad loses no frame (%d), and takes 22 "
+          "systems at most (%g)", lost, most);
 }
 
 int main(void)
 {
-    struct result hard[2][N_WITHOUT];
+    struct without_result all[2][N_WITHOUT];
+    double value[COUNT(RARE)][2];
     gsl_set_error_handler_off();
-    table_begin("rungs", "law without lost freeze p99 energy farthest last "
-                         "losses end");
-    for (int l = 0; l < 2; l++)
-        for (int w = 0; w < N_WITHOUT; w++) {
-            without = (enum without)w;
-            hard[l][w] = play(l ? CUBIC : LOG);
-        }
-    table_end();
-    for (int l = 0; l < 2; l++)
-        claim(hard[l][NOTHING].lost == 0 && hard[l][DOWNHILL].freeze >= 40,
+    print_rungs(all);
+    print_rare(value);
+    for (int l = 0; l < 2; l++) {
+        const struct without_result *a = all[l];
+        claim(a[NOTHING].lost == 0 && a[SECOND_RUNG].freeze >= 40,
               "the whole ladder loses no frame (%d); without the second rung "
               "the picture freezes for 40 frames or more (%d)",
-              hard[l][NOTHING].lost, hard[l][DOWNHILL].freeze);
-    claim(hard[0][SEARCH].lost > 0 && hard[1][SEARCH].farthest > 1e3,
+              a[NOTHING].lost, a[SECOND_RUNG].freeze);
+        claim(a[ACCEPTING].lost >= 20, "an unfinished frame that is not "
+              "accepted is lost, and more follow (%d)", a[ACCEPTING].lost);
+        claim(a[LIFT].p50 >= 1.5 * a[NOTHING].p50, "without the elastic lift "
+              "a frame needs more systems (%g, %g)", a[LIFT].p50,
+              a[NOTHING].p50);
+    }
+    claim(all[0][SEARCH].lost > 0 && all[1][SEARCH].energy > 1e50,
           "without a line search LOG loses frames (%d), and the cubic body "
-          "explodes (%g m)", hard[0][SEARCH].lost, hard[1][SEARCH].farthest);
+          "explodes (%g J)", all[0][SEARCH].lost, all[1][SEARCH].energy);
+    claim(value[0][1] < 1e-3 * value[0][0], "the first rung is what swings");
+    for (int k = 1; k < COUNT(RARE); k++)
+        claim(value[k][1] > 1.2 * value[k][0], "without the %s, %s: %g, with "
+              "it %g", without_word(RARE[k].which), RARE[k].what, value[k][1],
+              value[k][0]);
     return table_finish();
 }

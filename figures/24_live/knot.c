@@ -2,10 +2,10 @@
  * knot.c - what is not undone by letting go.
  *
  * A corner of the square, n = 8, is grabbed and dragged about at random for two
- * seconds, then let go; eight seconds later the body is looked at.  40 times,
- * the same for both laws.  Tables: after (how many are at rest, knotted, or
- * neither), body (the triangles of the first body that is knotted, with J, and
- * its knots, with J = 0).
+ * seconds, then let go; eight seconds later, or when it has been still for one,
+ * the body is looked at.  60 times, the same for both laws.  Tables: after (how
+ * many are at rest, knotted, or neither), body (the triangles of the first body
+ * that is knotted, with J, and its knots, with J = 0).
  */
 #include "live.h"
 #include "study.h"
@@ -16,7 +16,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { TIMES = 40, HELD = 60, FRAMES = 300 };
+enum { TIMES = 60, HELD = 60, FRAMES = 300 };
 
 /* The body after it was let go. */
 static struct live *drag(enum law law, unsigned long seed)
@@ -42,7 +42,7 @@ static struct live *drag(enum law law, unsigned long seed)
         fastest = 0.0;
         for (int r = 0; r < live->n_dof; r++)
             fastest = fmax(fastest, fabs(live->now.v[r]));
-        still = fastest > 1e-9 || k < HELD ? 0 : still + 1;
+        still = fastest > 1e-6 || k < HELD ? 0 : still + 1;
     }
     gsl_rng_free(random);
     return live;

@@ -45,10 +45,11 @@ struct tally {
     int iterations;           /* of conjugate gradients */
     int first_systems, first_iterations; /* of them in the first step */
     double error;   /* largest difference from step.c (m), NAN: not known */
-    double seconds; /* of step.c per step, from the second on */
+    double seconds[2]; /* of step.c per step, from the second on: with the
+                          factors of dissection, of a band */
 };
 
-/* The same steps by step.c, on process 0. */
+/* The same steps by step.c, on process 0, with either storage of K. */
 static inline PetscErrorCode account_compare(const struct scene_setting *set,
                                              int steps, DM grid, Vec U,
                                              struct tally *tally)
@@ -71,17 +72,21 @@ static inline PetscErrorCode account_compare(const struct scene_setting *set,
     PetscCall(VecGetLocalSize(whole, &n));
     PetscCall(VecGetArrayRead(whole, &u));
     tally->error = 0.0;
-    struct scene *scene = n > 0 ? scene_alloc(set) : NULL;
-    for (int k = 0; scene && k < steps; k++) {
-        if (k == 1) tally->seconds = -MPI_Wtime();
-        if (scene_step(scene, &control).status != OK)
-            die("step.c does not solve step %d", k + 1);
+    for (int s = 0; s < 2 && n > 0; s++) {
+        struct scene *scene = scene_alloc(set);
+        double start = 0.0;
+        body_store(scene->body, s == 0 ? SPARSE : BANDED);
+        for (int k = 0; k < steps; k++) {
+            if (k == 1) start = MPI_Wtime();
+            if (scene_step(scene, &control).status != OK)
+                die("step.c does not solve step %d", k + 1);
+        }
+        tally->seconds[s] = (MPI_Wtime() - start) / (steps - 1);
+        for (int r = 0; r < n; r++)
+            if (!(fabs(scene->u[r] - u[r]) <= tally->error))
+                tally->error = fabs(scene->u[r] - u[r]); /* a NaN as well */
+        scene_free(scene);
     }
-    tally->seconds = (tally->seconds + MPI_Wtime()) / (steps - 1);
-    for (int r = 0; scene && r < n; r++)
-        if (!(fabs(scene->u[r] - u[r]) <= tally->error))
-            tally->error = fabs(scene->u[r] - u[r]); /* a NaN as well */
-    scene_free(scene);
     PetscCall(VecRestoreArrayRead(whole, &u));
     PetscCall(VecScatterDestroy(&to_zero));
     PetscCall(VecDestroy(&whole));
@@ -167,12 +172,12 @@ static inline void account_print(const struct tally *t, const struct piece *p,
     const int predicted = processes > 1 && strcmp(t->method, "geometric") == 0;
 
     table_begin("runs", "n processes method steps systems per_step most "
-                        "iterations agrees kilobyte");
+                        "iterations agrees bytes");
     table_row(p->set.n, processes, t->method, t->steps, t->systems,
               (double)t->systems / t->steps, t->most,
               (double)t->iterations / t->systems,
               !compared ? MISSING : t->error <= 1e-12 ? "yes" : "no",
-              cell_if(p->set.n >= 256, round(0.1 * memory) / 100.0));
+              cell_if(p->set.n >= 256, 10.0 * round(0.1 * memory)));
     table_end();
     table_begin("messages", "n processes method levels iterations messages "
                             "predicted kilobyte predicted_kilobyte reductions");
@@ -188,9 +193,10 @@ static inline void account_print(const struct tally *t, const struct piece *p,
         fprintf(stderr, "The machine was busy, each process had %.0f %% of a "
                 "processor: no seconds.\n", 100.0 * share);
     } else {
-        table_begin("seconds", "n processes method per_step serial");
+        table_begin("seconds", "n processes method per_step dissection band");
         table_row(p->set.n, processes, t->method, wall / (t->steps - 1),
-                  cell_if(compared, t->seconds));
+                  cell_if(compared, t->seconds[0]),
+                  cell_if(compared, t->seconds[1]));
         table_end();
     }
     if (!compared) return;

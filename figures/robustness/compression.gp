@@ -6,13 +6,12 @@
 load "figures/style.gp"
 set terminal svg size 860,620
 set output out
-set style line 5 lc rgb "#E69F00" lw 2 pt 11 ps 0.7
 array Name[5] = ["path_notes", "path_demand", "path_always", \
     "path_log_notes", "path_log_halved"]
 array Title[5] = ["cubic, notes' Newton", "cubic, on demand", \
     "cubic, always projecting", "log, notes' Newton", \
     "log, all cures, halved steps"]
-array Style[5] = [2, 3, 4, 1, 5]
+array Style[5] = [2, 3, 4, 1, 6]
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
 lost(value) = strcol("reason") ne "OK" ? value : NaN
 set multiplot
@@ -32,7 +31,7 @@ plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
          with linespoints ls Style[k] title Title[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(1300)) \
          with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
-#0072B2 #E69F00", k) notitle
+#0072B2 #56B4E9", k) notitle
 unset key
 unset label 1
 unset logscale y
@@ -47,5 +46,5 @@ plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
          with linespoints ls Style[k] title Title[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \
          with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
-#0072B2 #E69F00", k) notitle
+#0072B2 #56B4E9", k) notitle
 unset multiplot

@@ -51,13 +51,18 @@ set ylabel "systems solved" offset 1
 array Way[5] = ["as in the notes", "line search", "on demand", \
     "on demand, line search", "always, line search"]
 do for [m = 0:4] {
-    set label 10 * m + 1 Way[m + 1] at m * 6.5 + 2.15, screen 0.49 center
+    set label 10 * m + 1 Way[m + 1] at m * 6.5 + 2.15, screen 0.475 center
+    set label 10 * m + 7 "both ends" at m * 6.5 + 1, screen 0.503 center \
+        font ",11" textcolor rgb "#555555"
+    set label 10 * m + 8 "left end" at m * 6.5 + 3.9, screen 0.503 center \
+        font ",11" textcolor rgb "#555555"
     do for [i = 1:5] {
         set label 10 * m + 1 + i word("½ 1 4 1 4", i) at m * 6.5 + \
             (i < 4 ? i - 1 : i - 0.7), screen 0.525 center font ",11"
     }
 }
 set label 99 "h" at -0.9, screen 0.525 center font ",11"
+set label 98 "held:" at -1.1, screen 0.503 right font ",11" textcolor rgb "#555555"
 about(x) = x < 30 ? x : 10 ** (floor(7.0 * log10(x) + 0.5) / 7.0)
 plot data index "scattered" using (column("rest") + column("stable") > 0 ? \
          place(strcol("method"), strcol("held"), column("amplitude")) : NaN): \
@@ -69,7 +74,7 @@ unset logscale y
 unset ylabel
 unset grid
 set size ratio -1
-set tmargin at screen 0.44
+set tmargin at screen 0.43
 set bmargin at screen 0.01
 unset border
 unset ytics

@@ -9,7 +9,7 @@ set output out
 array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "dpbtrf of ".lapack(data), \
                  "common/banded.c"]
-array Style[4] = [3, 2, 4, 1]
+array Style[4] = [2, 5, 4, 1]
 has(t) = system(sprintf("grep -c '^%s\t' '%s'", t, data)) > 0
 there = ""
 do for [k = 1:4] { if (has(Solver[k])) { there = there." ".k } }

@@ -12,9 +12,7 @@ array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
                  "multigrid"]
 array Text[6] = ["full Cholesky", "band", "nested dissection", \
                  "CG, Jacobi", "CG, incomplete Cholesky", "CG, V-cycle"]
-array Colour[6] = ["#999999", "#0072B2", "#56B4E9", "#D55E00", "#CC79A7", \
-                   "#009E73"]
-array Point[6] = [4, 7, 6, 5, 13, 9]
+array Style[6] = [2, 1, 3, 5, 4, 6]
 of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
@@ -31,11 +29,11 @@ set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
 plot for [k = 1:6] data index "ladder" using (of(k)):"flops" with linespoints \
-         lw 2 pt Point[k] ps 0.6 lc rgb Colour[k] \
+         ls Style[k] \
          title sprintf("%s (slope %.2f)", Text[k], slope(k, 3))
 unset label 1
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
 plot for [k = 1:6] data index "ladder" using (of(k)):"milliseconds" \
-         with linespoints lw 2 pt Point[k] ps 0.6 lc rgb Colour[k] notitle
+         with linespoints ls Style[k] notitle
 unset multiplot

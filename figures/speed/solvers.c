@@ -1,31 +1,34 @@
 /*
  * solvers.c - which solver does a step need, and when does the answer change?
  *
- * K of system.h: analysis, factorisation and solve by the band, by nested
- * dissection, and by CHOLMOD, where there is one, in the same order (by
- * supernodes, analysed once); and whole steps of the stretch with each.
+ * K of system.h: analysis, factorisation and solve by the band, by dissection,
+ * by the same in single precision, refined, and by CHOLMOD, where there is one,
+ * in the same order; and steps of the stretch, after the jolt of the start.
  * They take turns.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
+#include "refine.h"
 #include "sparse.h"
 #include "study.h"
 #include "system.h"
 #include "table.h"
 
-
-enum solver { BAND, DISSECTION, CHOLMOD_SAME, SOLVERS };
-static const char *const name[] = {"band", "dissection", "cholmod"};
+enum solver { BAND, DISSECTION, SINGLE, CHOLMOD_SAME, SOLVERS };
+static const char *const name[] = {"band", "dissection", "single", "cholmod"};
 static const int sizes[] = {8, 16, 24, 32, 40, 48, 56, 64, 96, 128, 256};
-enum { SIZES = sizeof sizes / sizeof *sizes, STEPS = 30 };
+enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9, STEPS = 30 };
 
 struct measured {
     struct times analysis, factor, solve, step;
-    double megabytes;
+    double mb; /* megabytes */
 };
 
-/* The step that step.h makes, with the rival's factors. */
-static enum status rival_step(struct scene *s, struct rival *c)
+/* A step as step.h makes it, which does it itself without a rival. */
+static enum status one_step(struct scene *s, struct rival *c)
 {
+    struct step_control control = step_method("lift");
+    control.chord = 1;
+    if (!c) return scene_step(s, &control).status;
     const int n = s->n_dof;
     double *w = allocate(4 * (size_t)n, sizeof *w), *next = w + n;
     double *q = next + n, *x = q + n, size = INFINITY;
@@ -65,14 +68,19 @@ static void measure_system(struct system *s, int k, struct measured *m)
     struct rival *c = k == CHOLMOD_SAME ? rival_alloc(body->K) : NULL;
     const double analysis = clock_seconds() - t[0];
     system_store(s, body->K->storage);
+    if (k == SINGLE) matrix_keep_single(body->K, 1);
     struct csr *K = system_matrix(s, NULL);
     double *x = allocate(3 * (size_t)K->n, sizeof *x), *b = x + K->n;
-    t[1] = clock_seconds();
+    int fine = 0;
     body_gather(body, s->b, x);
-    const int fine = k == CHOLMOD_SAME ? rival_factor(c, body->K)
-                                       : matrix_factor(body->K) == OK;
+    for (int turn = k == BAND; turn < 2; turn++) { /* 0: memory is touched */
+        t[1] = clock_seconds();
+        fine = k == CHOLMOD_SAME ? rival_factor(c, body->K)
+                                 : matrix_factor(body->K) == OK;
+    }
     t[2] = clock_seconds();
     if (k == CHOLMOD_SAME) rival_solve(c, x);
+    else if (k == SINGLE) refine_solve(body->K, 1e-12, x, NULL);
     else matrix_solve(body->K, x);
     t[3] = clock_seconds();
     for (int v = 0; v < K->n; v++)
@@ -82,21 +90,9 @@ static void measure_system(struct system *s, int k, struct measured *m)
     times_record(&m->analysis, analysis, valid);
     times_record(&m->factor, t[2] - t[1], valid);
     times_record(&m->solve, t[3] - t[2], valid);
-    m->megabytes = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
+    m->mb = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
     if (c) rival_free(c);
     free(x), csr_free(K);
-}
-
-static void measure_step(int k, struct scene *s, struct rival *c,
-                         struct measured *m)
-{
-    struct step_control control = step_method("lift");
-    control.chord = 1;
-    const double before = clock_seconds();
-    const enum status status = k == CHOLMOD_SAME
-                                   ? rival_step(s, c)
-                                   : scene_step(s, &control).status;
-    times_record(&m->step, clock_seconds() - before, status == OK);
 }
 
 static void measure(int n, struct measured m[SOLVERS])
@@ -108,22 +104,28 @@ static void measure(int n, struct measured m[SOLVERS])
     set.reach = 0.5;
     for (int turn = 0; turn < (n <= 64 ? 15 : n <= 128 ? 5 : 2); turn++)
         for (int k = 0; k < present; k++) measure_system(system, k, &m[k]);
-    struct rival *c = NULL;
+    struct rival *c[SOLVERS] = {NULL};
     for (int k = 0; k < present; k++) {
         scene[k] = scene_alloc(&set);
+        for (int step = 0; step < START; step++) one_step(scene[k], NULL);
         body_store(scene[k]->body, k == BAND ? BANDED : SPARSE);
-        if (k == CHOLMOD_SAME) c = rival_alloc(scene[k]->body->K);
+        if (k == SINGLE) matrix_keep_single(scene[k]->body->K, 1);
+        if (k == CHOLMOD_SAME) c[k] = rival_alloc(scene[k]->body->K);
+        one_step(scene[k], c[k]); /* memory is touched */
     }
-    for (int step = 0; step < (n <= 128 ? STEPS : 6); step++)
-        for (int k = 0; k < present; k++)
-            measure_step(k, scene[k], c, &m[k]);
+    for (int step = 1; step < (n <= 128 ? STEPS : 6); step++)
+        for (int k = 0; k < present; k++) {
+            const double before = clock_seconds();
+            const enum status status = one_step(scene[k], c[k]);
+            times_record(&m[k].step, clock_seconds() - before, status == OK);
+        }
     for (int k = 0; k < present; k++) {
         for (int r = 0; r < scene[k]->n_dof; r++)
             if (!(fabs(scene[k]->u[r] - scene[0]->u[r]) <= 1e-9))
                 m[k].step.second[0] = NAN; /* another answer has no time */
         scene_free(scene[k]);
     }
-    if (c) rival_free(c);
+    if (c[CHOLMOD_SAME]) rival_free(c[CHOLMOD_SAME]);
     system_free(system);
 }
 
@@ -132,10 +134,10 @@ static struct cell ms(const struct times *t)
     return cell_if(t->runs > 0, 1e3 * times_median(t));
 }
 
-/* How many times longer the band takes for a step. */
-static double gain(const struct measured m[SOLVERS])
+/* How many times longer than dissection k takes for a step. */
+static double gain(const struct measured m[SOLVERS], int k)
 {
-    return times_median(&m[BAND].step) / times_median(&m[DISSECTION].step);
+    return times_median(&m[k].step) / times_median(&m[DISSECTION].step);
 }
 
 int main(void)
@@ -145,26 +147,24 @@ int main(void)
     study_machine();
     for (int i = 0; i < SIZES; i++) measure(sizes[i], m[i]);
     table_begin_note("solvers", "solver n steps analysis_ms factor_ms solve_ms "
-                     "step_ms over_dissection growth megabytes",
+                     "step_ms over_dissection megabytes",
                      "CHOLMOD: %s", *MACHINE_RIVAL ? "yes" : "not found");
     for (int k = 0; k < SOLVERS; k++)
         for (int i = 0; i < SIZES && m[0][k].step.runs > 0; i++) {
             const struct measured *now = &m[i][k];
-            int half = -1;
-            for (int j = 0; j < i; j++)
-                if (2 * sizes[j] == sizes[i]) half = j;
-            const double step = times_median(&now->step);
             table_row(name[k], sizes[i], now->step.runs, ms(&now->analysis),
-                      ms(&now->factor), ms(&now->solve), 1e3 * step,
-                      step / times_median(&m[i][DISSECTION].step),
-                      cell_if(half >= 0, log2(step / times_median(
-                                             &m[half < 0 ? 0 : half][k].step))),
-                      cell_if(now->megabytes > 0.0, now->megabytes));
+                      ms(&now->factor), ms(&now->solve), ms(&now->step),
+                      gain(m[i], k), cell_if(now->mb > 0.0, now->mb));
         }
     table_end();
-    for (int i = SIZES - 1; i >= 0 && gain(m[i]) > 1.0; i--) from = sizes[i];
+    for (int i = SIZES; i-- > 0 && gain(m[i], BAND) > 1.0;) from = sizes[i];
     table_begin("crossover", "step_n chosen_n"); /* dissection is faster from */
     table_row(from, BODY_SPARSE_FROM);
+    table_end();
+    table_begin("growth", "solver exponent"); /* of a step, n = 64 to 256 */
+    for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++)
+        table_row(name[k], order_of(times_median(&m[SIZES - 1][k].step),
+                                    times_median(&m[N_64][k].step), 4.0));
     table_end();
     return table_finish();
 }

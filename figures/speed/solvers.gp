@@ -5,21 +5,22 @@
 #               machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,460
+set terminal svg size 860,480
 set output out
-array Name[3] = ["band", "dissection", "cholmod"]
-array Text[3] = ["blocked band", "nested dissection by fronts", \
+array Name[4] = ["band", "dissection", "single", "cholmod"]
+array Text[4] = ["blocked band", "nested dissection by fronts", \
+                 "the same, factors in single precision", \
                  "CHOLMOD, same order"]
-array Style[3] = [1, 3, 4]
+array Style[4] = [1, 3, 2, 4]
 of(k) = strcol("solver") eq Name[int(k)] ? column("n") : NaN
 has(k) = system(sprintf("grep -c '^%s\t' '%s'", Name[k], data)) > 0
 there = ""
-do for [k = 1:3] { if (has(k)) { there = there." ".k } }
+do for [k = 1:4] { if (has(k)) { there = there." ".k } }
 stats data index "crossover" using "step_n" nooutput name "C"
 set datafile missing "-"
 
-set multiplot layout 1,2 margins 0.075,0.985,0.155,0.80 spacing 0.095,0
-set key above left maxrows 3 samplen 2
+set multiplot layout 1,2 margins 0.075,0.985,0.155,0.755 spacing 0.095,0
+set key above left vertical maxrows 4 reverse Left samplen 2 font ",12"
 set label 1 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format y "10^{%T}"

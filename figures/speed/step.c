@@ -9,8 +9,8 @@
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
  *     sparse    the same with common/sparse.c
  *
- * They take turns; of the first three, one that was twice too slow for 30
- * pictures per second does a few steps.  A run off the path of `best` ends it.
+ * They take turns; one that was twice too slow for 30 pictures per second does
+ * a few steps.  A run off the path of `sparse` ends it.
  */
 #include "machine.h"
 #include "readable.h"
@@ -28,7 +28,7 @@ struct measured {
     struct times t[METHODS];
     int n, steps[METHODS], systems[METHODS], factorisations[METHODS];
     double read;             /* ms of a step of best, L read [eq:roofline] */
-    double u[2 * 129 * 129]; /* of best at t = 1 */
+    double u[2 * 129 * 129]; /* at t = 1 */
 };
 
 static int lapack_increment(struct readable *r, const double w[],
@@ -44,7 +44,7 @@ static int lapack_increment(struct readable *r, const double w[],
 }
 
 /* Steps first .. last.  path: u, v, v_before [3 n_dof] after step 0, 1, ...; a
- * run starts there and is compared with it, or `best` writes it on. */
+ * run starts there and is compared with it, or `sparse` writes it on. */
 static void run(int k, struct scene *s, int first, int last, double path[],
                 struct measured *m)
 {
@@ -65,7 +65,7 @@ static void run(int k, struct scene *s, int first, int last, double path[],
                 : step_backward_euler(s->body, &control, s->set.dt, s->g, NULL,
                                       s->u, s->v, s->v_before);
         const double seconds = clock_seconds() - before;
-        if (k == BEST) memcpy(at, s->u, state * sizeof *at);
+        if (k == DISSECTED) memcpy(at, s->u, state * sizeof *at);
         for (size_t i = 0; i < n_dof; i++)
             apart = fmax(apart, fabs(s->u[i] - at[i]));
         claim(report.status == OK && apart <= 1e-9, "%s: the same u", name[k]);
@@ -80,18 +80,18 @@ static void run(int k, struct scene *s, int first, int last, double path[],
 static void measure(int n, int missed[METHODS], struct measured *m)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
-    m->n = n;
-    set.reach = 0.5;
+    m->n = n, set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
     double *path = allocate((FRAMES + 1) * 3 * (size_t)s->n_dof, sizeof *path);
-    run(BEST, s, 1, FRAMES, path, m); /* and memory is touched */
-    m->t[BEST].runs = 0;
+    run(DISSECTED, s, 1, FRAMES, path, m); /* and memory is touched */
+    m->t[DISSECTED].runs = 0;
+    body_store(s->body, BANDED);
     const size_t bytes = matrix_bytes(s->body->K);
     for (int turn = 0; turn < (n <= 16 ? 10 : n <= 32 ? 3 : 1); turn++)
         for (int k = 0; k < METHODS; k++) {
             if (k == LAPACK_BAND && !*MACHINE_LAPACK) continue;
-            if (k >= BEST || missed[k] < 2) run(k, s, 1, FRAMES, path, m);
-            else if ((n & (n - 1)) == 0) /* a power of 2 */
+            if (missed[k] < 2) run(k, s, 1, FRAMES, path, m);
+            else if (k == BEST || (n & (n - 1)) == 0) /* a power of 2 */
                 run(k, s, 12, k == READABLE ? 13 : 19, path, m);
         }
     for (int k = 0; k < METHODS; k++)

@@ -12,7 +12,7 @@ array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
 array Name[5] = ["readable, GSL banded", "dpbtrf of ".lapack(data), \
                  "blocked band", "blocked band, lift, chord rule", \
                  "nested dissection, lift, chord rule"]
-array Style[5] = [2, 4, 3, 1, 5]
+array Style[5] = [2, 4, 6, 1, 3]
 # The largest n of a method that is ready in time, 0 where there is none.
 within(k) = system(sprintf("awk -F'\t' '$1 == \"%s\" && /\tyes\t/ \
     { n = $2 } END { print n + 0 }' '%s'", Method[k], data)) + 0

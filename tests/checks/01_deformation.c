@@ -365,6 +365,18 @@ static void rigid_motions_give_the_oracles_numbers(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *bar = run(""), *turned = run("--stretch 1 --angle 30");
+    int inverted = 0;
+    for (int e = 0; e < row_count(bar, "bar"); e++)
+        inverted += strcmp(word(bar, "bar", "sign", e), "inverted") == 0;
+    measured("1", inverted);
+    measured("2", cell(turned, "strains", "e11", 0));
+    measured("3", cell(bar, "square", "signed_area", 0));
+}
+
 static const struct claim claims[] = {
     {"collapsed_element_has_F_zero", collapsed_element_has_F_zero, "1a"},
     {"affine_bar_is_exact", affine_bar_is_exact, "1a"},
@@ -409,7 +421,8 @@ static const struct lesson lesson = {
     "inverted or not (table `square`).",
     "A strip bent by 270 degrees (figures/01_deformation/meshes.svg): J is "
     "above 0.52 everywhere, yet a fifth of the strip shares its place. Which "
-    "test on single elements could find that out?"};
+    "test on single elements could find that out?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

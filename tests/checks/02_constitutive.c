@@ -522,6 +522,22 @@ static void bad_physics_is_refused(void)
     expect_refusal("--n 0", 2, "--n");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("--n 4000"); /* F = -1 ... 3 */
+    int n_log, n_cubic, i = 1;
+    const double *F = column(output, "curve_log", "F", &n_log);
+    const double *P_log = column(output, "curve_log", "P", NULL);
+    const double *P_cubic = column(output, "curve_cubic", "P", &n_cubic);
+    P_cubic += n_cubic - n_log; /* the same F */
+    while (i < n_log - 1 &&
+           (F[i] < 1.0005 || fabs(P_cubic[i] - P_log[i]) < 0.01 * P_log[i]))
+        i++;
+    measured("1", cell(output, "curve_linear", "dP", 0));
+    measured("2", F[i]);
+}
+
 static const struct claim claims[] = {
     {"moduli_give_back_E_and_nu", moduli_give_back_E_and_nu, NULL},
     {"log_is_undefined_not_nan", log_is_undefined_not_nan, "2a"},
@@ -574,7 +590,8 @@ static const struct lesson lesson = {
     "F = 1.976, +273 % at F = 3 (figures/02_constitutive/log_or_cubic.svg); "
     "in simple shear the laws agree.",
     "Run with --nu 0.02 and look at curve_cubic: P falls from F = 2.04 to "
-    "4.12. What does a bar under a growing end load do at that maximum?"};
+    "4.12. What does a bar under a growing end load do at that maximum?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -265,6 +265,18 @@ static void condition_numbers_are_the_oracles(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    int n;
+    const double *r = column(run(""), "nodes", "reaction", &n);
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += r[i];
+    measured("1", sum);
+    measured("2a", condition_number(64, KEEP_DIAGONAL));
+    measured("2b", condition_number(64, UNIT_DIAGONAL));
+}
+
 static const struct claim claims[] = {
     {"matrix_stays_symmetric", matrix_stays_symmetric, "3b"},
     {"prescribed_values_are_reproduced", prescribed_values_are_reproduced,
@@ -308,7 +320,8 @@ static const struct lesson lesson = {
     "scale of the matrix.",
     "Clear only the rows: with the diagonal kept, Cholesky ends OK with an "
     "answer that is wrong by 0.75, because it never looks at the upper "
-    "triangle. Which system did it solve?"};
+    "triangle. Which system did it solve?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

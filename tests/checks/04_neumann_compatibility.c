@@ -330,6 +330,18 @@ static void defect_is_the_quadrature_error(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    const double four = cell(run(""), "compatibility", "sum_b", 0);
+    const double eight = cell(run("--n 8"), "compatibility", "sum_b", 0);
+    const char *gauss[] = {"--rule gauss2", "--rule gauss2 --n 8"};
+    measured("1", four);
+    measured("2a", four / eight);
+    measured("2b", cell(run(gauss[0]), "compatibility", "sum_b", 0) /
+                       cell(run(gauss[1]), "compatibility", "sum_b", 0));
+}
+
 static const struct claim claims[] = {
     {"quadratic_form_is_vAv", quadratic_form_is_vAv, "4a"},
     {"quadratic_form_of_linear_v_is_exact", quadratic_form_of_linear_v_is_exact,
@@ -376,7 +388,8 @@ static const struct lesson lesson = {
     "smaller, but only round-off makes it 0. Removing that defect is "
     "legitimate; removing one of the problem is not.",
     "Run with --rule gauss2 --project no and find the smallest n that is not "
-    "refused. Why is there one?"};
+    "refused. Why is there one?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

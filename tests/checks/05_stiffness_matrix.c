@@ -289,6 +289,19 @@ static void same_as_common_cost(void)
         }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("--n 64"), *more = run("--unknowns 262144");
+    const char *const key[] = {"2a", "2b"};
+    const char *const table[] = {"eigenvalues_both", "eigenvalues_one"};
+    for (int k = 0; k < 2; k++)
+        measured(key[k], cell(output, table[k], "exact", -1) /
+                             cell(output, table[k], "exact", 0));
+    measured("3", cell(more, "cost", "flops", -1) /
+                      cell(output, "cost", "flops", -1));
+}
+
 static const struct claim claims[] = {
     {"rows_sum_to_zero", rows_sum_to_zero, "5a"},
     {"matrix_is_symmetric_and_tridiagonal", matrix_is_symmetric_and_tridiagonal,
@@ -347,7 +360,8 @@ static const struct lesson lesson = {
     "`times_banded`: the residual stays, the error grows).",
     "Raise `grading` to 1000 in figures/05_stiffness_matrix/condition.c: the "
     "shortest element sets the largest eigenvalue, which is at least every "
-    "A_jj."};
+    "A_jj.",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -435,6 +435,14 @@ static void midpoint_and_trapezoid_make_gauss(void)
                  "largest difference at h = 1/16 to that at h = 1/32");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("");
+    measured("1a", cell(output, "exactness", "midpoint", 2));
+    measured("1b", cell(output, "exactness", "trapezoid", 2));
+}
+
 static const struct claim claims[] = {
     {"rules_have_their_degree_of_exactness",
      rules_have_their_degree_of_exactness, "6a"},
@@ -494,7 +502,8 @@ static const struct lesson lesson = {
     "enough.",
     "Let beta jump inside an element (study kink, table `jump`): integrating "
     "beta exactly is no better than sampling it, both have L2 order 1. The "
-    "harmonic mean has 1.5. Why is 1/beta the function to average?"};
+    "harmonic mean has 1.5. Why is 1/beta the function to average?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -360,6 +360,16 @@ static void nodal_error_is_the_quadratures(void)
                 "the companion's nodal error, two-point Gauss");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("");
+    measured("1a", pow(10.0, 1.0 / cell(output, "orders", "energy_order", -1)));
+    measured("1b", pow(10.0, 1.0 / cell(output, "orders", "L2_order", -1)));
+    measured("3", cell(output, "flux", "slope", 4) /
+                      cell(output, "flux", "reaction", 0));
+}
+
 static const struct claim claims[] = {
     {"system_is_the_assembled_one_plus_flux",
      system_is_the_assembled_one_plus_flux, "7a"},
@@ -416,7 +426,8 @@ static const struct lesson lesson = {
     "of quadrature alone (figures/07_poisson_bvp/trap.svg); the L2 error has "
     "order 2 whatever you do. Which of them is the error of the method?",
     "Measure the energy error at the midpoints only (one Gauss point per "
-    "element): order 2 instead of 1. Where is the slope of u_h that good?"};
+    "element): order 2 instead of 1. Where is the slope of u_h that good?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

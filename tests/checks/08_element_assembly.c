@@ -408,6 +408,24 @@ static void answers_are_second_order(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *in_order = run(""), *reversed = run("--order reversed");
+    struct output *long_ = run("--n 256");
+    int n;
+    const double *A = column(in_order, "A", "value", &n);
+    const double *B = column(reversed, "A", "value", NULL);
+    double off = 0.0, largest = 0.0;
+    for (int i = 0; i < n; i++) {
+        off = fmax(off, fabs(A[i] - B[i]));
+        largest = fmax(largest, fabs(A[i]));
+    }
+    measured("1", off / (DBL_EPSILON * largest));
+    measured("2a", cell(long_, "runs", "dense_flops", 0));
+    measured("2b", cell(long_, "runs", "banded_flops", 0));
+}
+
 static const struct claim claims[] = {
     {"local_matrix_has_row_sums_0", local_matrix_has_row_sums_0, "8a"},
     {"local_load_is_a_partition", local_load_is_a_partition, "8a"},
@@ -449,7 +467,8 @@ static const struct lesson lesson = {
     "Fix the right end by its row only, leave the column, and let measure() "
     "judge by the status alone: the run that is wrong by 0.8 then has a fine "
     "time (figures/08_element_assembly/validity.c). Which other rule of a "
-    "chart would still stop it?"};
+    "chart would still stop it?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

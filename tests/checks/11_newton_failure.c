@@ -428,6 +428,14 @@ static void failures_are_refused_with_their_reason(void)
     expect_refusal("--cap 0", 2, "--cap");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("--p -1346");
+    measured("1", cell(output, "history", "k", -1));
+    measured("2", asin(0.01 * cell(output, "limits", "push", 0)));
+}
+
 static const struct claim claims[] = {
     {"newton_step_names_the_reason", newton_step_names_the_reason, "11a"},
     {"limits_are_the_oracles", limits_are_the_oracles, "11b"},
@@ -470,7 +478,8 @@ static const struct lesson lesson = {
     "law is one tangent that meets F = 0, because P is concave there.",
     "--law cubic --p -5000 converges in a few iterations, to F < 0: a bar "
     "turned inside out, and nobody complains. Then --law cubic --nu 0 "
-    "--start 2.5 --p 0: at rest, three times as long."};
+    "--start 2.5 --p 0: at rest, three times as long.",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

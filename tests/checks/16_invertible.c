@@ -473,6 +473,22 @@ static void numbers_are_the_oracles(void)
     }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run(""), *off = run("--s1 1");
+    int opened = 0, r = 0;
+    for (int k = 0; k < row_count(output, "single"); k++)
+        opened += strcmp(word(output, "single", "start", k), "point") == 0 &&
+                  strcmp(word(output, "single", "recovered", k), "yes") == 0;
+    measured("1", opened);
+    while (strcmp(word(off, "principal", "law", r), "stable") != 0 ||
+           fabs(cell(off, "principal", "s2", r) - 1.1) > 1e-9)
+        r++;
+    measured("3", 100.0 * (cell(off, "principal", "P2", r) /
+                               cell(off, "principal", "log", r) - 1.0));
+}
+
 static const struct claim claims[] = {
     {"above_eps_it_is_the_log_law", above_eps_it_is_the_log_law, "16b"},
     {"below_eps_it_goes_on_straight", below_eps_it_goes_on_straight, "16b"},
@@ -527,7 +543,8 @@ static const struct lesson lesson = {
     "(figures/16_invertible/principal.svg).",
     "In slot 16b give `stress` the diagonal that `energy` has, and look at the "
     "loop; then leave the off-diagonal terms out of both. What does each of "
-    "the two changes do to the work, and why?"};
+    "the two changes do to the work, and why?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

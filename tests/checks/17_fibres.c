@@ -595,6 +595,13 @@ static void failures_are_named(void)
            "a strip that fails at the fourth activation has three lengths");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    measured("1a", cell(run(""), "strip", "length", -1));
+    measured("1b", cell(run("--load 100"), "strip", "length", -1));
+}
+
 static const struct claim claims[] = {
     {"tension_has_its_landmarks", tension_has_its_landmarks, "17a"},
     {"tension_is_the_slope_of_the_energy", tension_is_the_slope_of_the_energy,
@@ -648,7 +655,8 @@ static const struct lesson lesson = {
     "look at, and two clamps make a body of fibres convex.",
     "Give the strip a stronger muscle (--sigma 1000, 2000, 3000). At which "
     "activation does it stop with NOT_SPD? Has it no length there, or did only "
-    "the first step go too far?"};
+    "the first step go too far?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -536,6 +536,13 @@ static void spin_is_the_oracles(void)
                  1.0, "spin left by 100 APIC transfers");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    measured("1", cell(run(""), "spin", "ratio", 100));
+    measured("3", cell(run("--order 3"), "spin", "ratio", 100));
+}
+
 static const struct claim claims[] = {
     {"sums_are_those_of_the_derivation", sums_are_those_of_the_derivation,
      "18a"},
@@ -599,7 +606,8 @@ static const struct lesson lesson = {
     "for happens on the way back, and once per step: halve the time step and "
     "a second of motion goes through the filter twice as often.",
     "Start APIC with B = 0 in the disc. It loses a little once, and then "
-    "never again. Why only once?"};
+    "never again. Why only once?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

@@ -466,6 +466,16 @@ static void crossing_has_its_constant(void)
         }
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("");
+    const double rest = cell(output, "rest", "force_over_stress", 0);
+    measured("2a", cell(output, "crossing", "force_over_stress", 0));
+    measured("2b", cell(output, "crossing", "force_over_stress", 3));
+    measured("3", fabs(rest) < 1e-12 ? 0.0 : rest); /* round-off is nothing */
+}
+
 static const struct claim claims[] = {
     {"affine_motions_have_their_F", affine_motions_have_their_F, "19a"},
     {"shaken_nodes_have_their_F", shaken_nodes_have_their_F, "19a"},
@@ -532,7 +542,8 @@ static const struct lesson lesson = {
     "that "
     "does not fall with h, and the acceleration grows.",
     "Run --stretch 1.5 --ppc 3. Why is every force 0, although the bar is "
-    "stretched?"};
+    "stretched?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

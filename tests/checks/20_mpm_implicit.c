@@ -560,6 +560,16 @@ static void hanging_bars_are_right(void)
     hanging_bars_are_the_oracles();
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *held = run("--wall held"), *mirror = run("--wall mirror");
+    measured("2a", log2(cell(held, "bar", "error", 8) /
+                        cell(held, "bar", "error", 9)));
+    measured("2b", log2(cell(mirror, "bar", "error", 8) /
+                        cell(mirror, "bar", "error", 9)));
+}
+
 static const struct claim claims[] = {
     {"free_fall_has_no_residual", free_fall_has_no_residual, "20a"},
     {"residual_is_the_gradient_of_the_potential",
@@ -619,7 +629,8 @@ static const struct lesson lesson = {
     "equations are enough. It does care whether particles hold the nodes: "
     "with one per cell the second load is NOT_SPD.",
     "Take the guess u = dt v in newton() and run --law log with ever longer "
-    "steps. When does the first status other than OK come?"};
+    "steps. When does the first status other than OK come?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

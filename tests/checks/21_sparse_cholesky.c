@@ -393,6 +393,23 @@ static void rows_fill_the_band_and_dissection_less(void)
     system_free(s);
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("--n 64");
+    char options[16];
+    int n = 20;
+    measured("1", cell(output, "cost", "flops", 0) /
+                      cell(output, "cost", "flops", 1));
+    for (int fewer = 1; fewer && n > 2; n -= fewer) { /* down while it is so */
+        snprintf(options, sizeof options, "--n %d", n - 1);
+        output = run(options);
+        fewer = cell(output, "cost", "flops", 1) <
+                cell(output, "cost", "flops", 0);
+    }
+    measured("2", n);
+}
+
 static const struct claim claims[] = {
     {"every_vertex_has_a_number", every_vertex_has_a_number, "21a"},
     {"lines_are_numbered_last", lines_are_numbered_last, "21a"},
@@ -437,7 +454,8 @@ static const struct lesson lesson = {
     "Both orders do the same elimination on the same equations, and give the "
     "same increment to round-off. What differs is which zeros are destroyed.",
     "In slot 21a number the line first instead of last. The increment stays "
-    "right to the last digits; how many entries does L have now?"};
+    "right to the last digits; how many entries does L have now?",
+    what_was_predicted};
 
 int main(int argc, char *argv[])
 {

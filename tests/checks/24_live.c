@@ -311,6 +311,14 @@ static void bad_input_is_refused(void)
     expect_refusal("--n 1", 2, "--n 1");
 }
 
+/* What the header asks to PREDICT. */
+static void what_was_predicted(void)
+{
+    struct output *output = run("");
+    measured("1a", cell(output, "summary", "lost", 0));
+    measured("1b", cell(output, "summary", "downhill", 0));
+}
+
 static const struct claim claims[] = {
     {"the_hand_is_bounded", the_hand_is_bounded, "24a"},
     {"knots_are_counted", knots_are_counted, "24b"},
@@ -357,6 +365,6 @@ static const struct lesson lesson = {
     .notice = "In the table `frames` of --input hard, how many systems a frame "
               "takes, and where `part` is not 1.",
     .break_it = "make live, then p, and pull.",
-};
+    what_was_predicted};
 
 int main(int argc, char *argv[]) { return judge(&lesson, argc, argv); }

@@ -2,6 +2,7 @@
 #include "judge.h"
 
 #include "output.h"
+#include "predict.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -28,6 +29,8 @@ static struct {
                             * behind it catch */
     const char *result;    /* file for "verdict check slot mistakes" */
     char work[PATH_SIZE - 300]; /* folder for captured output */
+    struct prediction predicted[MAX_PREDICTIONS];
+    int n_predicted, n_answer; /* PREDICT lines; those without dots */
 } judging;
 
 /* How the messages begin that are no slot's, or a verdict of their own. */
@@ -626,10 +629,12 @@ static void run_claim(const struct claim *claim)
     if (file) fclose(file);
 }
 
-/* The claim that every lesson ends with. */
+/* The claim that every lesson ends with; behind it, what was predicted. */
 static struct claim claim_at(const struct lesson *lesson, int i)
 {
     if (i < lesson->n_claim) return lesson->claims[i];
+    if (i > lesson->n_claim)
+        return (struct claim){"predictions", lesson->predicted, NULL};
     return (struct claim){"same_numbers_as_reference",
                           check_same_numbers_as_reference, NULL};
 }
@@ -755,7 +760,7 @@ static void print_passed(char names[])
  * that took all its time, or when time is up, the others are not run. */
 static int examine_all(int n, struct finding finding[], char failed[])
 {
-    enum { MAX_LINES = 13 };
+    const int most_lines = judging.n_answer ? 9 : 13; /* leave them room */
     char passed[MAX_CLAIMS * 64] = "";
     int bad = 0, over = 0;
 
@@ -773,7 +778,7 @@ static int examine_all(int n, struct finding finding[], char failed[])
             over = finding[i].costly || child_seconds() > SECONDS_JUDGING;
         }
         bad |= finding[i].verdict != PASS;
-        if (finding[i].verdict == PASS && n > MAX_LINES) {
+        if (finding[i].verdict == PASS && n > most_lines) {
             strcat(strcat(passed, " "), claim.name);
             continue;
         }
@@ -786,11 +791,56 @@ static int examine_all(int n, struct finding finding[], char failed[])
     return over;
 }
 
+void measured(const char *key, double value)
+{
+    char path[PATH_SIZE];
+    FILE *file = fopen(work_file("judge.measured", path), "a");
+    if (!file) quit("cannot write %s", path);
+    fprintf(file, "%s %.17g\n", key, value);
+    fclose(file);
+}
+
+/* What the student has predicted in this file, if it is given. */
+static void read_predictions(const char *source)
+{
+    if (!source || !judging.lesson->predicted) return;
+    judging.n_predicted = predictions_read(source, judging.predicted);
+    for (int i = 0; i < judging.n_predicted; i++)
+        judging.n_answer += *judging.predicted[i].answer != '\0';
+}
+
+/* The predictions, one after the other, beside what is measured; `index` is
+ * that of their claim. */
+static void print_predictions(int index)
+{
+    struct finding finding;
+    char path[PATH_SIZE], line[80], key[4], text[1024] = "";
+    double value;
+
+    if (judging.n_predicted > 0 && judging.n_answer == 0)
+        printf("  Nothing was predicted.\n");
+    if (judging.n_answer == 0) return;
+    remove(work_file("judge.measured", path));
+    examine(index, &finding);
+    FILE *file = open_regular(path);
+    while (file && fgets(line, sizeof line, file))
+        for (int i = 0; i < judging.n_predicted; i++) {
+            const struct prediction *p = &judging.predicted[i];
+            if (*p->answer && sscanf(line, "%3s %lf", key, &value) == 2 &&
+                strcmp(key, p->key) == 0)
+                prediction_compare(p, value, sizeof text, text);
+        }
+    if (file) fclose(file);
+    printf("  Predicted:\n");
+    print_wrapped("    ", *text ? text : "what was cannot be measured");
+}
+
 /* All checks pass. */
 static void print_ok(const char *number, int n)
 {
     const struct finding none = {.verdict = PASS};
     write_result(&none, "-", "");
+    print_predictions(n);
     printf("  Notice:\n");
     print_wrapped("    ", judging.lesson->notice);
     printf("  Break it:\n");
@@ -848,6 +898,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.lesson = lesson;
     be_the_subject(lesson, argc, argv);
     judging.file = value_of(argc, argv, "--file");
+    read_predictions(value_of(argc, argv, "--source"));
     judging.subject = absolute(value_of(argc, argv, "--subject"));
     judging.reference = absolute(value_of(argc, argv, "--reference"));
     judging.mistakes = absolute(value_of(argc, argv, "--mistakes"));
@@ -859,9 +910,9 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     if (lesson->n_run > MAX_RUNS)
         quit("%s has more than %d runs", lesson->name, MAX_RUNS);
     if (!judging.file || !judging.reference)
-        quit("usage: %s --file FILE [--subject JUDGE] --reference PROGRAM "
-             "[--mistakes FOLDER] [--prepare COMMAND] [--result FILE] "
-             "[--work FOLDER]", argv[0]);
+        quit("usage: %s --file FILE [--source FILE] [--subject JUDGE] "
+             "--reference PROGRAM [--mistakes FOLDER] [--prepare COMMAND] "
+             "[--result FILE] [--work FOLDER]", argv[0]);
     make_work(work ? work : argv[0]);
     child_on_interrupt(remove_work);
     child_work_in(judging.work);

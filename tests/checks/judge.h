@@ -71,6 +71,7 @@ struct lesson {
     int n_rule;
     const char *notice;   /* after a pass: what to notice */
     const char *break_it; /* and one thing to break */
+    void (*predicted)(void); /* calls measured() for what was to be predicted */
 };
 
 /* The program's main(), renamed: see program.h. */
@@ -84,6 +85,10 @@ int judge(const struct lesson *lesson, int argc, char *argv[]);
 /* The check fails with this message (two or three lines at most). */
 _Noreturn void wrong(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
+
+/* What the program gives where its header says PREDICT with this key: shown
+ * beside the student's answer after a pass, and never a reason to fail. */
+void measured(const char *key, double value);
 
 /* wrong() unless condition holds. */
 #define expect(condition, ...)              \

@@ -16,6 +16,7 @@
 #define wrong judge_wrong
 #define column judge_column
 #define lesson judge_lesson
+#define measured judge_measured
 #define output judge_output
 #define word_at judge_word_at
 #define child_run judge_child_run
@@ -41,7 +42,9 @@
 #define expect_refusal judge_expect_refusal
 #define child_am_inside judge_child_am_inside
 #define guarded_indices judge_guarded_indices
+#define predictions_read judge_predictions_read
 #define child_on_interrupt judge_child_on_interrupt
+#define prediction_compare judge_prediction_compare
 #define child_restart_clock judge_child_restart_clock
 
 #endif

@@ -1,7 +1,8 @@
 #!/bin/sh
-# book.sh - `make book`, if pandoc is there: every chapter has its page, every
-# link and picture its aim, every label its row, and every formula arrives as it
-# was written.  Prints "ok ...", "FAIL ..." or "skip ...".
+# book.sh - what becomes of the book: by cmark-gfm, as on a forge, and by `make
+# book`, where pandoc is there.  Every chapter has its page, every link and
+# picture its aim, every label its row, and every formula arrives as it was
+# written.  Prints "ok ...", "FAIL ..." or "skip ...".
 set -u
 LC_ALL=C
 export LC_ALL
@@ -11,6 +12,83 @@ rule() { # rule NAME OFFENDERS
     [ -n "$2" ] || { echo "ok book: $1"; return; }
     printf 'FAIL book: %s: %s\n' "$1" "$2"
 }
+
+chapters=$(ls workbook.md lessons/*.md solutions/*.md figures/*/README.md)
+
+# written FILE: its formulas and labels, one per line
+written() {
+    awk 'function tell() {
+            while (match(text, /[`$]+|\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+                mark = substr(text, RSTART, RLENGTH)
+                text = substr(text, RSTART + RLENGTH)
+                if (mark ~ /^\[/) { print mark; continue }
+                end = index(text, mark)
+                if (mark ~ /[$]/) {
+                    formula = substr(text, 1, end - 1)
+                    print formula
+                    while (match(formula, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+                        print substr(formula, RSTART, RLENGTH)
+                        formula = substr(formula, RSTART + RLENGTH)
+                    }
+                }
+                text = substr(text, end + length(mark))
+            }
+            text = ""
+        }
+        /^<!-- labels -->$/ { exit } # the text ends here
+        /^ *```/ && math { print text; text = ""; math = 0; next }
+        /^ *```/ { tell(); math = /```math/; fence = !math && !fence; next }
+        math { text = text $0; next }
+        fence { next }
+        /^ *$/ { tell() }
+        { while ((start = index($0, "<!--")) && (end = index($0, "-->")))
+              $0 = substr($0, 1, start - 1) substr($0, end + 3)
+          text = text " " $0 }
+        END { tell() }' "$1"
+}
+# Through cmark-gfm, which is what a forge uses.  It leaves $ as it is, and what
+# it changes between two of them (an escape, an emphasis, a row of a table that
+# is none) the reader of the page gets.  A label must have become a link.
+on_a_forge() { # on_a_forge FILE: the same of FILE as text, after cmark-gfm
+    # each formula and label is cut out before the text between them
+    cmark-gfm --github-pre-lang --unsafe -e table -e strikethrough \
+        -e autolink "$1" |
+        sed 's/<a href="[^"]*#[ae][lq]g*-[^"]*">\([a-z]*:[A-Za-z0-9-]*\)<\/a>/[\1]/g
+             s/<a id="[^"]*"><\/a>\[/[/
+             s/<pre lang="math"><code>/\
+```math\
+/; s/<pre[^>]*><code[^>]*>/\
+```\
+/; s/<\/code><\/pre>/\
+```\
+/
+             s/<\/*code>/`/g; s/<[^>]*>//g' |
+        sed "s/&lt;/</g; s/&gt;/>/g; s/&#39;/'/g; s/&quot;/\"/g; s/&amp;/\&/g"
+}
+if command -v cmark-gfm >/dev/null 2>&1; then
+    n=0
+    for f in $chapters; do
+        written "$f" | tr -d ' ' | grep . | sort >"$tmp/written"
+        on_a_forge "$f" >"$tmp/page"
+        written "$tmp/page" | tr -d ' ' | grep . | sort >"$tmp/arrived"
+        n=$((n + $(wc -l <"$tmp/written")))
+        cmp -s "$tmp/written" "$tmp/arrived" && continue
+        printf '%s: %s\n' "$f" \
+            "$(diff "$tmp/written" "$tmp/arrived" | grep '^[<>]' | head -n 3)"
+    done >"$tmp/changed"
+    rule "all $n formulas and labels pass cmark-gfm unchanged" "$(cat "$tmp/changed")"
+    rule 'every label is a link on a forge, or the row that it leads to' \
+        "$(for f in $chapters; do
+            cmark-gfm -e table --unsafe "$f" | awk -v f="$f" '
+                /<pre/ { pre = 1 }
+                !pre { gsub(/<code>[^<]*<\/code>|<!--[^>]*-->|<a id="[^"]*"><\/a>\[[^]]*\]/, "")
+                    if (match($0, /\[(eq|alg):[^]]*\]/))
+                        print f ": " substr($0, RSTART, RLENGTH) }
+                /<\/pre>/ { pre = 0 }'
+        done)"
+else
+    echo 'skip book: cmark-gfm is not on this machine'
+fi
 
 # Without pandoc: one line, exit 2, and nothing is made.
 mkdir "$tmp/bin"
@@ -28,7 +106,6 @@ fi
 rule 'it is made, and says nothing else' \
     "$(BUILD=$tmp sh tests/tools/book.sh 2>&1 | grep -v '^  book ')"
 [ -d "$tmp/book" ] || exit 0
-chapters=$(ls workbook.md lessons/*.md solutions/*.md figures/*/README.md)
 page() { [ "$1" = workbook.md ] && echo index.html || echo "${1%.md}.html"; }
 rule 'every chapter has its page' \
     "$(for f in $chapters; do [ -s "$tmp/book/$(page "$f")" ] || echo "$f"; done)"
@@ -66,36 +143,7 @@ rule 'no label is without its link' \
         seen "$f" | sed 's/<a class="label"[^>]*>[^<]*<\/a>//g' |
             grep -oE '\[(eq|alg):[^]]*\]' | sed "s|^|$f: |"; done)"
 
-# written FILE, arrived PAGE: the formulas and labels, one a line, no spaces
-written() {
-    awk 'function tell() {
-            while (match(text, /[`$]+|\[(eq|alg):[A-Za-z0-9-]+\]/)) {
-                mark = substr(text, RSTART, RLENGTH)
-                text = substr(text, RSTART + RLENGTH)
-                if (mark ~ /^\[/) { print mark; continue }
-                end = index(text, mark)
-                if (mark ~ /[$]/) {
-                    formula = substr(text, 1, end - 1)
-                    print formula
-                    while (match(formula, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
-                        print substr(formula, RSTART, RLENGTH)
-                        formula = substr(formula, RSTART + RLENGTH)
-                    }
-                }
-                text = substr(text, end + length(mark))
-            }
-            text = ""
-        }
-        /^ *```/ && math { print text; text = ""; math = 0; next }
-        /^ *```/ { tell(); math = /```math/; fence = !math && !fence; next }
-        math { text = text $0; next }
-        fence { next }
-        /^ *$/ { tell() }
-        { while ((start = index($0, "<!--")) && (end = index($0, "-->")))
-              $0 = substr($0, 1, start - 1) substr($0, end + 3)
-          text = text " " $0 }
-        END { tell() }' "$1"
-}
+# arrived PAGE: the same of a page
 arrived() {
     tr '\n' ' ' <"$1" | sed 's/<annotation[^>]*>/\
 <annotation>/g; s/<\/annotation>/&\

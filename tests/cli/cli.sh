@@ -96,6 +96,35 @@ result $? 'a right lesson runs' "$said"
 said=$("$MAKE" "plot-$nn" 2>&1)
 [ $? = 0 ] && grep -q '</svg>' "build/mine/$slug.svg" && echo "$said" | grep -q mine
 result $? 'plot writes an SVG and draws in the terminal' "$said"
+# predicted WHAT FILE ANSWERS TEXT: FILE with these answers at its PREDICT lines
+# is judged OK, and TEXT stands in the verdict; no TEXT: no prediction does
+predicted() {
+    echo "$3" | tr ';' '\n' >"$tmp/answers"
+    awk -v answers="$tmp/answers" '/^ \* PREDICT / {
+            getline answer <answers; sub(/\.\.\.$/, answer) } { print }' \
+        "$2" >"lessons/$slug.c"
+    said=$("$MAKE" "check-$nn" 2>&1)
+    status=$?
+    text=$(echo "$said" | tr '\n' ' ' | tr -s ' ')
+    if [ -n "$4" ]; then
+        [ $status = 0 ] && echo "$text" | grep -q "VERDICT $nn: OK, all" &&
+            echo "$text" | grep -qF -e "$4"
+    else
+        [ $status != 0 ] && echo "$text" | grep -q "VERDICT $nn: UNFINISHED" &&
+            ! echo "$text" | grep -qi predicted
+    fi
+    result $? "predictions, $1" "$said"
+}
+right='1: 4, measured 4, right. 2: -0.1339746, measured -0.1339746, right. 3: 8/2,'
+predicted 'right' "solutions/$slug.c" '4;-0.1339746;8/2' "$right measured 4, right."
+predicted 'wrong' "solutions/$slug.c" '5;0;1e9' \
+    '1: 5, measured 4, off by 25 %. 2: 0, measured -0.1339746, off by 100 %. 3: 1e9, measured 4, 2.5e+08 times as large.'
+predicted 'words' "solutions/$slug.c" 'many;nan;' \
+    '1: `many` is no number, measured 4. 2: `nan` is no number, measured -0.1339746. Notice:'
+predicted 'none' "solutions/$slug.c" '...;...;' 'Nothing was predicted. Notice:'
+awk -f tests/tools/starter.awk "solutions/$slug.c" >"$tmp/starter.c"
+predicted 'before it passes' "$tmp/starter.c" '4;-0.1339746;4' ''
+cp "solutions/$slug.c" "lessons/$slug.c"
 echo '/* mine */' >>"lessons/$slug.c"
 "$MAKE" "reset-$nn" >/dev/null 2>&1
 awk -f tests/tools/starter.awk "solutions/$slug.c" | cmp -s - "lessons/$slug.c" &&
@@ -117,7 +146,7 @@ wait $watch 2>/dev/null
 grep -q "VERDICT $nn: UNFINISHED" "$tmp/watch" && grep -q "VERDICT $nn: OK" "$tmp/watch"
 result $? 'watch checks again at a save' "$(cat "$tmp/watch")"
 
-figure=$(ls figures/"$slug"/*.gp | head -n 1)
+figure=$(grep -l '^# Reads' figures/"$slug"/*.gp | head -n 1)
 picture=${figure%.gp}.svg
 cp "$picture" "$tmp/before.svg"
 sh tests/tools/figure.sh "$figure" no-such-file.tsv "$picture" >/dev/null 2>&1
@@ -127,11 +156,15 @@ echo 'plot nonsense' >>"$figure"
 "$MAKE" "$picture" >/dev/null 2>&1
 [ $? != 0 ] && cmp -s "$picture" "$tmp/before.svg" && [ ! -e "$picture.part" ]
 result $? 'a figure whose script fails leaves the old picture' "$(ls figures/*)"
-sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' workbook.md >stale.md
-said=$(sh tests/tools/workbook.sh check workbook.md stale.md 2>&1)
+sed 's/-->[0-9][0-9.]*<!-- .n -->/-->999<!-- \/n -->/' lessons/ERRATA.md >stale.md
+said=$(sh tests/tools/workbook.sh check lessons/ERRATA.md stale.md 2>&1)
 [ $? = 1 ] && echo "$said" | grep -q '^stale.md is stale' &&
-    ! echo "$said" | grep -q '^workbook.md is stale'
+    ! echo "$said" | grep -q '^lessons/ERRATA.md is stale'
 result $? 'a stale number in the book is noticed' "$said"
+sed 's/\$J\$/$\\tilde J$/' "lessons/$slug.md" >01_own.md
+said=$(awk -f tests/tools/symbols.awk workbook.md "lessons/$slug.md" 01_own.md)
+[ "$said" = '01_own.md: \tildeJ' ]
+result $? 'a symbol that the notation does not have is noticed' "$said"
 printf '%s\n' '# words' 'name	value' 'NOT_SPD	1.25' 'stretch	-' '' '' \
     >build/data/words.tsv
 printf '%s\n' '<!-- table words words; name %d; value %.1f; value %s -->' \
@@ -142,7 +175,7 @@ grep -qxF '| NOT_SPD | 1.2 | 1.25 |' words.md &&
 result $? 'a word in a table is printed as it is' "$(cat words.md)"
 comma=$(locale -a 2>/dev/null | grep -iE '^(de_DE|fr_FR|tr_TR)\.utf-?8$' | head -n 1)
 if [ -n "$comma" ]; then
-    said=$(LC_ALL=$comma sh tests/tools/workbook.sh check workbook.md 2>&1)
+    said=$(LC_ALL=$comma sh tests/tools/workbook.sh check lessons/ERRATA.md 2>&1)
     result $? "the book is filled alike under $comma" "$said"
     "$MAKE" "lesson-$nn" >/dev/null 2>&1
     said=$(LC_ALL=$comma "$MAKE" "lesson-$nn" 2>&1)

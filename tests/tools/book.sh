@@ -29,6 +29,7 @@ a, summary { color: #0b5394; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
 img { max-width: 100%; height: auto; }
+td img { max-width: none; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
 mstyle[mathvariant=normal] mi { text-transform: none; }
 mstyle[mathvariant=bold] { font-weight: bold; }
@@ -39,16 +40,19 @@ pre code, td code { overflow-wrap: normal; }
 table { border-collapse: collapse; font-size: .85em; line-height: 1.4; }
 th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
          border-bottom: 1px solid #ddd; }
-td:target { background: #fff3c4; }
+td:has(a:target) { background: #fff3c4; }
 td a.label { font-size: 1em; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
-@media (min-width: 1000px) { .wide:has(table) { width: max-content;
+@media (min-width: 1000px) { img[src$="map.svg"] { width: 900px; max-width: none;
+    position: relative; left: 50%; transform: translateX(-50%); }
+    .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
     transform: translateX(-50%); } }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
-    .figure img { max-width: none; width: 620px; }
+    p .figure img[src$=".svg"] { max-width: none; width: 620px; }
+    td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
 END
 
@@ -79,9 +83,19 @@ END {
         print text
     }
 }'
-# Labels become links to their row of the equations on the front page.
+# Labels are links to their row of the equations (tests/tools/workbook.sh); so are
+# those that stand as code in the index of the notes.
 after='
-function label(name) { return "<a class=\"label\" href=\"" front "#" name "\">" }
+BEGIN {
+    n = split(labels, name, " ")
+    for (i = 1; i <= n; i++)
+        row[name[i]] = row[substr(name[i], index(name[i], ":") + 1)] = name[i]
+}
+function label(name, text,    id) {
+    id = name
+    sub(/:/, "-", id)
+    return "<a class=\"label\" href=\"" equations "#" id "\">" text "</a>"
+}
 function changed(part, name) {
     if (part ~ /^<img/) {
         match(part, /src="[^"]*"/)
@@ -90,14 +104,12 @@ function changed(part, name) {
     }
     name = part
     gsub(/<[^>]*>|[][]/, "", name)
-    if (part ~ /^<td/ && front == "" && !(name in row)) {
-        row[name] = row[substr(name, index(name, ":") + 1)] = name
-        return "<td id=\"" name "\">" label(name) "[" name "]</a></td>"
+    if (part ~ /^<a id=.*\]$/) {
+        sub(/\[.*/, "", part)
+        return part label(name, "[" name "]")
     }
-    if (part ~ /^<td/) return "<td>" label(name) "[" name "]</a></td>"
-    if (part ~ /^\[/) return label(name) part "</a>"
-    if (part ~ /^<code>/ && indexed && name in row)
-        return label(row[name]) part "</a>"
+    if (part ~ /^<a href=/) return label(name, "[" name "]")
+    if (part ~ /^<code>/ && indexed && name in row) return label(row[name], part)
     return part
 }
 /<h2/ { indexed = /id="index-of-the-notes"/ }
@@ -128,17 +140,19 @@ function changed(part, name) {
 }
 /<\/pre>/ { pre = 0 }
 { print }'
-cite='\[(eq|alg):[A-Za-z0-9-]+\]'
+cite='(eq|alg):[A-Za-z0-9-]+'
 token="<code>[^<]*</code>|<annotation[^<]*</annotation>|<a [^>]*><img [^>]*>"
-token="$token|<img [^>]*>|<td[^>]*>$cite</td>|$cite"
+token="$token|<img [^>]*>|<a id=\"[^\"]*\"></a>\[$cite\]|<a href=\"[^\"]*\">$cite</a>"
 token=$(printf '%s' "$token" | sed 's/\\/\\\\/g')
 
+table=$(grep -l '^| label | equation' workbook.md lessons/*.md)
+labels=$(sed -n 's/^| <a id="[^"]*"><.a>\[\([a-z]*:[A-Za-z0-9-]*\)\].*/\1/p' "$table")
 for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
     page=${file%.md}.html
     [ "$file" != workbook.md ] || page=index.html
     up=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')
-    front=${up}index.html
-    [ "$file" != workbook.md ] || front=
+    equations=$(echo "$up$table" | sed 's/workbook\.md$/index.md/; s/md$/html/')
+    [ "$file" != "$table" ] || equations=
     mkdir -p "$(dirname "$new/$page")"
     { awk "$before" "$file" >"$new/page.md" &&
       pandoc -f gfm-emoji+tex_math_dollars -t html5 --mathml --wrap=none \
@@ -152,7 +166,8 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
       sed 's|\(href="[^":]*\)\.md\(["#]\)|\1.html\2|g
            s|\(href="[./]*\)workbook\.html|\1index.html|g
            s|>[a-z]*/\([0-9][0-9]\)_[a-z0-9_]*\.md</a>|>lesson \1</a>|g' "$new/page.html" |
-          awk -v front="$front" -v token="$token" "$after"
+          awk -v equations="$equations" -v labels="$(echo $labels)" \
+              -v token="$token" "$after"
       echo '</main></body></html>'
     } >"$new/$page"
     grep -oE '(src|href)="[^":#]+"' "$new/$page" | sed 's/.*="//; s/"$//' |

@@ -15,7 +15,7 @@ lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
 # Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status circuit clock tensor particles particle_scene material modes banded mesh dissection sparse csr cg matrix multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study options table particle_bodies'
+layers='status circuit clock tensor particles particle_scene material modes vec front banded mesh dissection sparse csr cg matrix refine multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study without options table history particle_bodies particle_work'
 bad=$(for file in common/*.[ch]; do
     name=$(basename "$file" | sed 's/\..$//')
     below=$(echo " $layers " | sed "s/ $name .*/ $name/")
@@ -76,11 +76,11 @@ rule 'a study ends in its claim, and takes no options' \
         grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
 rule "every word of the judge's is in tests/checks/names.h" \
-    "$(for f in judge output child; do
+    "$(for f in judge output child predict; do
         awk -f tests/tools/names.awk tests/checks/$f.h | sed -n 's/^name //p'
     done | sort -u | while read -r name; do
-        cat tests/checks/judge.h tests/checks/output.h tests/checks/child.h |
-            grep -qE "(^|[^a-z_])$name\(" ||
+        cat tests/checks/judge.h tests/checks/output.h tests/checks/child.h \
+            tests/checks/predict.h | grep -qE "(^|[^a-z_])$name\(" ||
             grep -q "^struct $name " tests/checks/judge.h || continue
         grep -q "^#define $name judge_$name\$" tests/checks/names.h ||
             [ "$name" = program_main ] || echo "$name"; done)"
@@ -100,13 +100,17 @@ rule 'hints and answers are in solutions/, not in a chapter' \
     "$(grep -nE '<summary>(Hint|Answer)' workbook.md lessons/*.md figures/*/README.md)"
 rule 'every formula survives Markdown (tests/tools/math.awk)' \
     "$(awk -f tests/tools/math.awk README.md $book)"
+rule 'every symbol of a chapter is in the notation (tests/tools/symbols.awk)' \
+    "$(awk -f tests/tools/symbols.awk workbook.md lessons/[0-9]*.md figures/*/README.md)"
 rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
     "$(grep -nE '^ *<!-- n ' $book)"
 
 # What the text links to, as FILE:TARGET from the top of the tree.
 links=$(for f in README.md $book; do
-    awk '/^ *```/ { fence = !fence; next } !fence' "$f" | grep -oE '\]\([^)]*\)' |
-        sed -n 's/^](\([^#)][^#)]*\).*/\1/p' | grep -v '^https*:' |
+    awk '/^ *```/ { fence = !fence; next } !fence' "$f" |
+        grep -oE '\]\([^)]*\)|<img src="[^"]*"' |
+        sed -n 's/^](\([^#)][^#)]*\).*/\1/p; s/^<img src="\(.*\)"/\1/p' |
+        grep -v '^https*:' |
         sed "s|^|$(dirname "$f")/|; s|^\./||
              :up
              s|[^/.][^/]*/\.\./||; t up
@@ -119,15 +123,22 @@ rule 'every picture and file that the text names is there' \
 # ---- equation labels ----------------------------------------------------------
 labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
 undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
-defined=$(sed -n 's/^| \[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\1/p' workbook.md)
+equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
+defined=$(sed -n 's/^| \(<a [^>]*><.a>\)*\[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\2/p' "$equations")
 cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
-rule 'every label cited by code is defined in workbook.md' \
+rule "every label cited by code is defined in $equations" \
     "$(echo "$cited" | undefined)"
-rule 'every label of workbook.md is cited by code' \
+rule "every label of $equations is cited by code" \
     "$(for d in $defined; do echo "$cited" | grep -qxF "$d" || echo "$d"; done)"
-rule 'every label cited in the book is defined in workbook.md' \
+rule "every label cited in the book is defined in $equations" \
     "$(cat $book | labels | undefined)"
+rule 'a label is a link, by itself: no other one, no bracket and no colon behind it' \
+    "$(for f in $book; do
+        awk '/^<!-- labels -->$/ { exit }
+            /\[(eq|alg):[^]]*\][[(]/ || (/^ *\[(eq|alg):[^]]*\]:/ && before == "") {
+                print FILENAME ":" FNR }
+            { before = $0 }' "$f"; done)"
 
 # ---- each lesson is whole -----------------------------------------------------
 for slug in $lessons; do
@@ -154,6 +165,20 @@ for slug in $lessons; do
     done
     grep -q '<summary>Answer' "$hints" || missing="$missing answer"
     rule "lesson $nn is whole" "$missing"
+    # two to four numbers to predict, dots in the solution too; the checks and
+    # the chapter know them by their keys
+    asked=$(sed -n 's/^ \* PREDICT \([0-9a-z]*\) [^:]*: \.\.\.$/\1/p' "solutions/$slug.c")
+    known=$(awk '/^static void what_was_predicted/, /^}/' "tests/checks/$slug.c" |
+        grep -oE '"[0-9][a-z]?"' | tr -d '"' | sort -u)
+    rule "lesson $nn has its predictions" \
+        "$([ "$(grep -c 'PREDICT' "solutions/$slug.c")" -eq "$(echo "$asked" | wc -l)" ] ||
+            echo 'a line is malformed'
+        [ "$(echo "$asked" | sort)" = "$known" ] || echo "checks measure $known"
+        [ "$(echo "$asked" | wc -l)" -ge 2 ] || echo 'too few'
+        for key in $asked; do
+            awk '/^## /{ in_ = /^## Predict/ } in_' "lessons/$slug.md" |
+                grep -q "^${key%[a-z]}\. " || echo "no $key in the chapter"
+        done)"
     rule "hints of lesson $nn name checks or slots that exist" \
         "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |
             while read -r what; do
@@ -194,6 +219,8 @@ rule 'every figure is committed' \
 rule 'every figure is in the book' \
     "$(for f in $plots; do
         echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
+rule 'the map of the course shows what the chapters say (make figures)' \
+    "$(awk -f figures/map.awk lessons/[0-9]*.md | cmp - figures/map.svg 2>&1)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

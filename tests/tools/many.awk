@@ -15,7 +15,7 @@ table == "# runs" {
     most("most", $at["most"])
     if ($1 >= 32) most("iterations", $at["iterations"])
     if ($2 == 1 && $4 == 6) growth[$1] = $at["iterations"]
-    if ($2 == 1 && $1 == 512) memory = $at["kilobyte"]
+    if ($2 == 1 && $1 == 512) memory = $at["bytes"] / 1e3
 }
 table == "# messages" && $at["predicted"] != "-" && $1 >= 64 {
     off($at["messages"], $at["predicted"])

@@ -157,19 +157,35 @@ measure() {
         $1 == "n" { next }
         $3 == "geometric" && $2 == 1 {
             one[$1] = $4
-            if ($5 != "-" && $4 < $5 && (!from || $1 < from)) from = $1
-            if ($5 != "-") known = 1
+            if ($5 != "-") { meet(1, $1, $4, $5); meet(2, $1, $4, $6) }
         }
         $3 == "geometric" && $2 == 2 { two[$1] = $4 }
+        # where the straight line between two runs crosses, in logarithms
+        function meet(k, n, ours, theirs,    d) {
+            d = log(ours / theirs)
+            if (k in before && d < 0 && before[k] >= 0 && n > at[k])
+                from[k] = exp(log(at[k]) + log(n / at[k]) \
+                    * before[k] / (before[k] - d))
+            if (d > 0) delete from[k]
+            before[k] = d; at[k] = n
+        }
+        function say(k, what) {
+            if (k in from) print "Faster than step.c with " what \
+                " from n = " sprintf("%.0f", from[k]) " on."
+            else if (k in before) print "Never faster than step.c with " what \
+                " here."
+        }
+        function growth(from, goal) {
+            if (one[from] && one[512]) print "Exponent of n from " from \
+                " to 512: " log(one[512] / one[from]) / log(512 / from) \
+                " (goal: " goal ")"
+        }
         END {
-            if (from) print "Faster than step.c from n = " from " on."
-            else if (known) print "Never faster than step.c here."
+            say(1, "dissection"); say(2, "a band")
             for (n in two) if (n in one)
                 print "Two processes at n = " n ": " one[n] / two[n] \
                     " times one (goal: 1.7 at 256)"
-            if (one[128] && one[512])
-                print "Exponent of n from 128 to 512: " \
-                    log(one[512] / one[128]) / log(4) " (goal: 2.1)"
+            growth(64, 2.3); growth(128, 2.1)
         }' "$out/seconds"
 }
 

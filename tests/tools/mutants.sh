@@ -198,7 +198,7 @@ common)
         near=$(echo "$units" | sed -n 's/^[0-9]\{1,3\} //p')
         units=$(echo "$units" | sed 's/.* //')
         case $name in
-        banded) native=$NATIVE ;;
+        banded | front) native=$NATIVE ;;
         body) native=$NATIVE_BODY ;;
         *) native= ;;
         esac

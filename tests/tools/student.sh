@@ -131,7 +131,7 @@ judge() {
     fi
     sums=$(fingerprint)
     patiently "$built/solutions/$slug.judge" --file "$2" \
-        --subject "$folder/judge" --work "$folder/work" \
+        --source "$1" --subject "$folder/judge" --work "$folder/work" \
         --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" ${3:+--prepare "$3"} \
         --result "$folder/result"

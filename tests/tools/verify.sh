@@ -10,8 +10,10 @@ export LC_ALL
 kind=$1 slug=$2 name=${3:-}
 nn=${slug%%_*}
 list=tests/mistakes/$slug.txt
-judge_one() { # judge_one JUDGE: its verdict block
-    "$1" --file "$kind ${name:-$slug}" --reference "$BUILD/solutions/$slug" \
+judge_one() { # judge_one JUDGE [OPTIONS]: its verdict block
+    one=$1
+    shift
+    "$one" "$@" --file "$kind ${name:-$slug}" --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" 2>&1
 }
 judge_variant() {
@@ -28,7 +30,15 @@ result() { # result STATUS WHAT WHY
 
 case $kind in
 solution)
-    said=$(judge_one "$BUILD/solutions/$slug.judge")
+    # with a 1 for each prediction, which changes no verdict
+    mkdir -p "$BUILD/test"
+    guess=$BUILD/test/$slug.guess.c
+    sed 's/^\( \* PREDICT .*: \)\.\.\.$/\11/' "solutions/$slug.c" >"$guess"
+    said=$(judge_one "$BUILD/solutions/$slug.judge" --source "$guess")
+    [ "$(echo "$said" | tr '\n' ' ' | tr -s ' ' | grep -o ': 1, measured' | wc -l)" -eq \
+        "$(grep -c '^ \* PREDICT ' "$guess")" ]
+    result $? "$nn: every prediction is measured" "$said"
+    rm -f "$guess"
     echo "$said" | awk -v nn="$nn" '/^  ok / || /^  [A-Z]+  / {
         for (i = 2; i <= NF; i++) print ($1 == "ok" ? "ok " : "FAIL ") nn ": " $i }'
     echo "$said" | grep -q "^VERDICT $nn: OK"
@@ -82,7 +92,9 @@ mistake)
 equivalent)
     judge_variant
     echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: OK"
-    result $? "$nn: equivalent program $name is OK" "$said" ;;
+    result $? "$nn: equivalent program $name is OK" "$said"
+    [ "$(echo "$said" | wc -l)" -le 24 ]
+    result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
 behave)
     # behave WHAT LINE VERDICT: LINE as the first line of the first slot
     with_line() {

@@ -1,6 +1,7 @@
 # workbook.awk - fill the numbers, tables and code of one file of the book.
 #
-#     awk -f tests/tools/workbook.awk -v data=build/data lessons/NN_slug.md
+#     awk -f tests/tools/workbook.awk -v data=build/data \
+#         -v table=../workbook.md lessons/NN_slug.md
 #
 # SOURCE is NN_slug, what a solution prints by default, or NN_slug/what, what the
 # study figures/NN_slug/what.c prints: data/SOURCE.tsv.  What stands between
@@ -12,6 +13,10 @@
 #   <!-- end -->
 #   <!-- n SOURCE TABLE COLUMN ROW FORMAT -->85375<!-- /n -->   in a line;
 #       rows count from 0, -1 is the last
+#
+#   <!-- labels -->              behind the text, by itself: what makes a link of
+#   <!-- end -->                 every [eq:name] in it, to its row in the file
+#                                `table`, "" for this one, which has an anchor
 #
 # FORMAT is that of printf.  A cell that is no number (a word, or - where there
 # is none) stands as it is, whatever its FORMAT.
@@ -105,6 +110,29 @@ function print_code(file, what,    line, inside, found, indent, comment) {
     if (!found) stop("no " what " in " file)
 }
 
+# Remember the labels that a line of text cites.
+function cite(text,    label) {
+    while (match(text, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
+        label = substr(text, RSTART + 1, RLENGTH - 2)
+        text = substr(text, RSTART + RLENGTH)
+        if (!(label in cited)) { cited[label] = 1; order[++n_cited] = label }
+    }
+}
+
+# A row of the equations gets its anchor.
+function anchored(row,    label) {
+    match(row, /\[[^]]*\]/)
+    label = substr(row, RSTART + 1, RLENGTH - 2)
+    row = substr(row, RSTART + RLENGTH)
+    cite(row)
+    return "| <a id=\"" id(label) "\"></a>[" label "]" row
+}
+function id(label) { sub(/:/, "-", label); return label }
+
+/^<!-- labels -->$/ {
+    skipping = labels = 1
+    next
+}
 /^<!-- table .* -->$/ {
     print
     gsub(/^<!-- table +| *-->$/, "")
@@ -121,10 +149,21 @@ function print_code(file, what,    line, inside, found, indent, comment) {
 /^<!-- end -->$/ {
     if (!skipping) stop("an end without a beginning")
     skipping = 0
+    if (labels) { labels = 0; next }
 }
 skipping { next }
+/^ *```/ { fence = !fence }
+!fence && table == "" && /^\| (<a id="[^"]*"><\/a>)?\[(eq|alg):[A-Za-z0-9-]+\] \|/ {
+    $0 = anchored($0)
+}
 {
     line = $0
+    if (!fence && line !~ /^\| <a id="/) {
+        text = line
+        gsub(/`[^`]*`/, "", text)
+        cite(text)
+    }
+    blank = line == ""
     while (match(line, /<!-- n [^>]*-->[^<]*<!-- \/n -->/)) {
         spec = substr(line, RSTART, RLENGTH)
         open = spec; sub(/-->.*/, "-->", open)
@@ -135,4 +174,13 @@ skipping { next }
     }
     print line
 }
-END { if (skipping && !failed) stop("a marker is never closed") }
+END {
+    if (failed) exit 2
+    if (skipping) stop("a marker is never closed")
+    if (!n_cited) exit
+    if (!blank) print ""
+    print "<!-- labels -->"
+    for (i = 1; i <= n_cited; i++)
+        print "[" order[i] "]: " table "#" id(order[i])
+    print "<!-- end -->"
+}

@@ -12,12 +12,16 @@ if [ $# = 0 ]; then
         if [ -f "$file" ]; then set -- "$@" "$file"; fi
     done
 fi
+equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 new=$(mktemp) || exit 2
 trap 'rm -f "$new"' EXIT
 said=0
 for file; do
-    awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" "$file" \
-        >"$new" || { said=2; continue; }
+    table=
+    [ "$file" = "$equations" ] ||
+        table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
+    awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" \
+        -v table="$table" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
     if [ "$command" = fill ]; then
         cp "$new" "$file.part" && mv "$file.part" "$file" || exit 2

@@ -489,6 +489,29 @@ static void a_load_that_is_no_number_is_reported(void)
     }
 }
 
+/* A load that says what it was given, at any bar. */
+static void given(int n, double h, const double f_mid[], const double pull[2],
+                  double b[])
+{
+    for (int i = 0; i <= n; i++) b[i] = i < n ? f_mid[i] : h;
+    b[0] += 1e3 * pull[0] + 1e6 * pull[1];
+}
+
+static void a_load_of_ones_own_is_used(void)
+{
+    struct bar_scene scene = bar_scene_notes(CUBIC, 4);
+    scene.c = 37.14;
+    bar_scene_ends(&scene, 0, 1, (const double[]){2.385, 0.613});
+    ck_assert(!scene.held[0] && scene.held[1]);
+    struct bar_state *s = bar_state_by(given, &scene);
+    const double want[] = {37.14 + 2385.0, 37.14, 37.14, 37.14, 0.25};
+    for (int i = 0; i <= 4; i++) {
+        close_to(s->b[i], want[i], 1e-12);
+        close_to(s->u[i], i < 4 ? 0.0 : 0.613, 1e-16);
+    }
+    bar_state_free(s);
+}
+
 static const struct unit_law laws[] = {
     {"other_loads_are_the_oracles", other_loads_are_the_oracles},
     {"a_scene_starts_as_it_says", a_scene_starts_as_it_says},
@@ -512,5 +535,6 @@ static const struct unit_law laws[] = {
     {"an_infinite_step_is_not_made", an_infinite_step_is_not_made},
     {"a_load_that_is_no_number_is_reported",
      a_load_that_is_no_number_is_reported},
+    {"a_load_of_ones_own_is_used", a_load_of_ones_own_is_used},
 };
 UNIT_MAIN("bars", laws)

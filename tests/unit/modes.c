@@ -280,6 +280,30 @@ static void converged_is_not_stable(void)
     ck_assert_str_eq(status_name(SADDLE), "SADDLE");
 }
 
+/* The energies of another program; 10 m would be a push to remember. */
+static void a_column_walks_on(void)
+{
+    struct scene *scene = column(0.0);
+    const double *middle = scene_middle(scene);
+    const double *at = &scene->mesh->X[middle - scene->u - 1];
+    ck_assert(fabs(at[0]) < 1e-15 && fabs(at[1]) < 1e-15);
+    ck_assert_int_eq(scene_walk(scene, "notes", 0.04, 0.0).status, SADDLE);
+    close_to(*middle, 0.0, 1e-9);
+    ck_assert_int_eq(scene_walk(scene, "demand+search", 0.04, 1e-3).status, OK);
+    close_to(fabs(*middle), 0.10107347482842402, 1e-6);
+    close_to(scene_energy(scene), 0.35422048584304616, 1e-11);
+    ck_assert_int_eq(scene_walk(scene, "demand+search", 0.05, 10.0).status, OK);
+    close_to(scene_energy(scene), 0.5104410137736349, 1e-11);
+    scene_free(scene);
+
+    const struct scene_setting set = scene_notes(STRETCH, LOG, 2);
+    scene = scene_alloc(&set);
+    for (int r = 0; r < scene->n_dof; r += 2)
+        scene->u[r] = -1.5 * scene->mesh->X[r];
+    ck_assert(isinf(scene_energy(scene)));
+    scene_free(scene);
+}
+
 static const struct unit_law laws[] = {
     {"every_matrix_has_a_signed_svd", every_matrix_has_a_signed_svd},
     {"modes_are_the_eigenvectors", modes_are_the_eigenvectors},
@@ -293,6 +317,7 @@ static const struct unit_law laws[] = {
     {"traction_pulls_a_column_by_its_end", traction_pulls_a_column_by_its_end},
     {"a_search_goes_down_the_line", a_search_goes_down_the_line},
     {"converged_is_not_stable", converged_is_not_stable},
+    {"a_column_walks_on", a_column_walks_on},
 };
 
 UNIT_MAIN("modes", laws)

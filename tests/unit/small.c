@@ -111,6 +111,19 @@ static void a_tolerance_has_the_size_of_the_answer(void)
              21.0 * 8.0 * 2000.0 * 0x1p-52, 1e-22);
 }
 
+/* Roots of Williams' equation by another program; none is singular at nu = 0.
+ */
+static void corners_are_williams(void)
+{
+    static const double nu[] = {0.0, 0.2385, 0.3, 0.49};
+    static const double p[] = {1.0, 0.75283083950742284, 0.71117293297146607,
+                               0.59989510759463660};
+    for (int k = 0; k < COUNT(nu); k++) {
+        const struct material m = material_make(LOG, 2385.0, nu[k]);
+        close_to(material_corner(&m), p[k], 1e-14);
+    }
+}
+
 static const struct unit_law laws[] = {
     {"a_norm_is_the_root_of_the_squares", a_norm_is_the_root_of_the_squares},
     {"seconds_are_those_of_the_system", seconds_are_those_of_the_system},
@@ -119,6 +132,7 @@ static const struct unit_law laws[] = {
     {"every_clockwise_triangle_is_found", every_clockwise_triangle_is_found},
     {"the_notes_scenes_have_the_notes_numbers",
      the_notes_scenes_have_the_notes_numbers},
+    {"corners_are_williams", corners_are_williams},
     {"a_tolerance_has_the_size_of_the_answer",
      a_tolerance_has_the_size_of_the_answer},
 };

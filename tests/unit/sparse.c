@@ -1,6 +1,7 @@
 /* sparse.c - laws of common/dissection.h, sparse.h and the sparse storage of
  * matrix.h, body.h and step.h; dense storage and the band are the judges. */
 #include "matrix.h"
+#include "refine.h"
 #include "scene.h"
 #include "sparse.h"
 
@@ -422,6 +423,107 @@ static void what_is_indefinite_is_solved_in_a_band(void)
     }
 }
 
+/* max|b - A x| / max|b| of one solve. */
+static double residual_of(const struct matrix *A, const double b[], double x[])
+{
+    double largest = 0.0;
+    memcpy(x, b, (size_t)A->n * sizeof *x);
+    matrix_solve(A, x);
+    for (int i = 0; i < A->n; i++) largest = fmax(largest, fabs(b[i]));
+    return matrix_residual(A, x, b) / largest;
+}
+
+static void rounded_factors_have_seven_digits(void)
+{
+    for (int n = 1; n <= 14; n++)
+        for (int hold = 0; hold < HOLDS; hold++)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, (unsigned)(n + l),
+                                                 leaves[l]);
+                const struct sparse *s = p.sparse;
+                const size_t entries = 4 * (size_t)s->start[s->n_vertex];
+                struct matrix *A, *B;
+                double b[450], x[450];
+                random_pair(p, 1 + (unsigned)l, &A, &B);
+                fill(p.n, b);
+                for (int single = 1; single >= 0; single--) {
+                    matrix_keep_single(A, single);
+                    ck_assert_uint_eq(matrix_bytes(A), 8 * entries);
+                    ck_assert_int_eq(matrix_factor(A), OK);
+                    ck_assert_uint_eq(matrix_bytes(A),
+                                      8 * (entries + sparse_size(s, single)));
+                    const double residual = residual_of(A, b, x);
+                    ck_assert_double_le(residual, single ? 4e-7 : 1e-14);
+                    if (single && p.n > 10) ck_assert_double_gt(residual, 1e-9);
+                    matrix_keep_single(A, single); /* nothing is lost */
+                    ck_assert(residual_of(A, b, x) == residual);
+                }
+                ck_assert_uint_eq(sparse_size(s, 0), s->work + s->factor);
+                ck_assert_uint_eq(sparse_size(s, 1) - s->work,
+                                  (s->factor + 1) / 2);
+                matrix_free(A);
+                matrix_free(B);
+                pattern_free(p);
+            }
+}
+
+static void rounded_factors_are_refined(void)
+{
+    for (int n = 5; n <= 40; n += 7) {
+        struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+        struct scene *s = scene_alloc(&set);
+        struct body *body = s->body;
+        double b[3300], x[3300], exact[3300], q[3400];
+        int solves;
+        body_store(body, SPARSE);
+        for (int r = 0; r < s->n_dof; r++)
+            s->u[r] = 0.05 / n * sin(2.7 * r);
+        ck_assert_int_eq(body_assemble(body, set.dt, s->u, NULL, s->u, EXACT,
+                                       q), OK);
+        fill(body->n_equation, b);
+        const size_t bytes = (size_t)body->n_equation * sizeof *b;
+        ck_assert_int_eq(matrix_factor(body->K), OK);
+        ck_assert_double_le(residual_of(body->K, b, exact), 1e-12);
+        memcpy(x, b, bytes);
+        ck_assert_int_eq(refine_solve(body->K, 1e-12, x, &solves), OK);
+        ck_assert_int_eq(solves, 1);
+        ck_assert(memcmp(x, exact, bytes) == 0);
+        matrix_keep_single(body->K, 1);
+        ck_assert_int_eq(matrix_factor(body->K), OK);
+        ck_assert_double_ge(residual_of(body->K, b, x), 1e-9);
+        memcpy(x, b, bytes);
+        ck_assert_int_eq(refine_solve(body->K, 1e-12, x, &solves), OK);
+        ck_assert_int_eq(solves, 2);
+        ck_assert_double_le(matrix_residual(body->K, x, b), 1e-12);
+        same(body->n_equation, x, exact, 1e-11);
+        scene_free(s);
+    }
+}
+
+static void refinement_ends_and_says_how(void)
+{
+    struct pattern p = pattern_alloc(7, ENDS, 3, 5);
+    struct matrix *A, *B;
+    double b[200] = {0.0};
+    int solves;
+    random_pair(p, 3, &A, &B);
+    ck_assert_int_eq(matrix_factor(A), OK);
+    ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
+    ck_assert_int_eq(solves, 0);
+    for (int i = 0; i < p.n; i++) b[i] = -2.385; /* it is no zero */
+    ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
+    ck_assert_int_eq(solves, 1);
+    fill(p.n, b);
+    ck_assert_int_eq(refine_solve(A, 0.0, b, &solves), STALLED);
+    ck_assert_int_le(solves, 9);
+    fill(p.n, b);
+    b[5] = (double)NAN;
+    ck_assert_int_eq(refine_solve(A, 1e-12, b, NULL), NONFINITE);
+    matrix_free(A);
+    matrix_free(B);
+    pattern_free(p);
+}
+
 /* Two scenes alike but for the storage; the order of equations differs. */
 static void a_body_in_either_storage_has_the_same_matrix(void)
 {
@@ -472,6 +574,31 @@ static void a_step_in_either_storage_is_the_same(void)
                     ck_assert_int_eq(r.status, OK);
                     ck_assert_int_eq(r.storage, k ? SPARSE : BANDED);
                 }
+            same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-12);
+            for (int k = 0; k < 2; k++) scene_free(s[k]);
+        }
+}
+
+static void a_step_with_rounded_factors_is_the_same(void)
+{
+    for (int reading = STRETCH; reading <= SPIN; reading++)
+        for (int chord = 0; chord < 2; chord++) {
+            struct scene_setting set = scene_notes((enum reading)reading,
+                                                   CUBIC, 9);
+            struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+            struct step_control control = step_method("lift");
+            struct step_report r[2];
+            control.chord = chord;
+            for (int k = 0; k < 2; k++) body_store(s[k]->body, SPARSE);
+            matrix_keep_single(s[1]->body->K, 1);
+            for (int step = 0; step < 6; step++) {
+                for (int k = 0; k < 2; k++) {
+                    r[k] = scene_step(s[k], &control);
+                    ck_assert_int_eq(r[k].status, OK);
+                }
+                ck_assert_int_le(abs(r[0].iterations - r[1].iterations), 1);
+                ck_assert_int_eq(s[1]->body->K->single, 1);
+            }
             same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-12);
             for (int k = 0; k < 2; k++) scene_free(s[k]);
         }
@@ -532,10 +659,15 @@ static const struct unit_law laws[] = {
      the_verbs_are_those_of_dense_storage},
     {"what_is_indefinite_is_solved_in_a_band",
      what_is_indefinite_is_solved_in_a_band},
+    {"rounded_factors_have_seven_digits", rounded_factors_have_seven_digits},
+    {"rounded_factors_are_refined", rounded_factors_are_refined},
+    {"refinement_ends_and_says_how", refinement_ends_and_says_how},
     {"a_body_in_either_storage_has_the_same_matrix",
      a_body_in_either_storage_has_the_same_matrix},
     {"a_step_in_either_storage_is_the_same",
      a_step_in_either_storage_is_the_same},
+    {"a_step_with_rounded_factors_is_the_same",
+     a_step_with_rounded_factors_is_the_same},
     {"an_indefinite_step_is_the_same_too", an_indefinite_step_is_the_same_too},
     {"a_body_chooses_its_storage_by_n", a_body_chooses_its_storage_by_n},
 };

@@ -1,0 +1,132 @@
+/*
+ * live.c - how fine a square can a hand take, thirty times a second?
+ *
+ * The square of live.h, a patch in the hand, backward Euler.  A frame's time is
+ * from its input to the new state.  Tables: systems (linear systems per frame
+ * and milliseconds by the ladder of live.h and by that of lesson 14, for the
+ * same input and the same bounded hand, which waits when a frame is lost; of
+ * `mad` several seeds), frames (milliseconds of live_frame() on `hard`, log
+ * law, by the storage of K), reached (the largest n for which, and for all
+ * smaller ones, the median or the 99th percentile is below 1/30 s).
+ */
+#include "clock.h"
+#include "live.h"
+#include "study.h"
+#include "table.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sort.h>
+#include <gsl/gsl_statistics.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_FRAMES = 8000, AS_CHOSEN = -1 };
+
+/* Of all frames. */
+struct count {
+    double systems[MOST_FRAMES], ms[MOST_FRAMES];
+    int frames, lost;
+};
+
+/* The whole script; storage: BANDED, SPARSE, or that of body_alloc(). */
+static void play(int n, enum law law, struct pointers script, int storage,
+                 int substeps, struct count *count)
+{
+    const struct live_setting set = {n, law, BACKWARD_EULER, PATCH, ELASTIC, 1};
+    struct live *live = live_alloc(&set);
+    for (int k = 0; k < script.n && count->frames < MOST_FRAMES; k++) {
+        double to[2];
+        int lost;
+        const double start = clock_seconds();
+        live_input(live, &script.frame[k]);
+        if (storage != AS_CHOSEN &&
+            live->body->K->storage != (enum storage)storage)
+            body_store(live->body, (enum storage)storage);
+        live_hand(live->hand, &script.frame[k], to);
+        live_carry(live, to);
+        if (substeps) {
+            const struct frame frame = integrate_frame(
+                live->body, live->dt, live->g, NULL, &live->now);
+            count->systems[count->frames] = frame.iterations;
+            lost = frame.status != OK;
+            if (!lost) memcpy(live->hand, to, sizeof to);
+        } else {
+            const struct live_report report = live_frame(live, to);
+            count->systems[count->frames] = report.systems;
+            lost = strcmp(report.rung, "lost") == 0;
+        }
+        count->ms[count->frames++] = 1e3 * (clock_seconds() - start);
+        count->lost += lost;
+    }
+    pointers_free(&script);
+    live_free(live);
+}
+
+/* p := the median, the 99th percentile, the largest; value is put in order. */
+static void quantiles(double value[], int n, double p[3])
+{
+    static const double fraction[] = {0.5, 0.99, 1.0};
+    gsl_sort(value, 1, (size_t)n);
+    for (int k = 0; k < 3; k++)
+        p[k] = gsl_stats_quantile_from_sorted_data(value, 1, (size_t)n,
+                                                   fraction[k]);
+}
+
+/* seeds: of mad; 0: hard. */
+static void compare(int n, enum law law, int seeds)
+{
+    for (int substeps = 0; substeps < 2; substeps++) {
+        struct count *c = allocate(1, sizeof *c);
+        double systems[3], ms[3];
+        if (!seeds) play(n, law, pointers_hard(), AS_CHOSEN, substeps, c);
+        for (int seed = 1; seed <= seeds; seed++)
+            play(n, law, pointers_mad(seed, 600), AS_CHOSEN, substeps, c);
+        quantiles(c->systems, c->frames, systems);
+        quantiles(c->ms, c->frames, ms);
+        table_row(n, seeds ? "mad" : "hard", material_law(law),
+                  substeps ? "lesson 14" : "budget", c->frames, c->lost,
+                  systems[0], systems[1], systems[2], ms[0], ms[1], ms[2]);
+        free(c);
+    }
+}
+
+int main(void)
+{
+    const enum storage storage[] = {BANDED, SPARSE};
+    int reached[2][2] = {{0}};
+    gsl_set_error_handler_off();
+    study_machine();
+    table_begin("systems", "n input law ladder frames lost p50 p99 most p50_ms "
+                           "p99_ms most_ms");
+    for (int l = 0; l < 2; l++)
+        for (int n = 16; n <= 64; n *= 2) {
+            compare(n, l ? CUBIC : LOG, 0);
+            if (n < 64) compare(n, l ? CUBIC : LOG, n == 16 ? 10 : 2);
+        }
+    table_end();
+
+    table_begin("frames", "n storage p50_ms p99_ms most_ms");
+    for (int s = 0; s < 2; s++) {
+        int below[2] = {1, 1};
+        for (int n = 8; n <= 96 && below[0]; n += 8) {
+            struct count *c = allocate(1, sizeof *c);
+            double ms[3];
+            play(n, LOG, pointers_hard(), (int)storage[s], 0, c);
+            quantiles(c->ms, c->frames, ms);
+            table_row(n, storage[s] == SPARSE ? "sparse" : "band", ms[0], ms[1],
+                      ms[2]);
+            for (int q = 0; q < 2; q++) {
+                below[q] = below[q] && ms[q] < 1e3 / 30.0;
+                if (below[q]) reached[s][q] = n;
+            }
+            free(c);
+        }
+    }
+    table_end();
+    table_begin("reached", "storage n_p50 n_p99");
+    for (int s = 0; s < 2; s++)
+        table_row(storage[s] == SPARSE ? "sparse" : "band", reached[s][0],
+                  reached[s][1]);
+    table_end();
+    return table_finish();
+}

@@ -1,0 +1,120 @@
+/*
+ * particles.c - what do particles win, and what do finite elements?
+ *
+ * `bar`: hung by its end; x(1) against the exact one [eq:hanging-bar].  All of
+ * the load on one grid, or ten loads, each with a new one.  `block`: let go
+ * under its weight; u against the limit of elements; four steps per cell when
+ * explicit, else one.  `steps`: on eight cells, as few as go.  `price`: flops
+ * of an error, by lines between the logarithms, over those of elements.
+ */
+#include "particle_work.h"
+#include "study.h"
+#include "table.h"
+
+#include <math.h>
+
+static const struct curve {
+    const char *name;
+    int order, per_cell, steps, implicit; /* order 0: finite elements */
+    enum transfer transfer;
+    int first, last, base; /* cells; which elements it competes with */
+} curve[2][7] = {{{"elements", 0, 0, 1, 1, PIC, 4, 256, 0},
+                  {"linear", 1, 2, 1, 1, PIC, 8, 128, 0},
+                  {"quadratic", 2, 2, 1, 1, PIC, 8, 128, 0},
+                  {"cubic", 3, 2, 1, 1, PIC, 8, 128, 0},
+                  {"ten_linear", 1, 2, 10, 1, PIC, 16, 128, 0},
+                  {"ten_quadratic", 2, 4, 10, 1, PIC, 8, 64, 0},
+                  {"ten_cubic", 3, 4, 10, 1, PIC, 8, 64, 0}},
+                 {{"elements", 0, 0, 4, 0, PIC, 4, 32, 0},
+                  {"linear", 1, 2, 4, 0, APIC, 4, 16, 0},
+                  {"quadratic", 2, 2, 4, 0, APIC, 4, 16, 0},
+                  {"cubic", 3, 2, 4, 0, APIC, 4, 16, 0},
+                  {"FLIP", 2, 2, 4, 0, FLIP, 4, 16, 0},
+                  {"implicit_elements", 0, 0, 1, 1, PIC, 4, 32, 5},
+                  {"implicit", 2, 2, 1, 1, APIC, 4, 16, 5}}};
+enum { CURVES = 7, SIZES = 7 };
+#define COLUMNS "curve cells steps systems error flops ms reason"
+
+/* A row; the error, relative to the size of the truth, INFINITY if not OK. */
+static double print(const struct curve *c, int let_go, int cells, int steps,
+                    const struct work *truth, double *flops)
+{
+    const struct work_setting elements = {
+        WEIGHT, LOG, 1, cells, steps,
+        c->implicit ? BACKWARD_EULER : SYMPLECTIC_EULER, 1e-9};
+    const struct particle_setting particles = {
+        let_go ? LET_GO : HUNG, c->order, c->per_cell, cells, steps,
+        c->implicit, c->transfer};
+    struct work w = {.seconds = 0.0};
+    double best = INFINITY;
+    for (int turn = 0; turn < 3 && w.seconds < 0.01; turn++) {
+        w = c->order ? particle_work(&particles)
+            : let_go ? work_run(&elements) : element_bar_work(cells);
+        best = fmin(best, w.seconds);
+    }
+    const double e = work_distance(&w, truth) / work_distance(truth, NULL);
+    const int ok = w.status == OK;
+    table_row(c->name, cells, steps, w.systems, cell_if(ok, e), cell_if(ok,
+              w.flops), cell_if(ok, 1e3 * best), status_name(w.status));
+    *flops = w.flops;
+    return e;
+}
+
+/* Flops of an error, or NAN: where the curve first comes below it. */
+static double price(const double e[], const double flops[], double wanted)
+{
+    for (int i = 1; i < SIZES; i++)
+        if (e[i - 1] >= wanted && e[i] < wanted)
+            return flops[i] * pow(flops[i - 1] / flops[i],
+                                  log(wanted / e[i]) / log(e[i - 1] / e[i]));
+    return NAN;
+}
+
+int main(void)
+{
+    static double e[2][CURVES][SIZES], flops[2][CURVES][SIZES];
+    const struct work_setting model = {WEIGHT, LOG, .dynamic = 1};
+    struct work truth[2] = {{.n_shared = 2, .u = {0.24096766839}}};
+    static const int steps[] = {128, 64, 48, 32, 24, 20, 16, 12, 8};
+    double floor, used;
+    int few[4] = {0};
+    truth[1] = work_limit(&model, &floor);
+    floor /= work_distance(&truth[1], NULL);
+    study_machine();
+    for (int b = 0; b < 2; b++) {
+        table_begin(b ? "block" : "bar", COLUMNS);
+        for (int k = 0; k < CURVES; k++) {
+            const struct curve *c = &curve[b][k];
+            for (int i = 0, n = c->first; n <= c->last; i++, n *= 2)
+                e[b][k][i] = print(c, b, n, c->steps * (b ? n : 1), &truth[b],
+                                   &flops[b][k][i]);
+        }
+        table_end();
+    }
+    table_begin("steps", COLUMNS);
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < 9; i++)
+            if (isfinite(print(&curve[1][k], 1, 8, steps[i], &truth[1], &used)))
+                few[k] = steps[i];
+    table_end();
+    table_begin("fewest", "elements linear quadratic cubic floor");
+    table_row(few[0], few[1], few[2], few[3], floor);
+    table_end();
+    table_begin("price", "body curve wanted times");
+    for (int b = 0; b < 2; b++)
+        for (int k = 1; k < CURVES; k++) {
+            const int i = curve[b][k].base;
+            const double wanted = !b ? 1e-4 : i ? 0.03 : 0.02;
+            const double times = price(e[b][k], flops[b][k], wanted) /
+                                 price(e[b][i], flops[b][i], wanted);
+            table_row(b ? "block" : "bar", curve[b][k].name, wanted,
+                      cell_if(isfinite(times), times));
+            claim(i == k || !(times < (b ? 10.0 : 3.0)), "elements win");
+        }
+    table_end();
+    claim(e[0][3][1] < 0.6 * e[0][0][2] && few[3] < 0.6 * few[0], "cell by "
+          "cell the cubic kernel has half the error, and half the steps");
+    claim(!isfinite(e[0][4][3]) && e[0][5][3] > 5e-4 && e[1][3][2] < 0.012 &&
+          floor < 0.002, "new grids spoil the bar; both methods agree");
+    return table_finish();
+}

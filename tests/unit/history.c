@@ -1,0 +1,68 @@
+/* history.c - laws of common/history.h. */
+#include "history.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Two systems solved, and three ends. */
+static void print_histories(void)
+{
+    struct history h = {NOT_SPD, 2, {4.0, 2.0, 1.0}, {0.5, 0.25}};
+    history_table("stopped", &h);
+    h.status = OK;
+    history_table("solved", &h);
+    h.status = NONFINITE;
+    h.residual[2] = INFINITY;
+    history_table("lost", &h);
+    h = (struct history){.status = INVERTED};
+    history_table("never", &h);
+    exit(table_finish());
+}
+
+#define ROWS "k\tresidual\tincrement\tstatus\n0\t4\t0.5\t-\n1\t2\t0.25\t-\n"
+static void a_history_ends_with_its_reason(void)
+{
+    const struct outcome end = outcome_of(print_histories);
+    ck_assert_int_eq(end.status, 0);
+    ck_assert_str_eq(end.out,
+                     "# stopped\n" ROWS "2\t1\t-\tNOT_SPD\n\n\n"
+                     "# solved\n" ROWS "2\t-\t-\tOK\n\n\n"
+                     "# lost\n" ROWS "2\t-\t-\tNONFINITE\n\n\n"
+                     "# never\nk\tresidual\tincrement\tstatus\n"
+                     "0\t-\t-\tINVERTED\n\n\n");
+}
+
+/* One square, its left side held. */
+static void print_vertices(void)
+{
+    const struct scene_setting set = scene_notes(GRAVITY, CUBIC, 1);
+    struct scene *s = scene_alloc(&set);
+    for (int r = 0; r < s->n_dof; r++) {
+        s->u[r] = 0.25 * r;
+        s->v[r] = 10.0 + r;
+    }
+    history_nodes(s, "v", s->v);
+    scene_free(s);
+    exit(table_finish());
+}
+
+static void vertices_are_printed_with_what_belongs_to_them(void)
+{
+    const struct outcome end = outcome_of(print_vertices);
+    ck_assert_int_eq(end.status, 0);
+    ck_assert_str_eq(end.out,
+                     "# nodes\nX\tY\tu_x\tu_y\tv_x\tv_y\theld\n"
+                     "-1\t-1\t0\t0.25\t10\t11\theld\n"
+                     "1\t-1\t0.5\t0.75\t12\t13\tfree\n"
+                     "-1\t1\t1\t1.25\t14\t15\theld\n"
+                     "1\t1\t1.5\t1.75\t16\t17\tfree\n\n\n");
+}
+
+static const struct unit_law laws[] = {
+    {"a_history_ends_with_its_reason", a_history_ends_with_its_reason},
+    {"vertices_are_printed_with_what_belongs_to_them",
+     vertices_are_printed_with_what_belongs_to_them},
+};
+UNIT_MAIN("history", laws)

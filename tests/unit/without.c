@@ -1,0 +1,120 @@
+/* without.c - laws of common/without.h. */
+#include "without.h"
+
+#include "unit.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
+
+static struct without_result play(enum without without, enum law law,
+                                  enum method method, struct pointers script)
+{
+    gsl_set_error_handler_off();
+    const struct without_result result =
+        without_play(without, 8, law, method, &script);
+    pointers_free(&script);
+    return result;
+}
+
+static struct without_result hard(enum without without, enum law law)
+{
+    return play(without, law, BACKWARD_EULER, pointers_hard());
+}
+
+static int same(struct without_result a, struct without_result b)
+{
+    return a.lost == b.lost && a.stands == b.stands && a.most == b.most &&
+           a.energy == b.energy && a.speed == b.speed && a.last == b.last;
+}
+
+/* With nothing taken away it is live_frame(), bit for bit; under the cubic law
+ * no way is halved, so that the other second rung is the same as well. */
+static void nothing_is_the_ladder_of_live(void)
+{
+    const struct without_result all = hard(NOTHING, CUBIC);
+    const struct live_setting set = {8, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
+                                     1};
+    struct live *live = live_alloc(&set);
+    struct pointers script = pointers_hard();
+    struct without_result due = {0};
+    for (int k = 0; k < script.n; k++) {
+        double to[2];
+        live_input(live, &script.frame[k]);
+        live_hand(live->hand, &script.frame[k], to);
+        live_carry(live, to);
+        due.most = fmax(due.most, live_frame(live, to).systems);
+        due.energy = fmax(due.energy, live_energy(live));
+        due.last = 0.0;
+        for (int r = 0; r < live->n_dof; r++) {
+            due.speed = fmax(due.speed, fabs(live->now.v[r]));
+            due.last = fmax(due.last, fabs(live->now.u[r]));
+        }
+    }
+    pointers_free(&script);
+    live_free(live);
+    ck_assert(same(all, due) && all.freeze == 0);
+    ck_assert(all.p50 <= all.p99 && all.p99 <= all.most);
+    ck_assert(same(hard(HALVING, CUBIC), all));
+}
+
+/* What is missing is seen. */
+static void a_rung_is_missed(void)
+{
+    const struct without_result cubic = hard(NOTHING, CUBIC);
+    const struct without_result log = hard(NOTHING, LOG);
+    struct without_result less = hard(SECOND_RUNG, LOG);
+    ck_assert(less.lost >= 40 && less.freeze == less.lost);
+    less = hard(ACCEPTING, LOG);
+    ck_assert(less.lost >= 20 && less.freeze > 1 && less.freeze < less.lost);
+    less = hard(HALVING, LOG);
+    ck_assert(less.most <= 15.0 && log.most > 15.0);
+    ck_assert(less.stands > log.stands && log.stands > 0);
+    less = hard(LIFT, CUBIC);
+    ck_assert(less.p50 > cubic.p50 && less.lost == 0);
+    less = hard(FIRST_RUNG, CUBIC);
+    ck_assert(less.most == 1.0 + DOWNHILL_SYSTEMS && cubic.most > 9.0);
+    close_to(less.energy / cubic.energy, 1.0, 1e-6);
+    less = hard(SEARCH, CUBIC);
+    ck_assert(less.energy > 1e50);
+    less = hard(PROJECTION, CUBIC);
+    ck_assert(less.stands > 0 && cubic.stands == 0 && less.energy < 1e4);
+    less = hard(STOPPING, CUBIC);
+    ck_assert(less.energy > 1.05 * cubic.energy);
+    less = hard(BOUND, CUBIC);
+    ck_assert(less.speed > 1.05 * cubic.speed && less.lost == 0);
+    less = hard(LEAPING, CUBIC); /* another difference quotient */
+    close_to(less.energy / cubic.energy, 1.0, 1e-5);
+    ck_assert(less.energy != cubic.energy);
+}
+
+static void a_rung_is_missed_rarely(void)
+{
+    const struct without_result
+        all = play(NOTHING, CUBIC, BACKWARD_EULER, pointers_mad(38, 600)),
+        leaps = play(LEAPING, CUBIC, BACKWARD_EULER, pointers_mad(38, 600)),
+        swings = play(NOTHING, LOG, IMPLICIT_MIDPOINT, pointers_hard()),
+        rests = play(FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, pointers_hard());
+    ck_assert(leaps.speed > 2.0 * all.speed);
+    ck_assert(swings.last > 0.1 && rests.last < 1e-3);
+}
+
+static void rungs_have_words(void)
+{
+    for (int k = 0; k < N_WITHOUT; k++)
+        for (int j = 0; j < k; j++)
+            ck_assert_str_ne(without_word((enum without)k),
+                             without_word((enum without)j));
+    ck_assert_str_eq(without_word(NOTHING), "nothing");
+    ck_assert_str_eq(without_word(PROJECTION), "projection of lift");
+    ck_assert_str_eq(without_word(LEAPING), "bound on leaps");
+}
+
+#define LAW(name) {#name, name}
+static const struct unit_law laws[] = {
+    LAW(nothing_is_the_ladder_of_live),
+    LAW(a_rung_is_missed),
+    LAW(a_rung_is_missed_rarely),
+    LAW(rungs_have_words),
+};
+UNIT_MAIN("without", laws)
