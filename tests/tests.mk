@@ -146,22 +146,13 @@ UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
     tests/unit/mistakes.txt)
 unit_field = $(word $2,$(subst $(comma), ,$1))
 define unit_mistake
-<<<<<<< HEAD
 $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
         $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
-=======
-$(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
-        $(BUILD)/unit/unit.o $(LIB)
-	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
-	$(Q)$$(QUICK) $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
-	    $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
-	    $$(word 4,$$^) $$(UNIT_LIBS)
-$(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
->>>>>>> main
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
-	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w $(BUILD)/unit/$1.c \
-	        $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
+	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w \
+	        $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
+	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
 	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
 	    END { if (caught) print "ok common/ with $1 is caught"; \

@@ -232,8 +232,8 @@ static void a_search_goes_down_or_stays(void)
     mesh_free(mesh);
 }
 
-/* A step is taken when Psi falls by 1e-4 of the slope: one so long that it falls
- * by 1.5e-4 of it is taken, one with 0.5e-4 is not. */
+/* A step is taken when Psi falls by 1e-4 of the slope: one so long that it
+ * falls by 1.5e-4 of it is taken, one with 0.5e-4 is not. */
 static void a_search_asks_for_a_decrease(void)
 {
     for (int taken = 0; taken < 2; taken++) {
