@@ -31,8 +31,10 @@ MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
 # There are many of them.  A judge is run once, and compiled as quickly as can
-# be; its search for a known mistake runs their programs often.  Where an entry
-# does not fit the solution any more, there is none, and lint says why.
+# be, but in lessons that compute for long; its search for a known mistake runs
+# their programs often.  Where an entry does not fit the solution any more, there
+# is none, and lint says why.
+LONG := 15_% 17_% 18_% 20_% 22_% 23_% 24_%
 QUICK = $(COMPILE) -O1 -g0 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
@@ -46,7 +48,7 @@ $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
 	$(Q)[ ! -f $$< ] || { $$(call build_judge,$$<,$(patsubst \
-	    %/,%,$(dir $1)),-O0 -g0 -w); }
+	    %/,%,$(dir $1)),$(if $(filter $(LONG),$1),-O1,-O0) -g0 -w); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
