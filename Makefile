@@ -147,11 +147,20 @@ $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
+# An index beyond an array whose length the compiler knows is a trap there, if it
+# knows how; judge.h guards the arrays that the checks hand over.
+BOUNDS = $(eval BOUNDS := $(shell for flags in \
+             '-fsanitize=bounds -fsanitize-undefined-trap-on-error' \
+             '-fsanitize=bounds -fsanitize-trap=bounds'; do \
+             $(CC) -Werror $$flags -x c -c /dev/null -o /dev/null 2>/dev/null && \
+             echo $$flags && break; done))$(BOUNDS)
+
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
 NAMING = tests/tools/names.sh tests/tools/names.awk
-build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $3 -I. -Itests/checks \
-              -DPROGRAM='"$1"' -DNAMES='"$@.h"' tests/checks/$2.c $(JUDGE) \
+build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
+              -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
+              tests/checks/$2.c $(JUDGE) \
               $(PLACED)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB) \

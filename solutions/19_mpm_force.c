@@ -117,7 +117,7 @@ static void print_bar(const char *name, struct material material, double F,
         check(force(&body, u, f));
         const struct inner worst = cloud_bar_inner(bar, f);
         table_row(cells, ppc, kernel[order - 1],
-                  cell_if(F != 1.0, worst.force / fabs(stress)),
+                  cell_if(fabs(stress) > 0.0, worst.force / fabs(stress)),
                   worst.acceleration);
         free(u);
         cloud_free(bar);

@@ -11,7 +11,7 @@ SEED = 1
 N = 60
 N_COMMON = 12
 MUTANTS = BUILD='$(BUILD)' SEED='$(SEED)' LINK='$(LINK)' JUDGE='$(JUDGE)' \
-          CC_MUTANT='$(CC) $(STD) -O0 -w -Icommon -I. -Itests/checks \
+          CC_MUTANT='$(CC) $(STD) -O0 -w $(BOUNDS) -Icommon -I. -Itests/checks \
           $(GSL_CFLAGS)' sh tests/tools/mutants.sh
 
 .PHONY: mutants mutants-head mutants-common

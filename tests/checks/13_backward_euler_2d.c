@@ -122,7 +122,7 @@ static void b_is_mass_times_the_guess(void)
 {
     for (int lumped = 0; lumped < 2; lumped++) {
         struct scene *s = skew_scene(SPIN, CUBIC, (enum mass)lumped);
-        double u[N_DOF], v[N_DOF], f[N_DOF], w[N_DOF], b[N_DOF], want[N_DOF];
+        double u[N_DOF], v[N_DOF], f[N_DOF], w[N_DOF], want[N_DOF];
         double forces[N_DOF];
         const double dt = 0.2385;
         s->density[0] = 2.385;
@@ -133,7 +133,9 @@ static void b_is_mass_times_the_guess(void)
             f[r] = s->density[r % 2];
             w[r] = u[r] + dt * v[r];
         }
-        right_hand_side(s, dt, u, v, b);
+        double *b = guarded_alloc(N_DOF);
+        right_hand_side(s, dt, guarded_copy(N_DOF, u), guarded_copy(N_DOF, v),
+                        b);
         body_mass(s->body, w, want);
         s->body->mass = CONSISTENT; /* int f N_a, whatever the mass is */
         s->body->rho = 1.0;
@@ -428,6 +430,51 @@ static void step_agrees_with_the_fast_one(void)
     compare_steps(RIGID, LOG, CONSISTENT, 1);
 }
 
+/* A free square at rest, one system; and one whose vertices are off by 1e-8, to
+ * and fro, and on their way back: the increment is within a tolerance of 2e-8,
+ * the forces before it are not, those after it are, and so one system again. */
+static void step_stops_where_it_is_told(void)
+{
+    const struct scene_setting set = scene_notes(SPIN, CUBIC, N);
+    const double tolerance = 2e-8;
+    for (int off = 0; off < 2; off++)
+        for (int small = 0; small < 2; small++) {
+            struct scene *s = scene_alloc(&set);
+            for (int r = 0; r < N_DOF; r++) {
+                s->u[r] = off * 1e-8 * ((r + r / 2) % 2 ? 1.0 : -1.0);
+                s->v[r] = -s->u[r] / set.dt;
+            }
+            const struct history report =
+                step(s, small ? 0.1 * tolerance : tolerance, CAP, 0);
+            const int want = off && small ? 2 : 1;
+            expect(report.status == OK && report.iterations == want,
+                   "a square %s, tolerance %g: OK after %d systems, not %s "
+                   "after %d", off ? "that is off by 1e-8" : "at rest",
+                   small ? 0.1 * tolerance : tolerance, want,
+                   status_name(report.status), report.iterations);
+            scene_free(s);
+        }
+}
+
+/* What a scene holds is read as far as it goes: behind its arrays there is NaN,
+ * and every vertex is held. */
+static void step_stays_in_its_arrays(void)
+{
+    struct scene *s = skew_scene(SPIN, CUBIC, CONSISTENT), inside = *s;
+    for (int r = 0; r < N_DOF; r++) s->v[r] *= 0.1;
+    inside.held = guarded_indices(N_DOF / 2, s->held);
+    inside.g = guarded_copy(N_DOF, s->g);
+    inside.u = guarded_copy(N_DOF, s->u);
+    inside.v = guarded_copy(N_DOF, s->v);
+    const enum status guarded = step(&inside, 1e-10, CAP, 0).status;
+    expect(guarded == OK && step(s, 1e-10, CAP, 0).status == OK,
+           "a step of the spin ends with %s", status_name(guarded));
+    for (int r = 0; r < N_DOF; r++)
+        expect_close(inside.u[r], s->u[r], 1e-12, 1.0, "u of vertex %d, with "
+                     "NaN behind held, g, u and v, against u without", r / 2);
+    scene_free(s);
+}
+
 static void failures_are_named(void)
 {
     const struct scene_setting set = scene_notes(STRETCH, CUBIC, 2);
@@ -445,6 +492,17 @@ static void failures_are_named(void)
     report = step(s, 1e-10, 2, 0);
     expect(report.status == NONFINITE,
            "an infinite velocity: the step ends with %s, not NONFINITE",
+           status_name(report.status));
+    scene_free(s);
+    /* as heavy and as stiff as nothing: q is finite, and du is not */
+    struct scene_setting nothing = scene_notes(SPIN, CUBIC, 2);
+    nothing.rho = nothing.E = 1e-200;
+    s = scene_alloc(&nothing);
+    scene_rest(s);
+    s->density[1] = 1e150;
+    report = step(s, 1e-10, CAP, 0);
+    expect(report.status == NONFINITE,
+           "an infinite increment: the step ends with %s, not NONFINITE",
            status_name(report.status));
     scene_free(s);
     run_unsolved("--scene rigid --law log --reach 15", "INVERTED");
@@ -605,6 +663,8 @@ static const struct claim claims[] = {
     {"modes_decay_as_predicted", modes_decay_as_predicted, "13d"},
     {"momentum_is_kept", momentum_is_kept, "13d"},
     {"step_agrees_with_the_fast_one", step_agrees_with_the_fast_one, "13d"},
+    {"step_stops_where_it_is_told", step_stops_where_it_is_told, "13d"},
+    {"step_stays_in_its_arrays", step_stays_in_its_arrays, "13d"},
     {"failures_are_named", failures_are_named, "13d"},
     {"numbers_are_the_oracles", numbers_are_the_oracles, "13d"},
     {"readings_are_the_oracles", readings_are_the_oracles, "13d"},

@@ -418,6 +418,68 @@ static void failures_are_named(void)
     expect(release(body, u).status == INVERTED,
            "the log law at a point: INVERTED");
     body_free(body);
+
+    /* a modulus below 0: there is no projected K that the shift could save */
+    body = body_of(mesh, CUBIC, CORNER);
+    body->material.mu *= -1.0;
+    body->material.lambda *= -1.0;
+    release_place(body, RELEASE_CRUSHED[0].F, u);
+    const struct release_report soft = release(body, u);
+    expect(soft.status == NOT_SPD && !soft.recovered && soft.iterations == 0,
+           "a modulus below 0: the first system is NOT_SPD; the report says %s "
+           "after %d", status_name(soft.status), soft.iterations);
+    body_free(body);
+    mesh_free(mesh);
+
+    /* A square pressed to 0.232 of its width is about to yield sideways: its
+     * exact K is almost singular, the projected one is not, and 1862 systems
+     * would be needed. */
+    int held[25] = {0};
+    double slow[50];
+    mesh = mesh_square(4);
+    for (int a = 0; a < 25; a++) held[a] = a % 5 == 0 || a % 5 == 4;
+    body = body_alloc(mesh, material_notes(EXTENDED), 0.0, CONSISTENT, held);
+    for (int a = 0; a < 25; a++) {
+        slow[2 * a] = -0.768 * mesh->X[2 * a];
+        slow[2 * a + 1] = held[a] ? 0.0 : 0.05;
+    }
+    const struct release_report stuck = release(body, slow);
+    expect(stuck.status == MAX_ITERATIONS && !stuck.recovered &&
+               stuck.iterations == CAP,
+           "a square pressed to 0.232 of its width: MAX_ITERATIONS after %d "
+           "systems; the report says %s after %d", CAP,
+           status_name(stuck.status), stuck.iterations);
+    body_free(body);
+    mesh_free(mesh);
+}
+
+/* The limit is that of the forces, at dt = 1: just below it nothing is solved,
+ * just above it something is. */
+static void it_stops_where_the_forces_are_small(void)
+{
+    struct mesh *mesh = mesh_triangle(corners);
+    for (int l = 0; l < 3; l++)
+        for (int above = 0; above < 2; above++) {
+            struct body *body = body_of(mesh, smooth[l], CORNER);
+            const double small = RELEASE_TOLERANCE *
+                                 material_modulus(&body->material);
+            const double want = small * (above ? 1.5 : 0.7);
+            double u[6] = {0.0}, q[6], stretch = 1e-9;
+            for (int k = 0; k < 3; k++) { /* q is almost linear in it */
+                const mat2 F = {{{1.0 + stretch, 0.0}, {0.0, 1.0}}};
+                release_place(body, F, u);
+                expect(body_force(body, u, q) == OK, "a stretch has no force");
+                stretch *= want / body_max_free(body, q);
+            }
+            const struct release_report report = release(body, u);
+            expect(report.status == OK && report.recovered &&
+                       (report.iterations > 0) == above,
+                   "almost at rest, %s law: the largest force is %.3g of the "
+                   "limit, and the report says %s after %d systems",
+                   material_law(smooth[l]), want / small,
+                   status_name(report.status), report.iterations);
+            body_free(body);
+        }
     mesh_free(mesh);
 }
 
@@ -505,6 +567,8 @@ static const struct claim claims[] = {
     {"a_held_square_recovers", a_held_square_recovers, "16d"},
     {"a_wound_square_has_not_recovered", a_wound_square_has_not_recovered,
      "16d"},
+    {"it_stops_where_the_forces_are_small",
+     it_stops_where_the_forces_are_small, "16d"},
     {"failures_are_named", failures_are_named, "16d"},
     {"numbers_are_the_oracles", numbers_are_the_oracles, NULL},
 };

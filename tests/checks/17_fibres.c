@@ -539,6 +539,58 @@ static void strip_has_its_length(void)
     }
 }
 
+/* P of the strip at x, both parts from common/. */
+static mat2 strip_stress(const struct material *material,
+                         const struct fibre *fibre, const double x[2])
+{
+    const mat2 F = {{{x[0], 0.0}, {0.0, x[1]}}};
+    return mat2_add(material2_pk1(material, F),
+                    fibre_pk1(fibre, (const double[]){1.0, 0.0}, F));
+}
+
+/* Both numbers of P count.  nu = 0, k = 500: at x = (1.25, 1), where the first
+ * system leads, P11 is the load to the last digit, and P22 is -mu/64. */
+static void strip_is_free_at_its_sides(void)
+{
+    const struct material material = material_make(CUBIC, 1000.0, 0.0);
+    const struct fibre rope = {MUSCLE, 500.0, 0.0, 0.5, 0.0};
+    double *x = guarded_alloc(2);
+    const enum status status = strip(&material, &rope, 250.0, x);
+    expect(status == OK, "nu = 0, a slack muscle of k = 500, load 250: the "
+           "strip ends with %s", status_name(status));
+    const mat2 P = strip_stress(&material, &rope, x);
+    expect_close(P.m[0][0], 250.0, SOLVED, 1e3, "nu = 0, k = 500: P11 of the "
+                 "strip under the load 250");
+    expect_close(P.m[1][1], 0.0, SOLVED, 1e3, "nu = 0, k = 500, load 250: P22 "
+                 "at the end");
+}
+
+/* An active part of w = 0.1: Newton's method leaps to and fro across the kink
+ * at l = 0.9, and sigma decides for how long.  The numbers of systems stay as
+ * they are when sigma changes by 1e-9 of itself. */
+static void strip_takes_newtons_steps(void)
+{
+    const struct material material = material_notes(CUBIC);
+    struct fibre narrow = {MUSCLE, 200.0, 0.0, 0.1, 1.0};
+    const struct {
+        double sigma;
+        int systems;
+    } is[] = {{456.0, 40}, {452.0, 44}, {420.0, 58}, {404.0, 110}};
+    for (int k = 0; k < COUNT(is); k++) {
+        double *x = guarded_alloc(2);
+        narrow.sigma = is[k].sigma;
+        const enum status want = is[k].systems <= CAP ? OK : MAX_ITERATIONS;
+        const enum status status = strip(&material, &narrow, 0.0, x);
+        expect(status == want, "w = 0.1, sigma = %g, which takes %d systems, "
+               "of %d: the strip must end with %s, not %s", is[k].sigma,
+               is[k].systems, CAP, status_name(want), status_name(status));
+        if (want == OK)
+            expect_close(mat2_norm(strip_stress(&material, &narrow, x)), 0.0,
+                         SOLVED, 1e3, "w = 0.1, sigma = %g: |P| at the end",
+                         is[k].sigma);
+    }
+}
+
 /* Uniaxial stress at rest with cords of k = 2000, by Sherman-Morrison. */
 static void cords_stiffen_and_shear(void)
 {
@@ -589,6 +641,19 @@ static void failures_are_named(void)
                "ends with %s, not %s", material_law(is[k].law), is[k].sigma,
                is[k].load, status_name(is[k].status), status_name(status));
     }
+    /* (-1 + 2 mu + lambda) (2 mu + lambda) = lambda^2 to the last digit */
+    material = (struct material){CUBIC, 1.0, 2.0};
+    const struct fibre pushing = {CORD, -3.0, 0.0, 0.5, 0.0};
+    const enum status singular = strip(&material, &pushing, 0.5, x);
+    expect(singular == NOT_SPD, "a cord of k = -3 in a material with mu = 1, "
+           "lambda = 2, whose matrix is singular at rest: the strip must end "
+           "with NOT_SPD, not %s", status_name(singular));
+    /* its least pivot is 1/2, and that is enough */
+    material = (struct material){CUBIC, 500.0, 0.0};
+    const struct fibre almost = {CORD, -999.5, 0.0, 0.5, 0.0};
+    const enum status soft = strip(&material, &almost, 1e-6, x);
+    expect(soft == OK, "a cord that leaves the strip a stiffness of 1/2 N/m^2, "
+           "load 1e-6: OK, not %s", status_name(soft));
     const struct output *out = run_unsolved("--sigma 3000", "NOT_SPD");
     expect(row_count(out, "strip") == 4 &&
                is_missing(out, "strip", "length", -1),
@@ -623,6 +688,8 @@ static const struct claim claims[] = {
      "17c"},
     {"agrees_with_the_fast_fibres", agrees_with_the_fast_fibres, "17c"},
     {"strip_has_its_length", strip_has_its_length, "17d"},
+    {"strip_is_free_at_its_sides", strip_is_free_at_its_sides, "17d"},
+    {"strip_takes_newtons_steps", strip_takes_newtons_steps, "17d"},
     {"failures_are_named", failures_are_named, "17d"},
 };
 

@@ -435,6 +435,9 @@ static void bars_are_the_oracles(void)
         expect_close(cell(out, "rest", "force_over_stress", row), 0.0, 1e-13,
                      10.0, "in one step from rest, row %d: force over stress",
                      row);
+    out = run("--nu 0 --stretch 3 --ppc 1"); /* the cubic law has a second 0 */
+    expect(is_missing(out, "crossing", "force_over_stress", 0),
+           "F = 3, nu = 0: the bar has no stress, and there is no quotient");
 }
 
 /* The bar is under one stress; what is left over of it has a largest value that

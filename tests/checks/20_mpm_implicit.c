@@ -72,6 +72,9 @@ static void free_fall_has_no_residual(void)
             cloud.p->v[2 * q] = 0.385;
             cloud.p->v[2 * q + 1] = -0.271;
         }
+        if (orders[k / 2] == 1) /* one in the first cell, on node 0 */
+            for (int i = 0; i < 2; i++)
+                cloud.p->x[i] = cloud.grid->origin[i] + 0.385 * cloud.grid->h;
         struct trial_body t = trial_of(cloud, CUBIC, 0.01, -9.81, k % 2);
         double *r = guarded_alloc(t.n_all);
         for (int s = 0; s < t.n_all; s++)
@@ -328,6 +331,12 @@ static mat2 much_too_soft(const struct material *material, mat2 F, mat2 dF)
     return mat2_scale(1e-16, material2_dpk1(material, F, dF));
 }
 
+/* A tangent a hundred times too stiff: a step goes a hundredth of the way. */
+static mat2 much_too_stiff(const struct material *material, mat2 F, mat2 dF)
+{
+    return mat2_scale(100.0, material2_dpk1(material, F, dF));
+}
+
 static void failures_are_named(void)
 {
     struct trial_body soft =
@@ -341,6 +350,16 @@ static void failures_are_named(void)
            "STALLED after 0 iterations, not %s after %d",
            status_name(end.status), end.iterations);
     cloud_free(soft.cloud);
+    struct trial_body stiff =
+        trial_of(cloud_hanging(2, 8, 2), CUBIC, 0.0, 500.0, 0);
+    stiff.how.wall = HELD;
+    stiff.of.dpk1 = much_too_stiff;
+    const struct particle_report slow =
+        newton(&stiff.of, &stiff.how, guarded_alloc(stiff.n_all));
+    expect(slow.status == MAX_ITERATIONS && slow.iterations == STEP_CAP, "du "
+           "is a hundred times too short: MAX_ITERATIONS after %d systems, not "
+           "%s after %d", STEP_CAP, status_name(slow.status), slow.iterations);
+    cloud_free(stiff.cloud);
     struct trial_body t =
         trial_of(cloud_hanging(3, 8, 1), CUBIC, 0.0, 500.0, 0);
     double *u = guarded_alloc(t.n_all);

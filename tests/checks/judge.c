@@ -602,6 +602,10 @@ static void explain_end(struct ending ending, struct finding *finding)
                  MOST_PROCESSES);
     } else if (ending.limit == LIMIT_STOPPED) {
         snprintf(text, size, "the program stopped itself by a signal");
+    } else if (ending.status == -SIGILL || ending.status == -SIGTRAP) {
+        /* that is what BOUNDS of the Makefile makes of it */
+        snprintf(text, size, "an index beyond the end of an array, or below 0: "
+                 "signal %d", -ending.status);
     } else if (ending.status < 0) {
         snprintf(text, size, "signal %d (%s)%s%s", -ending.status,
                  strsignal(-ending.status), colon, line);

@@ -109,6 +109,8 @@ void expect_close(double got, double want, double tolerance, double scale,
  * has set it, shows in its results; and once the check is through, one that has
  * written beyond the ends is wrong().  There is no place for an array in an
  * index that stands beside guarded indices.  They last as long as the check.
+ * An array of the program's own, whose length the compiler knows, is guarded by
+ * BOUNDS of the Makefile: an index beyond it is a trap.
  */
 double *guarded_alloc(int n);
 double *guarded_copy(int n, const double values[]);

@@ -23,6 +23,7 @@ segmentation fault | slot | int *volatile nowhere = (int *)-4096L; *nowhere = 1;
 abort | slot | abort(); | CRASHED
 freed twice | slot | char *p = malloc(8); char *volatile q = p; free(p); free(q); | CRASHED
 a gigabyte on the stack | slot | volatile char all[1 << 30]; for (long k = 0; k < 1 << 30; k += 4096) all[k] = 1; | CRASHED
+one number too many | slot | double three[3]; for (volatile int k = 0; k <= 3; k++) three[k] = k; | CRASHED
 trap | main | raise(SIGFPE); | CRASHED
 handler that ends with 0 | slot | static void leave(int s) { _exit(s - s); } ## signal(SIGSEGV, leave); raise(SIGSEGV); | CRASHED
 endless loop | slot | for (volatile int spin = 0;; spin = 1) {} | TIMEOUT

@@ -101,6 +101,7 @@ one() {
 
 . tests/tools/patiently.sh
 clean_up() {
+    trap '' INT TERM HUP QUIT # one is enough
     end_running
     rm -rf "$work"
 }

@@ -104,6 +104,31 @@ rule 'every symbol of a chapter is in the notation (tests/tools/symbols.awk)' \
     "$(awk -f tests/tools/symbols.awk workbook.md lessons/[0-9]*.md figures/*/README.md)"
 rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
     "$(grep -nE '^ *<!-- n ' $book)"
+chapters="$(ls lessons/[0-9]*.md) $(for f in robustness speed work_precision many; do
+    echo figures/$f/README.md; done)"
+rule 'a chapter shows at most 1200 words (tests/tools/words.awk)' \
+    "$(awk -v most=1200 -f tests/tools/words.awk lessons/[0-9]*.md figures/*/README.md)"
+rule 'pictures are numbered, and chapters lead to each other (tests/tools/chapters.awk)' \
+    "$(awk -f tests/tools/chapters.awk $chapters)"
+rule 'errata name tables, studies, checks and mistakes that are there' \
+    "$(awk -F'|' '/^\| (L1|L2|PS|MPM)/ {
+            cell = $(NF - 1); lesson = kind = ""
+            while (match(cell, /\[lesson [0-9]+|`[A-Za-z_0-9]+`|(table|mistake|check)s?|stud(y|ies)/)) {
+                word = substr(cell, RSTART, RLENGTH)
+                cell = substr(cell, RSTART + RLENGTH)
+                if (word ~ /^\[/) { lesson = substr(word, 9); kind = "" }
+                else if (word !~ /^`/) kind = substr(word, 1, 4)
+                else if (kind != "") print lesson, kind, substr(word, 2, length(word) - 2)
+            } }' lessons/ERRATA.md | while read -r nn kind name; do
+        case $kind in
+        tabl) grep -q "\"$name\"" solutions/"$nn"_*.c figures/"$nn"_*/*.c ;;
+        stud) ls figures/"$nn"_*/"$name".c ;;
+        chec) grep "\"$name\"" tests/checks/"$nn"_*.c ;;
+        mist) grep -x "mistake: $name" tests/mistakes/"$nn"_*.txt ;;
+        esac >/dev/null 2>&1 || echo "lesson $nn: $name"
+    done)"
+rule 'every link into a page finds its place (tests/tools/anchors.awk)' \
+    "$(awk -f tests/tools/anchors.awk README.md $book README.md $book)"
 
 # What the text links to, as FILE:TARGET from the top of the tree.
 links=$(for f in README.md $book; do

@@ -183,7 +183,8 @@ grade() { # grade FILE NAME INTO
     [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }
 folder=
-trap '[ -z "$folder" ] || clean_up' EXIT
+# one signal is enough
+trap 'trap "" INT TERM HUP QUIT; [ -z "$folder" ] || clean_up' EXIT
 trap 'exit 130' INT TERM HUP QUIT
 
 # Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>

@@ -313,6 +313,7 @@ static void leave_at_once(void) { _exit(0); }
 static void leave_like_wrong(void) { _exit(1); }
 static void trap(void) { abort(); } /* which no sanitizer takes over */
 static void stop(void) { raise(SIGSTOP); }
+static void index_beyond(void) { raise(SIGILL); } /* as BOUNDS has it */
 static void not_written(void) { todo("0b"); }
 static void write_behind(void) { guarded_alloc(3)[3] = 2.385; }
 static void write_before(void) { guarded_alloc(3)[-1] = 2.385; }
@@ -355,6 +356,7 @@ static void every_end_has_its_verdict(void)
     expect_finding(leave_like_wrong, CRASHED, "with exit(1)");
     expect_finding(trap, CRASHED, "signal 6");
     expect_finding(stop, CRASHED, "stopped itself");
+    expect_finding(index_beyond, CRASHED, "an index beyond the end");
     expect_finding(not_written, UNFINISHED, "slot 0b is not written yet");
     expect_finding(look_at_descriptors, PASS, "");
     expect_finding(daemonise, PASS, "");
