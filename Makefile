@@ -122,12 +122,12 @@ $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
 
+native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
+             $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)))
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(if $(filter banded front readable,$*),$(NATIVE)) \
-	    $(if $(filter body,$*),$(filter-out -ffp-contract=fast,$(NATIVE))) \
-	    $< $(OBJECT)
+	    $(call native_for,$*) $< $(OBJECT)
 
 $(BUILD)/solutions/%: solutions/%.c $(LIB)
 	$(call say,cc,$<)

@@ -17,7 +17,8 @@
  * n > 1, neither line_search nor definite (asserted): the same iterates to the
  * round-off of its pivots.
  *
- * NOT_SPD    the solver met a pivot that is 0
+ * NOT_SPD    the solver met a pivot that is 0, before the last, at which GSL
+ *            does not look
  * NONFINITE  a NaN or an infinity came out
  */
 struct newton_report bar_gsl_newton(const struct bar *bar,

@@ -47,9 +47,9 @@ double particles_wave_part(const struct particles *p, double k);
 
 /*
  * Particles with their first motion and a grid with room for them: the seven
- * (h = 0.385 m); a disc of radius 0.3 m that turns by 1 rad/s about 0, four
- * particles per cell of 1 / cells; the wave cos kx on a periodic bar of unit
- * cells, ppc particles in each.  With B for APIC.
+ * (11 nodes each way, h = 0.385 m); a disc of radius 0.3 m that turns about 0
+ * by 1 rad/s, four particles per cell of 1 / cells; the wave cos kx on a
+ * periodic bar of unit cells, ppc particles in each.  With B for APIC.
  */
 struct cloud {
     struct grid *grid; /* owned, both */

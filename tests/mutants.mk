@@ -27,8 +27,6 @@ mutants-head: ; @$(MUTANTS) head
 mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
 	@for l in $(LESSONS); do N='$(N)' $(MUTANTS) lesson $$l || exit 1; done
 
-$(BUILD)/mutants/unit/%.o: tests/unit/%.c Makefile
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
 # for the sanitizers; without them where there are none
 $(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
 	$(Q)mkdir -p $(@D) && for flags in -fsanitize=address,undefined ''; do \
@@ -39,6 +37,6 @@ MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
     NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
     CC_MUTANT='$(CC) $(STD) $(CFLAGS) -Werror=return-type -Icommon \
     $(GSL_CFLAGS) -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
-mutants-common: $(UNITS:%=$(BUILD)/mutants/unit/%.o) $(BUILD)/unit/unit.o \
+mutants-common: $(UNITS:%=$(BUILD)/unit/%.o) $(BUILD)/unit/unit.o \
                 $(UNITS:%=$(BUILD)/mutants/unit/%.san.o) $(LIB) mutants-head
 	@$(MUTANTS_COMMON) common $(MUTANT_FILES)

@@ -5,7 +5,7 @@
 
 T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
-.PHONY: test starters workbook programs studies all memcheck
+.PHONY: test starters workbook programs studies memcheck
 
 # ---- starters, known mistakes, workbook -------------------------------------
 
@@ -17,7 +17,7 @@ $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
                            $(LIB) $(NAMING)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
-	$(Q)$(call build_judge,$<,$*,-Werror)
+	$(Q)$(call build_judge,$<,$*,-Werror -O0 -g0)
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
 # the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
@@ -30,19 +30,25 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them, and they are run once: what counts is how soon.
+# There are many of them.  A judge is run once, and compiled as quickly as can
+# be, but in lessons that compute for long; its search for a known mistake runs
+# their programs often.  Where an entry does not fit the solution any more, there
+# is none, and lint says why.
+LONG := 15_% 17_% 18_% 20_% 22_% 23_% 24_%
 QUICK = $(COMPILE) -O1 -g0 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
 	$(Q)mkdir -p $$(@D)
-	$(Q)$$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@
-	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why)
+	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why) && \
+	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@.part && \
+	    mv $$@.part $$@ || rm -f $$@ $$@.part $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)$$(QUICK) $$< $$(PLACED)
+	$(Q)[ ! -f $$< ] || { $$(QUICK) $$< $$(PLACED); }
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
-	$(Q)$$(call build_judge,$$<,$(patsubst %/,%,$(dir $1)),-O1 -g0 -w)
+	$(Q)[ ! -f $$< ] || { $$(call build_judge,$$<,$(patsubst \
+	    %/,%,$(dir $1)),$(if $(filter $(LONG),$1),-O1,-O0) -g0 -w); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
@@ -125,31 +131,31 @@ CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 UNIT_FLAGS = -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
-$(BUILD)/unit/unit.o: tests/unit/unit.c Makefile | $(DEPS)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) -c $< -o $@
-$(BUILD)/unit/%: tests/unit/%.c $(BUILD)/unit/unit.o $(LIB)
+$(BUILD)/unit/%.o: tests/unit/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)$(COMPILE) $(UNIT_FLAGS) $< -o $@ $(BUILD)/unit/unit.o $(UNIT_LIBS)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
+$(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
+	$(Q)$(CC) $(CFLAGS) $< $(BUILD)/unit/unit.o -o $@ $(UNIT_LIBS)
 $(T)/unit.%.result: $(BUILD)/unit/%
 	$(call say,test,unit $*)
 	$(Q)mkdir -p $(@D) && { $< > $@ || true; }
 
-# name,file,unit,caught-by of every entry
+# name,file,unit,caught-by of every entry.  Its object goes before the library's,
+# and of the unit program the law alone is run.
 UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
     $$1 == "file:" { file = $$2 } $$1 == "unit:" { unit = $$2 } \
-    $$1 == "caught-by:" { print name "," file "," unit "," $$2 }' \
+    $$1 == "caught-by:" && !twice[name]++ { print name "," file "," unit "," $$2 }' \
     tests/unit/mistakes.txt)
 unit_field = $(word $2,$(subst $(comma), ,$1))
 define unit_mistake
-$(BUILD)/unit/$1.mistake: tests/unit/mistakes.txt $2 tests/unit/$3.c \
-        $(BUILD)/unit/unit.o $(LIB)
-	$(Q)$$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) > $$@.c
-	$(Q)$$(QUICK) $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
-	    $$(UNIT_FLAGS) $$@.c $$(word 3,$$^) -o $$@ \
-	    $$(word 4,$$^) $$(UNIT_LIBS)
-$(T)/unit-mistake.$1.result: $(BUILD)/unit/$1.mistake
+$(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
+        $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
 	$$(call say,test,common/ with $1)
-	$(Q)mkdir -p $$(@D) && { $$< 2>&1 || true; } | awk '{ said = said $$$$0 "\n" } \
+	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
+	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w \
+	        $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
+	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
+	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
 	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
 	    END { if (caught) print "ok common/ with $1 is caught"; \
 	          else print "FAIL common/ with $1 is not caught: " said }' > $$@
@@ -164,8 +170,26 @@ UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
 
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
 studies: $(COUNTED:%=$(BUILD)/figures/%)
-all: programs $(PROGRAMS:=.judge) $(STUDIES:%=$(BUILD)/figures/%) \
-     $(patsubst $(BUILD)/solutions/%,$(BUILD)/starters/%.judge,$(PROGRAMS))
+
+# Does another compiler warn?  LOOK says how far it goes; nothing is linked.
+LOOK = -fsyntax-only
+HEADERS := $(wildcard common/*.h tests/*/*.h)
+LOOKED := $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
+          $(STUDIES:%=figures/%) $(UNITS:%=tests/unit/%) tests/unit/unit \
+          $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%) \
+          $(LESSONS:%=tests/checks/%) $(LESSONS:%=$(BUILD)/starters/%)
+LOOK_AT = $(PLAIN) $(UNIT_FLAGS) -Itests/checks -I. -DBUILD_FLAGS='""' \
+          -DNATIVE_FLAGS='""' -DLAPACK='""' -Werror
+$(BUILD)/looked/%: %.c $(HEADERS) Makefile
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LOOK_AT) $(call native_for,$(notdir $*)) $(LOOK) $< && : > $@
+$(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
+        tests/checks/%.c solutions/%.c $(HEADERS) $(NAMING) Makefile
+	$(Q)mkdir -p $(@D) && $(NAMES) solutions/$*.c $* $@.h
+	$(Q)$(LOOK_AT) -DPROGRAM='"solutions/$*.c"' -DNAMES='"$@.h"' $(LOOK) $< \
+	    && : > $@
+.PHONY: look
+look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
 EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
@@ -209,7 +233,7 @@ $(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
         $(call mistakes_of,$(TRIED))
 	$(call say,test,$*)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
-$(T)/build-%.result: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%) $(EVERYTHING)
+$(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
 	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
 	    sh tests/tools/build_variants.sh $* > $@
@@ -226,8 +250,11 @@ test: $(RESULTS)
 	@sh tests/tools/sizes.sh table
 	@cat $^ | sh tests/tools/count.sh
 
-memcheck: $(T)/build-valgrind.result $(T)/build-sanitize.result
-	@cat $^ | sh tests/tools/count.sh
+# all that computes for long, too
+memcheck:
+	+@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
+	    tests/tools/build_variants.sh $$kind whole; done | sh \
+	    tests/tools/count.sh
 
 include tests/many.mk
 include tests/mutants.mk

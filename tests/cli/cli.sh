@@ -132,9 +132,15 @@ awk -f tests/tools/starter.awk "solutions/$slug.c" | cmp -s - "lessons/$slug.c" 
 result $? 'reset puts the starter back and keeps the file' ''
 BUILD=build sh tests/tools/student.sh watch "$slug" >"$tmp/watch" 2>&1 &
 watch=$!
-sleep 3
+until_watched() { # until_watched TEXT: a busy machine may take its time
+    tries=0
+    until grep -q "$1" "$tmp/watch" || [ $((tries += 1)) -gt 100 ]; do
+        sleep 1
+    done
+}
+until_watched "VERDICT $nn: UNFINISHED"
 cp "solutions/$slug.c" "lessons/$slug.c"
-sleep 5
+until_watched "VERDICT $nn: OK"
 kill $watch
 wait $watch 2>/dev/null
 grep -q "VERDICT $nn: UNFINISHED" "$tmp/watch" && grep -q "VERDICT $nn: OK" "$tmp/watch"

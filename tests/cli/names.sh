@@ -29,7 +29,7 @@ likely='cell run column word table row energy error norm residual_of check expec
     bar material LOG CUBIC fabs sqrt M_PI double static if'
 
 compile() { # compile FLAGS...: $file to the judge $dir/judge
-    "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O1 -w' FILE="$file" \
+    "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' FILE="$file" \
         INTO="$dir/judge" SLUG="$slug" "$@" 2>&1
 }
 judged() { # judged WHAT

@@ -21,6 +21,7 @@ cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
 mkdir -p "$to/build/mistakes/$slug"
 for name in $(awk -f tests/tools/variant.awk -v list=mistake \
     "tests/mistakes/$slug.txt"); do
+    [ -f "$BUILD/mistakes/$slug/$name" ] || continue # its entry does not fit
     for part in "$name" "$name.why" "$name.c"; do
         cp -p "$BUILD/mistakes/$slug/$part" "$to/build/mistakes/$slug"
     done

@@ -220,6 +220,20 @@ for slug in $lessons; do
         done)"
 done
 
+# Every deliberate mistake fits its file; a line for each that does not.
+unfit=$(
+    for list in tests/mistakes/*.txt tests/unit/mistakes.txt tests/many/mistakes.txt; do
+        program=solutions/$(basename "$list" .txt).c
+        case $list in
+        tests/unit/*) program=./ ;;
+        tests/many/*) program=figures/many/ ;;
+        esac
+        awk -f tests/tools/variant.awk -v check="$program" "$list" |
+            sed "s|^|FAIL lint: $list: |"
+    done
+)
+echo "${unfit:-ok lint: every deliberate mistake fits its file}"
+
 # ---- figures ------------------------------------------------------------------
 plots=$(ls figures/*/*.gp)
 picture() { # what a script makes

@@ -436,6 +436,33 @@ static void the_largest_free_entry_is_found(void)
     }
 }
 
+/* Without lambda the tangent of the cubic law is mu (2 - 2 H), which at twice
+ * the length is 0: all of the bar, or its last element, at whose pivot GSL does
+ * not look. */
+static void a_pivot_of_zero_is_reported_by_gsl(void)
+{
+    enum { n = 4 };
+    const struct newton_control control = {.tolerance = 1e-12,
+                                           .max_iterations = 9};
+    for (int stretched = 1; stretched <= n; stretched += n - 1) {
+        double b[n + 1] = {0.0}, u[n + 1] = {0.0}, before[n + 1];
+        const struct bar bar = {.n = n, .h = 0.25, .held = {1, 0}, .b = b,
+                                .material = {CUBIC, .mu = 2.385}};
+        for (int e = 1; e <= n; e++)
+            u[e] = u[e - 1] + (e > n - stretched ? 0.25 : 0.0);
+        memcpy(before, u, sizeof u);
+        const struct newton_report end = bar_gsl_newton(&bar, &control, u);
+        if (stretched == 1) {
+            ck_assert_int_eq(end.status, NONFINITE);
+            continue;
+        }
+        ck_assert_int_eq(end.status, NOT_SPD);
+        ck_assert_int_eq(end.iterations, 0);
+        ck_assert(end.residual > 1.0 && end.increment == 0.0);
+        ck_assert(memcmp(before, u, sizeof u) == 0);
+    }
+}
+
 /* A step that is not finite is not made. */
 static void an_infinite_step_is_not_made(void)
 {
@@ -504,6 +531,7 @@ static const struct unit_law laws[] = {
     {"the_quick_ones_refuse_what_they_cannot",
      the_quick_ones_refuse_what_they_cannot},
     {"the_largest_free_entry_is_found", the_largest_free_entry_is_found},
+    {"a_pivot_of_zero_is_reported_by_gsl", a_pivot_of_zero_is_reported_by_gsl},
     {"an_infinite_step_is_not_made", an_infinite_step_is_not_made},
     {"a_load_that_is_no_number_is_reported",
      a_load_that_is_no_number_is_reported},

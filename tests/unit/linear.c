@@ -51,6 +51,19 @@ static void exact_solution_solves_the_problem(void)
     }
 }
 
+/* Held nowhere, under loads that balance, it is the one that starts at 0. */
+static void a_free_bar_starts_at_zero(void)
+{
+    double P;
+    struct bar_scene s = scene_of(UNIFORM, 0, 0);
+    s.pull[0] = -s.pull[1] - s.c;
+    ck_assert(bar_scene_exact(&s, 0.0, &P) == 0.0);
+    close_to(P, -s.pull[0], 1e-12);
+    const double u = bar_scene_exact(&s, 1.0, &P);
+    close_to(P, s.pull[1], 1e-12);
+    close_to(u, (s.pull[1] + s.c / 2) / material_modulus(&s.material), 1e-12);
+}
+
 /* Constant modulus and midpoint loads of a constant force: nodally exact. */
 static void nodal_values_are_exact(void)
 {
@@ -104,6 +117,7 @@ static void linear_law_is_wrong_by_the_oracles(void)
 
 static const struct unit_law laws[] = {
     {"exact_solution_solves_the_problem", exact_solution_solves_the_problem},
+    {"a_free_bar_starts_at_zero", a_free_bar_starts_at_zero},
     {"nodal_values_are_exact", nodal_values_are_exact},
     {"hanging_bar_is_the_oracles", hanging_bar_is_the_oracles},
     {"linear_law_is_wrong_by_the_oracles", linear_law_is_wrong_by_the_oracles},

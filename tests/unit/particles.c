@@ -480,6 +480,12 @@ static void a_cloud_is_ready_to_go(void)
         double corner[2];
         grid_place(cloud[0].grid, 0, corner);
         ck_assert(corner[0] == -0.77 && corner[1] == -0.77);
+        ck_assert_int_eq(cloud[0].grid->n_node, 11 * 11);
+        ck_assert_int_eq(cloud[1].grid->n_node, 17 * 17);
+        ck_assert_int_eq(cloud[2].grid->n_node, 16);
+        grid_place(cloud[0].grid, 11 * 11 - 1, corner);
+        close_to(corner[0], 8 * 0.385, 1e-15);
+        close_to(corner[1], 8 * 0.385, 1e-15);
         close_to(particles_wave_part(cloud[2].p, k), 1.0, 1e-14);
         for (int c = 0; c < 3; c++) {
             double B = 0.0;

@@ -7,10 +7,25 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-int unit_run(const char *module, const struct unit_law laws[], int n)
+/* Is the law to be run?  Arguments name those to run or, as -law, to skip. */
+static int wanted(const char *law, int argc, char *argv[])
 {
-    int failed = 0;
+    for (int k = 1; k < argc; k++) {
+        const int out = argv[k][0] == '-';
+        if (strcmp(argv[k] + out, law) == 0) return !out;
+    }
+    return argc < 2 || argv[1][0] == '-';
+}
+
+int unit_run(const char *module, const struct unit_law laws[], int n, int argc,
+             char *argv[])
+{
+    int failed = 0, left_out = 0;
     for (int i = 0; i < n; i++) {
+        if (!wanted(laws[i].name, argc, argv)) {
+            left_out++;
+            continue;
+        }
         const TTest test = {laws[i].name, (TFun)laws[i].check, __FILE__,
                             __LINE__};
         Suite *suite = suite_create(module);
@@ -30,6 +45,11 @@ int unit_run(const char *module, const struct unit_law laws[], int n)
         }
         free(result);
         srunner_free(runner);
+    }
+    const int named = argc > 1 && argv[1][0] != '-' ? n - left_out : left_out;
+    if (named != argc - 1) {
+        fprintf(stderr, "%s: a law that is named is not there\n", module);
+        return 2;
     }
     return failed > 0;
 }

@@ -2,8 +2,9 @@
  * unit.h - laws of common/, run under Check, each in a child of its own.
  *
  * A unit file lists its laws and ends with UNIT_MAIN(module, laws); the
- * program prints "ok module: law" or "FAIL module: law: why" a law and exits
- * with 1 if any failed.
+ * program prints "ok module: law" or "FAIL module: law: why" per law and exits
+ * with 1 if any failed.  Arguments name the laws to run, or those to leave out,
+ * as -law; it exits with 2 if it has not all of them.
  */
 #ifndef TESTS_UNIT_UNIT_H
 #define TESTS_UNIT_UNIT_H
@@ -17,12 +18,13 @@ struct unit_law {
     void (*check)(void);
 };
 
-int unit_run(const char *module, const struct unit_law laws[], int n);
+int unit_run(const char *module, const struct unit_law laws[], int n, int argc,
+             char *argv[]);
 
 #define UNIT_MAIN(module, laws)                                                \
-    int main(void)                                                             \
+    int main(int argc, char *argv[])                                           \
     {                                                                          \
-        return unit_run(module, laws, COUNT(laws));                            \
+        return unit_run(module, laws, COUNT(laws), argc, argv);                \
     }
 
 /* |got - want| <= tolerance, and got is finite. */
