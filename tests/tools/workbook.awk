@@ -23,6 +23,11 @@
 #
 # To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 
+BEGIN {
+    for (i = split("⁰ ¹ ² ³ ⁴ ⁵ ⁶ ⁷ ⁸ ⁹", digit_list, " "); i > 0; i--)
+        superscript[i - 1] = digit_list[i]
+}
+
 function stop(text) {
     print "workbook: " FILENAME ", line " FNR ": " text > "/dev/stderr"
     failed = 1
@@ -62,7 +67,19 @@ function cell(source, table, column, row, format,    text) {
     else text = sprintf(format, text)
     sub(/^-0(\.0*)?$/, "0&", text) # a rounded -1e-17 is 0
     sub(/^0-0/, "0", text)
-    return text
+    return powers(text)
+}
+
+# 1.5e+03 as one writes it: 1.5·10³.  No match() here: the caller needs RSTART.
+function powers(text,    part, power, raised, i) {
+    if (split(text, part, "e") != 2 || part[2] !~ /^[-+][0-9]+$/) return text
+    power = part[2] + 0
+    if (power == 0) return part[1]
+    raised = power < 0 ? "·10⁻" : "·10"
+    if (power < 0) power = -power
+    for (i = 1; i <= length(power ""); i++)
+        raised = raised superscript[substr(power, i, 1)]
+    return part[1] raised
 }
 
 function print_table(spec,    part, n, i, word, k, row, head, rule, line) {
