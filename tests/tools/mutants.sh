@@ -48,7 +48,8 @@ found_by() {
     $CC_MUTANT $native -c "$1/$name.c" -o "$1/mutant.o" 2>/dev/null || return 2
     for unit in $units; do
         $CC_MUTANT "$BUILD/unit/$unit.o" "$1/mutant.o" \
-            "$BUILD/unit/unit.o" -o "$1/unit" $LINK 2>/dev/null || return 2
+            "$BUILD/unit/unit.o" -o "$1/unit" $LINK 2>/dev/null ||
+            { echo "mutants: $unit cannot be linked" >&2; return 2; }
         "$1/unit" >"$1/said" 2>&1 && continue
         sed -n "s/^FAIL \([^:]*: [^:]*\):.*/\1/p" "$1/said" | head -n 1 |
             grep . || echo "$unit"

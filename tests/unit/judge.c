@@ -8,6 +8,8 @@
 
 #include "../checks/guard.c"
 
+#include "../checks/predict.c"
+
 #include "../checks/judge.c"
 
 #include "status.h"
