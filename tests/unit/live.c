@@ -351,6 +351,7 @@ static void a_frame_goes_down_the_ladder(void)
             play(live, (struct pointer){1.1, 0.1 + 0.05 * midpoint, 1, '.'});
         ck_assert(report.status == OK && report.first == OK);
         ck_assert_str_eq(report.rung, "fast");
+        ck_assert_int_ge(report.systems, 1 + (live->set.start == ELASTIC));
         ck_assert_int_le(report.systems, FAST_SYSTEMS);
         double end[50], star;
         for (int r = 0; r < n; r++) {
