@@ -456,8 +456,8 @@ static int coincide(const struct output *mine, const struct output *other)
            !tables_differ(mine, other, sizeof text, text);
 }
 
-/* The file NAME.why of a known mistake: on its first line the check that catches
- * it, and then what the student is told, in `text`. */
+/* The file NAME.why of a known mistake: on its first line the check that
+ * catches it, and then what the student is told, in `text`. */
 static void read_why(const char *name, char check[64], size_t size, char text[])
 {
     char path[PATH_SIZE];
