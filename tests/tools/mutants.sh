@@ -196,7 +196,7 @@ common)
                 tests/unit/mistakes.txt "tests/unit/$unit.c")
             echo "$far $unit"
         done | sort -n)
-        near=$(echo "$units" | sed -n 's/^[0-9]\{1,3\} //p')
+        near=$(echo "$units" | awk '$1 < 1000 { print $2 }')
         units=$(echo "$units" | sed 's/.* //')
         case $name in
         banded | front) native=$NATIVE ;;
