@@ -95,7 +95,7 @@ static void linear_is_linear(void)
     }
 }
 
-/* Flops per triangle: 60 for a look at it, 150 for its tangent, 20 for its mass;
+/* Flops per triangle: 60 for a look, 150 for its tangent, 20 for its mass;
  * a factorisation, and per step in time a solution. */
 static void linear_work_is_counted(void)
 {
