@@ -63,7 +63,8 @@ sanitized() {
     [ $kind = common ] || return
     flags='-O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
     (
-        ulimit -S -v unlimited # they reserve terabytes
+        ulimit -S -v unlimited # they reserve terabytes,
+        ulimit -S -t 60        # and take their time
         $CC_MUTANT $native $flags -c "$1/$name.c" -o "$1/mutant.o" || exit
         for unit in $near; do
             $CC_MUTANT $flags "$BUILD/mutants/unit/$unit.san.o" "$1/mutant.o" \
