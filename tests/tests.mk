@@ -21,7 +21,7 @@ $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
 
 # Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
 # the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
-# is told NAME.why, and the judge NAME.judge.
+# is told NAME.why (after the check that catches it), and the judge NAME.judge.
 VARIANT = awk -f tests/tools/variant.awk
 variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
                sub(/txt$$/, "", FILENAME); sub(/\.$$/, "", FILENAME); \
@@ -40,7 +40,8 @@ define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
 	$(Q)mkdir -p $$(@D)
-	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=why $$< > $$(@:.c=.why) && \
+	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=caught-by,why $$< \
+	        > $$(@:.c=.why) && \
 	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@.part && \
 	    mv $$@.part $$@ || rm -f $$@ $$@.part $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)

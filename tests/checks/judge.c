@@ -456,19 +456,44 @@ static int coincide(const struct output *mine, const struct output *other)
            !tables_differ(mine, other, sizeof text, text);
 }
 
-static void print_explanation(const char *name)
+/* The file NAME.why of a known mistake: on its first line the check that
+ * catches it, and then what the student is told, in `text`. */
+static void read_why(const char *name, char check[64], size_t size, char text[])
 {
-    char path[PATH_SIZE], text[2048];
+    char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s.why", judging.mistakes, name);
     FILE *file = fopen(path, "r");
-    if (!file) quit("cannot read %s", path);
-    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    if (!file || fscanf(file, "%63s", check) != 1) quit("cannot read %s", path);
+    text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);
+}
+
+/* Whether there is such a program, and one of the checks that failed (names
+ * after blanks) catches it. */
+static int is_suspect(const char *name, const char *failed)
+{
+    char path[PATH_SIZE], check[64], text[2048];
+    snprintf(path, sizeof path, "%s/%s", judging.mistakes, name);
+    if (strchr(name, '.') || access(path, X_OK) != 0) return 0;
+    read_why(name, check, sizeof text, text);
+    const size_t n = strlen(check);
+    const char *at = failed;
+    while ((at = strstr(at, check)) != NULL) {
+        if (at > failed && at[-1] == ' ' && (at[n] == ' ' || !at[n])) return 1;
+        at += n;
+    }
+    return 0;
+}
+
+static void print_explanation(const char *name)
+{
+    char check[64], text[2048];
+    read_why(name, check, sizeof text, text);
     for (char *c = text; *c; c++)
         if (*c == '\n') *c = ' ';
     printf("  Your numbers are those of a program with a known mistake (%s):\n",
            name);
-    print_wrapped("    ", text);
+    print_wrapped("    ", text + 1);
 }
 
 /* The output of the program under test. */
@@ -480,20 +505,33 @@ static struct output *output_of_subject(const char *options)
     return output_of(judging.subject, with_mode, judging.work);
 }
 
+/* Of a run with each of the lesson's options: the output of the program under
+ * test and of the right one, and the CPU seconds that both took. */
+struct both {
+    int run;
+    struct output *mine, *right;
+    double seconds;
+};
+
+static int compare_seconds(const void *a, const void *b)
+{
+    const double s = ((const struct both *)a)->seconds;
+    const double t = ((const struct both *)b)->seconds;
+    return (s > t) - (s < t);
+}
+
 /* Whether a known mistake's program gives the outputs of the program under
  * test, and others than the right program at all. */
-static int explains(const char *name, struct output *const mine[],
-                    struct output *const right[])
+static int explains(const char *name, const struct both both[])
 {
     char program[PATH_SIZE];
     snprintf(program, sizeof program, "%s/%s", judging.mistakes, name);
-    int same = !strchr(name, '.') && access(program, X_OK) == 0;
-    int tells = 0;
-    for (int r = 0; r < judging.lesson->n_run && same; r++) {
-        struct output *other =
-            output_of(program, judging.lesson->runs[r], judging.work);
-        same = coincide(mine[r], other);
-        tells |= !coincide(right[r], other);
+    int same = 1, tells = 0;
+    for (int i = 0; i < judging.lesson->n_run && same; i++) {
+        const char *options = judging.lesson->runs[both[i].run];
+        struct output *other = output_of(program, options, judging.work);
+        same = coincide(both[i].mine, other);
+        tells |= !coincide(both[i].right, other);
         output_free(other);
     }
     return same && tells;
@@ -505,7 +543,7 @@ static int explains(const char *name, struct output *const mine[],
 static void diagnose(const char *failed, size_t size, char found[])
 {
     const int n_run = judging.lesson->n_run;
-    struct output *mine[MAX_RUNS], *right[MAX_RUNS];
+    struct both both[MAX_RUNS];
 
     if (!judging.mistakes) return;
     if (judging.prepare) {
@@ -516,15 +554,21 @@ static void diagnose(const char *failed, size_t size, char found[])
     }
     child_restart_clock();
     for (int r = 0; r < n_run; r++) {
-        mine[r] = output_of_subject(judging.lesson->runs[r]);
-        right[r] =
-            output_of(judging.reference, judging.lesson->runs[r], judging.work);
+        const char *options = judging.lesson->runs[r];
+        const double before = child_seconds();
+        both[r].run = r;
+        both[r].mine = output_of_subject(options);
+        both[r].right = output_of(judging.reference, options, judging.work);
+        both[r].seconds = child_seconds() - before;
     }
+    /* the cheapest run tells most of them apart */
+    qsort(both, (size_t)n_run, sizeof *both, compare_seconds);
     struct dirent **entry;
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
     for (int i = 0; i < n_entry; i++) {
         const char *name = entry[i]->d_name;
-        if (child_seconds() < SECONDS_JUDGING && explains(name, mine, right)) {
+        if (child_seconds() < SECONDS_JUDGING && is_suspect(name, failed) &&
+            explains(name, both)) {
             print_explanation(name);
             const size_t end = strlen(found);
             snprintf(found + end, size - end, "%s%s", end ? "," : "", name);
@@ -533,8 +577,8 @@ static void diagnose(const char *failed, size_t size, char found[])
     }
     if (n_entry >= 0) free(entry);
     for (int r = 0; r < n_run; r++) {
-        output_free(mine[r]);
-        output_free(right[r]);
+        output_free(both[r].mine);
+        output_free(both[r].right);
     }
 }
 

@@ -48,7 +48,8 @@ found_by() {
     $CC_MUTANT $native -c "$1/$name.c" -o "$1/mutant.o" 2>/dev/null || return 2
     for unit in $units; do
         $CC_MUTANT "$BUILD/unit/$unit.o" "$1/mutant.o" \
-            "$BUILD/unit/unit.o" -o "$1/unit" $LINK 2>/dev/null || return 2
+            "$BUILD/unit/unit.o" -o "$1/unit" $LINK 2>/dev/null ||
+            { echo "mutants: $unit cannot be linked" >&2; return 2; }
         "$1/unit" >"$1/said" 2>&1 && continue
         sed -n "s/^FAIL \([^:]*: [^:]*\):.*/\1/p" "$1/said" | head -n 1 |
             grep . || echo "$unit"
@@ -62,7 +63,8 @@ sanitized() {
     [ $kind = common ] || return
     flags='-O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
     (
-        ulimit -S -v unlimited # they reserve terabytes
+        ulimit -S -v unlimited # they reserve terabytes,
+        ulimit -S -t 60        # and take their time
         $CC_MUTANT $native $flags -c "$1/$name.c" -o "$1/mutant.o" || exit
         for unit in $near; do
             $CC_MUTANT $flags "$BUILD/mutants/unit/$unit.san.o" "$1/mutant.o" \
@@ -195,7 +197,7 @@ common)
                 tests/unit/mistakes.txt "tests/unit/$unit.c")
             echo "$far $unit"
         done | sort -n)
-        near=$(echo "$units" | sed -n 's/^[0-9]\{1,3\} //p')
+        near=$(echo "$units" | awk '$1 < 1000 { print $2 }')
         units=$(echo "$units" | sed 's/.* //')
         case $name in
         banded | front) native=$NATIVE ;;

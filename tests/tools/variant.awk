@@ -1,7 +1,8 @@
 # variant.awk - known mistakes and equivalent programs, as replacements.
 #
 #     awk -f tests/tools/variant.awk -v list=mistake FILE           their names
-#     awk -f tests/tools/variant.awk -v name=X -v get=why FILE      one field
+#     awk -f tests/tools/variant.awk -v name=X -v get=why FILE      one field,
+#                                                                   or a,b two
 #     awk -f tests/tools/variant.awk -v name=X FILE SOLUTION        the program
 #     awk -f tests/tools/variant.awk -v check=SOLUTION FILE         what is wrong
 #         with the entries, a line each; with a folder, "common/", the program is
@@ -114,7 +115,11 @@ END {
     }
     e = entry[name]
     if (!e) problem[e] = "is no entry"
-    else if (get != "" && !(e in problem)) { printf "%s", value[e, get]; exit 0 }
+    else if (get != "" && !(e in problem)) {
+        fields = split(get, field_of, ",")
+        for (k = 1; k <= fields; k++) printf "%s", value[e, field_of[k]]
+        exit 0
+    }
     if (e) program = changed(e, program)
     if (e in problem) {
         print "variant: " ARGV[1] ": " name ": " problem[e] > "/dev/stderr"

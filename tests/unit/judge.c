@@ -8,6 +8,8 @@
 
 #include "../checks/guard.c"
 
+#include "../checks/predict.c"
+
 #include "../checks/judge.c"
 
 #include "status.h"
@@ -369,7 +371,36 @@ static void every_end_has_its_verdict(void)
     remove_work();
 }
 
+/* Only a program that one of the failed checks catches is a suspect. */
+static void suspects_are_caught_by_what_failed(void)
+{
+    static const char *const failed[][2] = {
+        {" lift_is_there", "yes"},   {" a_b lift_is_there c", "yes"},
+        {" lift_is_there_too", ""},  {" no_lift_is_there", ""},
+        {" lift_is_there_too lift_is_there", "yes"}, {"", ""},
+    };
+    char path[PATH_SIZE], check[64], told[80];
+    begin();
+    judging.mistakes = judging.work;
+    FILE *why = fopen(work_file("lost.why", path), "w");
+    fputs("lift_is_there\nThe lift is lost.\n", why);
+    fclose(why);
+    ck_assert(!is_suspect("lost", " lift_is_there")); /* there is none */
+    fclose(fopen(work_file("lost", path), "w"));
+    chmod(path, 0700);
+    for (int i = 0; i < COUNT(failed); i++) {
+        ck_assert_int_eq(is_suspect("lost", failed[i][0]), *failed[i][1] != 0);
+        ck_assert(!is_suspect("lost.why", failed[i][0]));
+    }
+    read_why("lost", check, sizeof told, told);
+    ck_assert_str_eq(check, "lift_is_there");
+    ck_assert_str_eq(told, "\nThe lift is lost.\n");
+    judging.mistakes = NULL;
+    remove_work();
+}
+
 static const struct unit_law laws[] = {
+    {"suspects_are_caught_by_what_failed", suspects_are_caught_by_what_failed},
     {"cells_are_numbers_or_words", cells_are_numbers_or_words},
     {"every_row_keeps_its_cells", every_row_keeps_its_cells},
     {"unreadable_output_is_named", unreadable_output_is_named},

@@ -95,6 +95,24 @@ static void linear_is_linear(void)
     }
 }
 
+/* Flops per triangle: 60 for a look, 150 for its tangent, 20 for its mass;
+ * a factorisation, and per step in time a solution. */
+static void linear_work_is_counted(void)
+{
+    const struct ladder_scene *scene = &ladder_scene[FAST];
+    for (int moving = 0; moving < 2; moving++) {
+        struct ladder_state *s = solved(FAST, LINEAR_PLANE, moving, 0);
+        const struct matrix_cost cost =
+            matrix_cost(BANDED, s->body->n_equation, s->body->K->p);
+        const double triangles = s->mesh->n_triangle;
+        const double step = cost.solve + (moving ? 20.0 * triangles : 0.0);
+        const double steps = (s->flops - cost.flops - 210.0 * triangles) / step;
+        close_to(steps, moving ? floor(scene->end / scene->dt + 0.5) : 1.0,
+                 1e-9);
+        ladder_free(s);
+    }
+}
+
 /* A load that comes at once stretches a body twice as far as at rest; what
  * rises slowly does as at rest. */
 static void inertia_overshoots(void)
@@ -242,6 +260,7 @@ static const struct unit_law laws[] = {
     {"a_bar_is_pulled_as_it_should", a_bar_is_pulled_as_it_should},
     {"a_mirrored_mesh_does_not_bend", a_mirrored_mesh_does_not_bend},
     {"linear_is_linear", linear_is_linear},
+    {"linear_work_is_counted", linear_work_is_counted},
     {"inertia_overshoots", inertia_overshoots},
     {"buckling_shows_in_the_eigenvalue", buckling_shows_in_the_eigenvalue},
     {"adding_makes_a_model_richer", adding_makes_a_model_richer},

@@ -351,6 +351,7 @@ static void a_frame_goes_down_the_ladder(void)
             play(live, (struct pointer){1.1, 0.1 + 0.05 * midpoint, 1, '.'});
         ck_assert(report.status == OK && report.first == OK);
         ck_assert_str_eq(report.rung, "fast");
+        ck_assert_int_ge(report.systems, 1 + (live->set.start == ELASTIC));
         ck_assert_int_le(report.systems, FAST_SYSTEMS);
         double end[50], star;
         for (int r = 0; r < n; r++) {
@@ -491,6 +492,10 @@ static void scripts_are_what_they_are_called(void)
     struct pointers mad_one = pointers_mad(7, 500), again, other;
     ck_assert_int_eq(pull.n, 60);
     close_to(pull.frame[0].x, 1.0, 1e-15);
+    for (int k = 0; k < pull.n; k++) {
+        ck_assert(pull.frame[k].y == 0.0 && pull.frame[k].down == 1);
+        ck_assert_int_eq(pull.frame[k].key, '.');
+    }
     close_to(pull.frame[31].x - pull.frame[30].x, -0.1, 1e-12);
     close_to(pull.frame[59].x, -3.0, 1e-12);
     ck_assert_int_eq(hard.n, 300);
@@ -518,6 +523,20 @@ static void scripts_are_what_they_are_called(void)
     pointers_free(&mad_one);
     pointers_free(&again);
     pointers_free(&other);
+    ck_assert(other.n == 0 && !other.frame);
+}
+
+/* Nine in ten wait where the body's end is, until they want to be elsewhere. */
+static void mad_hands_begin_at_the_end_of_the_body(void)
+{
+    int waiting = 0;
+    for (int seed = 1; seed <= 20; seed++) {
+        struct pointers mad_one = pointers_mad(seed, 1);
+        const struct pointer *p = &mad_one.frame[0];
+        waiting += p->x == 1.0 && p->y == 0.0;
+        pointers_free(&mad_one);
+    }
+    ck_assert_int_ge(waiting, 15);
 }
 
 static char path[64];
@@ -630,6 +649,7 @@ static const struct unit_law laws[] = {
     LAW(knots_are_seen),
     LAW(energy_is_motion_and_strain),
     LAW(scripts_are_what_they_are_called),
+    LAW(mad_hands_begin_at_the_end_of_the_body),
     LAW(a_replay_is_the_same),
     LAW(bad_lines_are_named),
     LAW(what_cannot_be_written_is_said),

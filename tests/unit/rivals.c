@@ -37,6 +37,7 @@ static void bars_end_where_they_should(void)
                 order ? particles(HUNG, order, 2, 32 << k, 1, 1)
                       : element_bar_work(32 << k);
             ck_assert_int_eq(w.status, OK);
+            ck_assert_int_eq(w.n_shared, 2);
             ck_assert(w.min_J > 0.99 && w.min_J < 1.02);
             e[k] = work_distance(&w, &end);
         }

@@ -126,6 +126,22 @@ static struct scene scene_of(struct cloud c, enum wall wall)
     return s;
 }
 
+/* Of a map that is not numbered yet each entry of u is written, and is 0. */
+static void a_map_begins_with_no_unknowns(void)
+{
+    struct cloud c = cloud_block(2);
+    struct unknowns *map = unknowns_alloc(c.grid);
+    double *u = allocate((size_t)map->n_dof, sizeof *u);
+    const double y[2] = {2.385, -0.716};
+    ck_assert_int_eq(map->n, 0);
+    for (int s = 0; s < map->n_dof; s++) u[s] = NAN;
+    unknowns_scatter(map, y, u);
+    for (int s = 0; s < map->n_dof; s++) ck_assert_double_eq(u[s], 0.0);
+    free(u);
+    unknowns_free(map);
+    cloud_free(c);
+}
+
 static void scene_free(struct scene *s)
 {
     unknowns_free(s->map);
@@ -243,6 +259,8 @@ static void bodies_are_what_they_say(void)
     struct cloud flip = cloud_ringing(2, 8, 3.85, FLIP);
     const double X = ring.p->x[6] - 0.5003;
     close_to(ring.p->x[0], 0.5003 + h / 4.0, 1e-14);
+    close_to(ring.grid->origin[0], -2.0 * h, 1e-15);
+    close_to(ring.grid->origin[1], -0.5, 1e-15); /* the line through y = 0 */
     close_to(ring.p->v[6], 3.85 * cos(pi * X), 1e-13);
     close_to(ring.p->B[3].m[0][0],
              3.85 * (cos(pi * (X + e)) - cos(pi * (X - e))) / (2.0 * e) *
@@ -279,6 +297,8 @@ static void failures_are_named(void)
     close_to(potential_sum(E), 0.5, 1e-15);
     ck_assert(potential_falls(more, E) && potential_falls(E, E));
     ck_assert(!potential_falls(E, more));
+    const struct potential none = {0.0, 0.0, 0.0};
+    ck_assert(potential_falls(none, none)); /* a body at rest stays there */
 }
 
 /* Particles of a log bar that run into each other: full steps would invert. */
@@ -367,6 +387,7 @@ static void tables_have_their_names(void)
 }
 
 static const struct unit_law laws[] = {
+    {"a_map_begins_with_no_unknowns", a_map_begins_with_no_unknowns},
     {"steps_are_the_oracles", steps_are_the_oracles},
     {"hanging_bars_are_the_oracles", hanging_bars_are_the_oracles},
     {"critical_steps_are_the_oracles", critical_steps_are_the_oracles},

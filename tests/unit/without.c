@@ -70,6 +70,9 @@ static void a_rung_is_missed(void)
     less = hard(HALVING, LOG);
     ck_assert(less.most <= 15.0 && log.most > 15.0);
     ck_assert(less.stands > log.stands && log.stands > 0);
+    static const enum without halved[] = {PROJECTION, SEARCH, LEAPING};
+    for (int k = 0; k < 3; k++) /* these halve the ways as the ladder does */
+        ck_assert(hard(halved[k], LOG).most > 15.0);
     less = hard(LIFT, CUBIC);
     ck_assert(less.p50 > cubic.p50 && less.lost == 0);
     less = hard(FIRST_RUNG, CUBIC);
@@ -94,7 +97,9 @@ static void a_rung_is_missed_rarely(void)
         all = play(NOTHING, CUBIC, BACKWARD_EULER, pointers_mad(38, 600)),
         leaps = play(LEAPING, CUBIC, BACKWARD_EULER, pointers_mad(38, 600)),
         swings = play(NOTHING, LOG, IMPLICIT_MIDPOINT, pointers_hard()),
-        rests = play(FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, pointers_hard());
+        rests = play(FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, pointers_hard()),
+        whole = play(HALVING, LOG, BACKWARD_EULER, pointers_mad(8, 600));
+    ck_assert_int_gt(whole.stands, 100); /* 64 if a way is halved once */
     ck_assert(leaps.speed > 2.0 * all.speed);
     ck_assert(swings.last > 0.1 && rests.last < 1e-3);
 }
