@@ -39,7 +39,8 @@ static void rows_multiply(void)
     const double most = fmax(fabs(b[0] - y[0]), fabs(b[2] - y[2]));
     const double nan[] = {1.0, NAN, 2.0};
     const double error = most / (33.0 * 2.385 + 9.0);
-    const double minus_x[] = {-2.385, 1.2, -0.7}, minus_b[] = {-3.0, -0.5, -9.0};
+    const double minus_x[] = {-2.385, 1.2, -0.7};
+    const double minus_b[] = {-3.0, -0.5, -9.0};
     close_to(csr_backward_error(A, x, b), error, 1e-15);
     close_to(csr_backward_error(A, minus_x, minus_b), error, 1e-15);
     ck_assert(isnan(csr_backward_error(A, nan, b)));
