@@ -152,9 +152,9 @@ void live_carry(struct live *live, const double to[2])
  * the quotient and its round-off are then both about 1e-11 of it. */
 static const double PROBE = 1e-6;
 
-enum status live_lift(struct body *body, double dt, const double w[],
-                      const double u0[], const double g[],
-                      enum tangent tangent, double u[])
+enum status live_lift_within(struct body *body, double dt, const double w[],
+                             const double u0[], const double g[],
+                             enum tangent tangent, double leap, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
     double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
@@ -177,11 +177,18 @@ enum status live_lift(struct body *body, double dt, const double w[],
     if (status == OK) status = body_increment(body, body->K, q, u);
     for (int r = 0; r < n && status == OK; r++) {
         u[r] += move[r];
-        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
+        if (!(fabs(u[r]) <= leap)) status = NONFINITE;
         u[r] += u0[r];
     }
     free(move);
     return status;
+}
+
+enum status live_lift(struct body *body, double dt, const double w[],
+                      const double u0[], const double g[],
+                      enum tangent tangent, double u[])
+{
+    return live_lift_within(body, dt, w, u0, g, tangent, LIVE_LEAP, u);
 }
 
 /* Where no rung comes after it, `fast` may take its time. */
@@ -233,8 +240,10 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     return status;
 }
 
-enum status live_downhill(struct live *live, double u[], double v[],
-                          struct live_report *report)
+enum status live_downhill_by(struct live *live, live_lifter *lift,
+                             enum tangent tangent, int tries,
+                             const struct step_control *control, double u[],
+                             double v[], struct live_report *report)
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
@@ -242,12 +251,12 @@ enum status live_downhill(struct live *live, double u[], double v[],
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
     report->part = 1.0;
-    for (int k = 0; k < LIVE_HALVINGS && status != OK; k++) {
+    for (int k = 0; k < tries && status != OK; k++) {
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
         report->systems++;
-        status = live_lift(live->body, live->dt, w, now->u, g, PROJECTED, u);
+        status = lift(live->body, live->dt, w, now->u, g, tangent, u);
         if (status == OK) status = body_energy(live->body, u, &unused);
     }
     if (status != OK) {
@@ -255,13 +264,20 @@ enum status live_downhill(struct live *live, double u[], double v[],
         memcpy(u, now->u, (size_t)n * sizeof *u);
     }
     const struct step_report newton =
-        step_solve(live->body, &LIVE_DOWNHILL, live->dt, w, NULL, u);
+        step_solve(live->body, control, live->dt, w, NULL, u);
     report->systems += newton.iterations;
     const int whole = newton.status == OK && report->part == 1.0;
     for (int r = 0; r < n; r++)
         v[r] = whole ? (u[r] - now->u[r]) / live->dt : 0.0;
     free(w);
     return newton.status;
+}
+
+enum status live_downhill(struct live *live, double u[], double v[],
+                          struct live_report *report)
+{
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_HALVINGS,
+                            &LIVE_DOWNHILL, u, v, report);
 }
 
 struct live_report live_frame_by(struct live *live, live_lifter *lift,
@@ -288,6 +304,17 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
 struct live_report live_frame(struct live *live, const double to[2])
 {
     return live_frame_by(live, live_lift, live_downhill, to);
+}
+
+struct live_report live_frame_in_parts(struct live *live, const double to[2])
+{
+    const struct frame frame = integrate_frame(live->body, live->dt, live->g,
+                                               NULL, &live->now);
+    const int lost = frame.status != OK;
+    if (!lost) memcpy(live->hand, to, sizeof live->hand);
+    return (struct live_report){frame.status, frame.status,
+                                lost ? "lost" : "parts", frame.iterations,
+                                lost ? 0.0 : 1.0};
 }
 
 /* ---- what is looked at --------------------------------------------------- */

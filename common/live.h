@@ -104,6 +104,11 @@ enum status live_lift(struct body *body, double dt, const double w[],
                       const double u0[], const double g[],
                       enum tangent tangent, double u[]);
 
+/* The same, where nothing may move by more than `leap`. */
+enum status live_lift_within(struct body *body, double dt, const double w[],
+                             const double u0[], const double g[],
+                             enum tangent tangent, double leap, double u[]);
+
 /*
  * The second rung: u, v := the end of the frame, or 0 for v where the frame is
  * unfinished or the hand was held back.  Of the report it sets `part` and adds
@@ -113,17 +118,28 @@ enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);
 extern const struct step_control LIVE_DOWNHILL;
 
+/* The same by another lift and its K, after so many tries, of which each goes
+ * half the way of the one before, with another control. */
+typedef enum status live_lifter(struct body *body, double dt, const double w[],
+                                const double u0[], const double g[],
+                                enum tangent tangent, double u[]);
+enum status live_downhill_by(struct live *live, live_lifter *lift,
+                             enum tangent tangent, int tries,
+                             const struct step_control *control, double u[],
+                             double v[], struct live_report *report);
+
 /* One frame; hand, u and v advance [alg:live-frame]. */
 struct live_report live_frame(struct live *live, const double to[2]);
 
 /* The same with a lift and a second rung of one's own. */
-typedef enum status live_lifter(struct body *body, double dt, const double w[],
-                                const double u0[], const double g[],
-                                enum tangent tangent, double u[]);
 typedef enum status live_rung(struct live *live, double u[], double v[],
                               struct live_report *report);
 struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  live_rung *downhill, const double to[2]);
+
+/* One frame by integrate_frame(), whole ("parts" as well) or in sub-steps, by
+ * backward Euler; in a frame that is "lost" the hand waits. */
+struct live_report live_frame_in_parts(struct live *live, const double to[2]);
 
 /* Vertices inside the body round which the angles of their triangles do not add
  * up to 2 pi: it is wound twice there, or inside out [eq:winding].  knot[a] :=

@@ -3,8 +3,8 @@
 
 #include "study.h"
 
+#include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 const char *without_word(enum without without)
@@ -26,88 +26,43 @@ static enum status no_lift(struct body *body, double dt, const double w[],
     return STALLED;
 }
 
-/* live_lift() that may go any finite way, K_fh (g - u0) by a one-sided
- * difference. */
 static enum status leap(struct body *body, double dt, const double w[],
                         const double u0[], const double g[],
                         enum tangent tangent, double u[])
 {
-    const int n = 2 * body->mesh->n_vertex;
-    const double e = 1e-6;
-    double *q = allocate(2 * (size_t)n, sizeof *q), *ahead = q + n;
-    for (int r = 0; r < n; r++)
-        u[r] = u0[r] + (body->equation[r] < 0 ? e * (g[r] - u0[r]) : 0.0);
-    enum status status =
-        body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
-    if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
-    for (int r = 0; r < n; r++) q[r] += (ahead[r] - q[r]) / e;
-    if (status == OK) status = body_increment(body, body->K, q, u);
-    for (int r = 0; r < n; r++)
-        u[r] = body->equation[r] < 0 ? g[r] : u0[r] + u[r];
-    free(q);
-    return status;
+    return live_lift_within(body, dt, w, u0, g, tangent, DBL_MAX, u);
 }
 
 /* ---- second rungs -------------------------------------------------------- */
 
-/* live_downhill(), with a lift by this K, so many tries, or another control. */
-static enum status downhill(struct live *live, live_lifter *lift,
-                            enum tangent tangent, int tries, int search,
-                            double u[], double v[], struct live_report *report)
-{
-    const double dt = live->dt, *u0 = live->now.u;
-    const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, unused;
-    struct step_control control = LIVE_DOWNHILL;
-    enum status status = INVERTED;
-    control.line_search = search;
-    for (int r = 0; r < n; r++) w[r] = u0[r] + dt * live->now.v[r];
-    report->part = 1.0;
-    for (int k = 0; status != OK && k < tries; k++) {
-        if (k > 0) report->part *= 0.5;
-        for (int r = 0; r < n; r++)
-            g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
-        report->systems++;
-        status = lift(live->body, dt, w, u0, g, tangent, u);
-        if (status == OK) status = body_energy(live->body, u, &unused);
-    }
-    if (status != OK) {
-        report->part = 0.0;
-        memcpy(u, u0, (size_t)n * sizeof *u);
-    }
-    const struct step_report newton =
-        step_solve(live->body, &control, dt, w, NULL, u);
-    report->systems += newton.iterations;
-    const int whole = newton.status == OK && report->part == 1.0;
-    for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
-    free(w);
-    return newton.status;
-}
-
 static enum status unprojected(struct live *live, double u[], double v[],
                                struct live_report *report)
 {
-    return downhill(live, live_lift, EXACT, LIVE_HALVINGS, 1, u, v, report);
+    return live_downhill_by(live, live_lift, EXACT, LIVE_HALVINGS,
+                            &LIVE_DOWNHILL, u, v, report);
 }
 
 static enum status unsearched(struct live *live, double u[], double v[],
                               struct live_report *report)
 {
-    return downhill(live, live_lift, PROJECTED, LIVE_HALVINGS, 0, u, v,
-                    report);
+    struct step_control control = LIVE_DOWNHILL;
+    control.line_search = 0;
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_HALVINGS,
+                            &control, u, v, report);
 }
 
 static enum status unhalved(struct live *live, double u[], double v[],
                             struct live_report *report)
 {
-    return downhill(live, live_lift, PROJECTED, 1, 1, u, v, report);
+    return live_downhill_by(live, live_lift, PROJECTED, 1, &LIVE_DOWNHILL, u, v,
+                            report);
 }
 
 static enum status leaping(struct live *live, double u[], double v[],
                            struct live_report *report)
 {
-    return downhill(live, leap, PROJECTED, LIVE_HALVINGS, 1, u, v, report);
+    return live_downhill_by(live, leap, PROJECTED, LIVE_HALVINGS,
+                            &LIVE_DOWNHILL, u, v, report);
 }
 
 static enum status unaccepted(struct live *live, double u[], double v[],

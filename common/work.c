@@ -128,29 +128,19 @@ static struct step_report linear(struct model *model, double d,
 {
     const struct body *body = model->body;
     const int n = model->n_dof;
-    struct step_report report = {.status = OK, .iterations = 1};
     double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
     double *force = q + n, *some = force + n;
-
-    if (!model->K || model->K_step != d) {
-        matrix_free(model->K);
-        model->K = matrix_copy(model->M);
-        model->K_step = d;
-        matrix_combine(model->M, d * d, model->A, model->K);
-        report.status = matrix_factor(model->K);
-        report.factorisations = 1;
-    }
     for (int i = 0; i < n; i++) u[i] = a[i] + d * b[i];
     step_boundary(body, g, 1, u);
     for (int i = 0; i < n; i++) move[i] = u[i] - a[i] - d * b[i];
     body_mass(body, move, q);
     linear_force(body, u, force);
     for (int i = 0; i < n; i++) q[i] += d * d * (force[i] - model->f[i]);
+    body_gather(body, q, some);
+    const struct step_report report = model_newton(model, d, some);
     if (report.status == OK) {
-        body_gather(body, q, some);
-        matrix_solve(model->K, some);
         body_scatter(body, some, q);
-        for (int i = 0; i < n; i++) u[i] -= q[i];
+        for (int i = 0; i < n; i++) u[i] += q[i];
     }
     free(move);
     return report;

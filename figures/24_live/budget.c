@@ -2,10 +2,9 @@
  * budget.c - a budget of systems against the ladder of lesson 14.
  *
  * The script `hard`, n = 16, a patch in the hand, backward Euler, the same
- * bounded hand, which waits when a frame is lost.  One body takes live_frame(),
- * the other integrate_frame(), which goes to more and more sub-steps.  Table:
- * systems per frame at the median, at the 99th percentile and at most, frames
- * lost.
+ * bounded hand.  One body takes live_frame(), the other live_frame_in_parts(),
+ * with more and more sub-steps.  Table: systems per frame at the median, at the
+ * 99th percentile and at most, frames lost.
  */
 #include "live.h"
 #include "study.h"
@@ -32,18 +31,10 @@ static struct count play(enum law law, int substeps)
         live_input(live, &hard.frame[k]);
         live_hand(live->hand, &hard.frame[k], to);
         live_carry(live, to);
-        if (substeps) {
-            const struct frame frame =
-                integrate_frame(live->body, live->dt, live->g, NULL,
-                                &live->now);
-            times_record(&systems, frame.iterations, 1);
-            count.lost += frame.status != OK;
-            if (frame.status == OK) memcpy(live->hand, to, sizeof to);
-        } else {
-            const struct live_report report = live_frame(live, to);
-            times_record(&systems, report.systems, 1);
-            count.lost += strcmp(report.rung, "lost") == 0;
-        }
+        const struct live_report report =
+            substeps ? live_frame_in_parts(live, to) : live_frame(live, to);
+        times_record(&systems, report.systems, 1);
+        count.lost += strcmp(report.rung, "lost") == 0;
     }
     count.p50 = times_median(&systems);
     count.p99 = times_quantile(&systems, 0.99);

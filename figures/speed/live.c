@@ -36,7 +36,6 @@ static void play(int n, enum law law, struct pointers script, int storage,
     struct live *live = live_alloc(&set);
     for (int k = 0; k < script.n && count->frames < MOST_FRAMES; k++) {
         double to[2];
-        int lost;
         const double start = clock_seconds();
         live_input(live, &script.frame[k]);
         if (storage != AS_CHOSEN &&
@@ -44,19 +43,11 @@ static void play(int n, enum law law, struct pointers script, int storage,
             body_store(live->body, (enum storage)storage);
         live_hand(live->hand, &script.frame[k], to);
         live_carry(live, to);
-        if (substeps) {
-            const struct frame frame = integrate_frame(
-                live->body, live->dt, live->g, NULL, &live->now);
-            count->systems[count->frames] = frame.iterations;
-            lost = frame.status != OK;
-            if (!lost) memcpy(live->hand, to, sizeof to);
-        } else {
-            const struct live_report report = live_frame(live, to);
-            count->systems[count->frames] = report.systems;
-            lost = strcmp(report.rung, "lost") == 0;
-        }
+        const struct live_report report =
+            substeps ? live_frame_in_parts(live, to) : live_frame(live, to);
+        count->systems[count->frames] = report.systems;
         count->ms[count->frames++] = 1e3 * (clock_seconds() - start);
-        count->lost += lost;
+        count->lost += strcmp(report.rung, "lost") == 0;
     }
     pointers_free(&script);
     live_free(live);

@@ -12,12 +12,12 @@ static const double ROUND_OFF = 1e-12;
 static const struct live_setting SQUARE = {8,     LOG,     BACKWARD_EULER,
                                            PATCH, ELASTIC, 1};
 
-/* Frame k of hard begins: what is held, live->g and the hand's `to`. */
-static void begin_frame(struct live *live, int k, double to[2])
+/* A frame begins: what is held, live->g and the hand's `to`. */
+static void begin_frame(struct live *live, const struct pointer *pointer,
+                        double to[2])
 {
-    const struct pointers hard = pointers_hard();
-    live_input(live, &hard.frame[k]);
-    live_hand(live->hand, &hard.frame[k], to);
+    live_input(live, pointer);
+    live_hand(live->hand, pointer, to);
     live_carry(live, to);
 }
 
@@ -32,11 +32,13 @@ static struct live *square(enum law law)
 static struct live *after(int k, enum law law)
 {
     struct live *live = square(law);
+    struct pointers hard = pointers_hard();
     double to[2];
     for (int j = 0; j <= k; j++) {
-        begin_frame(live, j, to);
+        begin_frame(live, &hard.frame[j], to);
         if (j < k) live_frame(live, to);
     }
+    pointers_free(&hard);
     return live; /* live->g is that of frame k */
 }
 
@@ -295,6 +297,7 @@ static struct live_report compare_downhill(struct live *live,
 static void downhill_does_what_it_says(void)
 {
     int unfinished = 0, held_back = 0, stopped = 0;
+    struct pointers hard = pointers_hard();
     for (int law = LOG; law <= CUBIC; law++) {
         struct live *all[3];
         for (int i = 0; i < 3; i++) all[i] = square((enum law)law);
@@ -302,7 +305,7 @@ static void downhill_does_what_it_says(void)
             double to[2];
             for (int i = 0; i < 3; i++) {
                 if (i > 0) follow(all[i], all[0]);
-                begin_frame(all[i], k, to);
+                begin_frame(all[i], &hard.frame[k], to);
             }
             if (k % 7 == 1) {
                 const struct live_report report =
@@ -315,6 +318,7 @@ static void downhill_does_what_it_says(void)
         }
         for (int i = 0; i < 3; i++) live_free(all[i]);
     }
+    pointers_free(&hard);
     expect(unfinished > 0 && held_back > 0 && stopped > 0,
            "hard: %d frames unfinished, %d held back, %d stopped; each must "
            "occur", unfinished, held_back, stopped);

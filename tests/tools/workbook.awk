@@ -18,8 +18,8 @@
 #   <!-- end -->                 every [eq:name] in it, to its row in the file
 #                                `table`, "" for this one, which has an anchor
 #
-# FORMAT is that of printf.  A cell that is no number (a word, or - where there
-# is none) stands as it is, whatever its FORMAT.
+# FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
+# (a word, or - where there is none) stands as it is, whatever its FORMAT.
 #
 # To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 

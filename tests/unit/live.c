@@ -267,6 +267,36 @@ static double phi(const struct live *live, const double u[])
     return sum + live->dt * live->dt * energy;
 }
 
+/* By lesson 14's ladder some frames of `hard` are lost, and then the hand and
+ * the state stay; else both arrive. */
+static void in_parts_the_hand_waits(void)
+{
+    struct live *live = live_of(8, LOG, BACKWARD_EULER);
+    struct pointers hard = pointers_hard();
+    int lost = 0;
+    for (int k = 0; k < hard.n; k++) {
+        double to[2], before[2];
+        live_input(live, &hard.frame[k]);
+        live_hand(live->hand, &hard.frame[k], to);
+        live_carry(live, to);
+        memcpy(before, live->hand, sizeof before);
+        const double was = live_energy(live);
+        const struct live_report report = live_frame_in_parts(live, to);
+        const int failed = strcmp(report.rung, "lost") == 0;
+        ck_assert_int_eq(failed, report.status != OK);
+        ck_assert_mem_eq(live->hand, failed ? before : to, sizeof to);
+        if (failed) ck_assert(live_energy(live) == was && report.part == 0.0);
+        for (int r = 0; r < live->n_dof && !failed; r++)
+            if (live->body->equation[r] < 0)
+                close_to(live->now.u[r], live->g[r], 1e-13);
+        ck_assert_int_gt(report.systems, 0);
+        lost += failed;
+    }
+    ck_assert(lost > 0 && lost < hard.n);
+    pointers_free(&hard);
+    live_free(live);
+}
+
 /* Every frame of `hard` by the second rung: it ends where it says. */
 static void downhill_goes_down(void)
 {
@@ -649,6 +679,7 @@ static const struct unit_law laws[] = {
     LAW(knots_are_seen),
     LAW(energy_is_motion_and_strain),
     LAW(scripts_are_what_they_are_called),
+    LAW(in_parts_the_hand_waits),
     LAW(mad_hands_begin_at_the_end_of_the_body),
     LAW(a_replay_is_the_same),
     LAW(bad_lines_are_named),
