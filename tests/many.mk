@@ -42,7 +42,8 @@ test-many: $(T)/many.result
 many-again: ;
 $(T)/many.result: $(shell grep -qs '^skip many: no' $(T)/many.result && \
         echo many-again) $(MANY_FILES) $(LIB) figures/many/many.tsv \
-        tests/many.mk tests/many/mistakes.txt tests/tools/many.sh tests/tools/mpirun.sh
+        tests/many.mk tests/many/mistakes.txt tests/tools/many.sh tests/tools/many.awk \
+        tests/tools/mpirun.sh
 	$(call say,test,many processes)
 	+$(Q)mkdir -p $(@D) && if $(have_many); then \
 	    $(MAKE) many-programs > $@.log 2>&1 && \

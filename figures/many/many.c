@@ -219,7 +219,7 @@ int main(int argc, char *argv[])
         {"n", .integer = &n, .min = 2, .max = 32766, .help = "cells per row",
          .why = "the unknowns have 32-bit numbers"},
         {"steps", .integer = &steps, .min = 2, .max = 100000,
-         .help = "time steps, of which the first is not counted in messages"},
+         .help = "time steps, of which the first is in no count per step"},
         {"method", .choice = &method,
          .choices = "geometric algebraic rigid_modes cholesky",
          .help = "preconditioner, or the direct solver MUMPS"},
