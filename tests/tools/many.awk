@@ -48,7 +48,7 @@ function say(k) {
 table == "# round_seconds" { rounds[$1, $2] = rounds[$1, $2] " " $4 }
 # Of three, that which is between the two others; 0: there are fewer.
 function median(n, processes,    x, i, j, k) {
-    printf("  n = %d, processes: %d: ", n, processes)
+    printf("  n = %d, geometric on %d: ", n, processes)
     if (split(rounds[n, processes], x, " ") < 3) {
         print "none, the machine was busy in one of the rounds"
         return 0
@@ -57,10 +57,10 @@ function median(n, processes,    x, i, j, k) {
         j = i % 3 + 1; k = j % 3 + 1
         if ((x[i] - x[j]) * (x[i] - x[k]) <= 0) break
     }
-    printf("%.3g of %.3g, %.3g, %.3g\n", x[i], x[1], x[2], x[3])
+    printf("%.3g (of %.3g, %.3g, %.3g)\n", x[i], x[1], x[2], x[3])
     return x[i]
 }
-function compare(    n, two, e) {
+function compare(    n, two, of_seconds, of_work, differ) {
     say("dissection"); say("a band")
     print "Seconds per step, the median of three interleaved rounds:"
     for (n = 64; n <= 512; n *= 2) one[n] = median(n, 1)
@@ -69,12 +69,16 @@ function compare(    n, two, e) {
         printf("Two processes at n = 256: %.3g times one (goal: 1.7)\n",
                one[256] / two)
     for (n = 64; n <= 128; n *= 2) {
-        e = exponent(one, n, 512)
-        if (e) printf("Exponent from n = %d to 512: seconds %.3g, " \
-                      "operations %.3g\n", n, e, exponent(work, n, 512))
+        of_seconds = exponent(one, n, 512)
+        of_work = exponent(work, n, 512)
+        if (!of_seconds) continue
+        printf("Exponent from n = %d to 512: seconds %.2f, operations %.2f\n",
+               n, of_seconds, of_work)
+        if (of_seconds > of_work + 0.1) differ = 1
     }
-    if (e) print "Seconds grow faster than operations where the small n fits " \
-                 "into the caches and the large one does not."
+    if (differ)
+        print "The seconds grow faster: the small n fits into the caches and " \
+              "the large one does not."
 }
 # The e of cost ~ n^e; 0 where one of the two is missing.
 function exponent(cost, small, large) {
