@@ -60,7 +60,7 @@ function median(n, processes,    x, i, j, k) {
     printf("%.3g (of %.3g, %.3g, %.3g)\n", x[i], x[1], x[2], x[3])
     return x[i]
 }
-function compare(    n, two, of_seconds, of_work, differ) {
+function compare(    n, two, of_seconds, of_work, slower) {
     say("dissection"); say("a band")
     print "Seconds per step, the median of three interleaved rounds:"
     for (n = 64; n <= 512; n *= 2) one[n] = median(n, 1)
@@ -74,9 +74,9 @@ function compare(    n, two, of_seconds, of_work, differ) {
         if (!of_seconds) continue
         printf("Exponent from n = %d to 512: seconds %.2f, operations %.2f\n",
                n, of_seconds, of_work)
-        if (of_seconds > of_work + 0.1) differ = 1
+        if (of_seconds > of_work + 0.1) slower = 1
     }
-    if (differ)
+    if (slower)
         print "The seconds grow faster: the small n fits into the caches and " \
               "the large one does not."
 }
