@@ -12,7 +12,8 @@ const char *without_word(enum without without)
     static const char *const word[] = {
         "nothing", "first rung", "elastic lift", "second rung",
         "projection of lift", "line search", "acceptance if unfinished",
-        "stop if unfinished", "halved ways", "bounded hand", "bound on leaps"};
+        "stop if unfinished", "halved ways", "bounded hand", "bound on leaps",
+        "memory of trouble"};
     return word[without];
 }
 
@@ -38,7 +39,7 @@ static enum status leap(struct body *body, double dt, const double w[],
 static enum status unprojected(struct live *live, double u[], double v[],
                                struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, EXACT, LIVE_HALVINGS,
+    return live_downhill_by(live, live_lift, EXACT, LIVE_TRIES,
                             &LIVE_DOWNHILL, u, v, report);
 }
 
@@ -47,7 +48,7 @@ static enum status unsearched(struct live *live, double u[], double v[],
 {
     struct step_control control = LIVE_DOWNHILL;
     control.line_search = 0;
-    return live_downhill_by(live, live_lift, PROJECTED, LIVE_HALVINGS,
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
                             &control, u, v, report);
 }
 
@@ -61,7 +62,7 @@ static enum status unhalved(struct live *live, double u[], double v[],
 static enum status leaping(struct live *live, double u[], double v[],
                            struct live_report *report)
 {
-    return live_downhill_by(live, leap, PROJECTED, LIVE_HALVINGS,
+    return live_downhill_by(live, leap, PROJECTED, LIVE_TRIES,
                             &LIVE_DOWNHILL, u, v, report);
 }
 
@@ -123,6 +124,8 @@ struct without_result without_play(enum without without, int n, enum law law,
         frozen = lost ? frozen + 1 : 0;
         if (frozen > sum.freeze) sum.freeze = frozen;
         sum.stands += live->holding && report.part == 0.0;
+        sum.unfinished += !lost && report.status != OK;
+        if (without == TROUBLE) live->trouble = 0;
         times_record(&systems, report.systems, 1);
         sum.energy = fmax(sum.energy, live_energy(live));
         sum.last = 0.0;
