@@ -161,14 +161,12 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
  * The second rung: backward Euler from the last state [alg:live-frame].  The
  * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
  * and the energy is defined: LIVE_TRIES at most, and none with the last of
- * FRAME_SYSTEMS.  If none is, u = u0 and 0 of the way.  Then step_solve() with
- * LIVE_DOWNHILL and the systems that are left, whose status is returned; u is
- * taken as it is then.  v = (u - u0) / dt, but 0 where that is not OK or the
- * hand has not gone all of its way.
+ * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the
+ * systems that are left, whose status is returned; u is taken as it is then.
+ * v = (u - u0) / dt, but 0 where that is not OK or the hand was held back.
  *
  * report  in/out  systems: those of the frame so far, with one more for each
- *                 lift, and those of Newton's method; part: how much of its way
- *                 the hand has gone
+ *                 lift and those of Newton's method; part: of the hand's way
  */
 static enum status downhill(struct live *live, double u[], double v[],
                             struct live_report *report)
