@@ -79,6 +79,8 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory
 export CC MAKE
+# A recipe that runs make shares its jobs; `make -n` prints it and no more.
+SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 
 .DELETE_ON_ERROR:
 .SECONDARY:
@@ -265,8 +267,8 @@ define lesson_rules
 .PHONY: $(addsuffix -$1,lesson check hint plot solution reset watch mistakes)
 lesson-$1: $(BUILD)/mine/$2
 	@$(STUDENT) run $2
-check-$1: ; @+$(STUDENT) check $2
-watch-$1: ; @+$(STUDENT) watch $2
+check-$1: ; @$(SHARED)$(STUDENT) check $2
+watch-$1: ; @$(SHARED)$(STUDENT) watch $2
 plot-$1: $(BUILD)/mine/$2 $(BUILD)/data/$2.tsv
 	@$(STUDENT) plot $2
 hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2

@@ -30,7 +30,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CAP = 4000 }; /* iterations */
+enum { CAP = 2000 }; /* iterations */
 
 /* How a solve went; residual[k] is |r| / |b| before iteration k, and
  * curvature[k] p.Kp / p.p in it. */

@@ -31,7 +31,7 @@ $(MANY_WRONG:%=$(MANY)/%/many): $(MANY)/%/many: tests/many/mistakes.txt \
 many-programs: $(MANY)/many $(MANY_WRONG:%=$(MANY)/%/many)
 
 many:
-	+@if $(have_many); then $(MAKE) many-programs && \
+	$(SHARED)@if $(have_many); then "$$MAKE" many-programs && \
 	    BUILD='$(BUILD)' sh tests/tools/many.sh measure; \
 	else echo 'many: $(no_many)'; fi
 test-many: $(T)/many.result
@@ -44,8 +44,8 @@ $(T)/many.result: $(shell grep -qs '^skip many: no' $(T)/many.result && \
         echo many-again) $(MANY_FILES) $(LIB) figures/many/many.tsv \
         tests/many.mk tests/many/mistakes.txt tests/tools/many.sh tests/tools/mpirun.sh
 	$(call say,test,many processes)
-	+$(Q)mkdir -p $(@D) && if $(have_many); then \
-	    $(MAKE) many-programs > $@.log 2>&1 && \
+	$(SHARED)$(Q)mkdir -p $(@D) && if $(have_many); then \
+	    "$$MAKE" many-programs > $@.log 2>&1 && \
 	    BUILD='$(BUILD)' sh tests/tools/many.sh test > $@ || \
 	    { echo 'FAIL many:'; cat $@.log; } > $@; \
 	else echo 'skip many: $(no_many)' > $@; fi

@@ -75,8 +75,8 @@ $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
 # A class at once: DIR holds one folder per student.
 GRADE = exec env BUILD='$(BUILD)' LESSONS='$(LESSONS)' sh tests/tools/grade.sh
 .PHONY: grade
-grade: ; @+$(GRADE) class
-$(BUILD)/grade/%/judged: ; @+$(GRADE) one $(@D)
+grade: ; @$(SHARED)$(GRADE) class
+$(BUILD)/grade/%/judged: ; @$(SHARED)$(GRADE) one $(@D)
 
 # The book is filled from the tables of the solutions and of the studies.
 BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
@@ -104,11 +104,11 @@ $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) $(call mistakes_of,$1) \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
-	+$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
+	$(SHARED)$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
 $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) tests/cli/names.sh $(NAMING)
 	$$(call say,test,$1 names)
-	+$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
+	$(SHARED)$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
 verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result) \
         $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
@@ -222,7 +222,7 @@ DRAWN := $(filter-out speed/%,$(SCRIPTS))
 $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
-	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
 $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(call say,test,random options)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
@@ -233,10 +233,10 @@ $(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(call mistakes_of,$(TRIED))
 	$(call say,test,$*)
-	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
+	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
-	+$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
+	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
 	    sh tests/tools/build_variants.sh $* > $@
 
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
@@ -253,7 +253,7 @@ test: $(RESULTS)
 
 # all that computes for long, too
 memcheck:
-	+@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
+	$(SHARED)@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
 	    tests/tools/build_variants.sh $$kind whole; done | sh \
 	    tests/tools/count.sh
 

@@ -1,5 +1,5 @@
-# step_map.gp - a boundary moved by dg at once, log law: where
-# Newton converges, over dg and the number of elements of a bar of length 1.
+# step_map.gp - a boundary moved by the jump dg, log law: where Newton
+# converges, over dg and the number of elements of a bar of length 1.
 # Predicted: dg < 1/n (push), dg < 2.2113/n (pull); with the linear lift n = 1.
 # Reads   data  tables step_map, predicted
 # Writes  out   SVG
@@ -17,7 +17,8 @@ set multiplot layout 2,2 margins 0.085,0.98,0.09,0.93 spacing 0.07,0.12
 do for [k = 1:4] {
     name = word("push pull push_lift pull_lift", k)
     limit = k == 1 || k == 3 ? PUSH_max : PULL_max
-    set xlabel (k > 2 ? "step |dg| of the boundary (length of the bar: 1)" : "")
+    set xlabel (k > 2 ? \
+        "jump |Δ{/:Italic g}| of the boundary (length of the bar: 1)" : "")
     set ylabel (k % 2 ? "elements n" : "")
     set label 1 word("push pull push pull", k).(k > 2 ? \
         ", from the linear lift" : ", from the last state") \
@@ -30,7 +31,7 @@ do for [k = 1:4] {
             lc rgb "black" front
     }
     if (k == 1) {
-        set key at graph 0, graph 1.12 left top
+        set key at graph -0.04, graph 1.12 left top width -1
     } else { unset key }
     plot data index "step_map" using "dg":(strcol(name) eq "OK" ? column("n") \
              : NaN) with points pt 7 ps 0.4 lc rgb "#0072B2" \

@@ -32,28 +32,28 @@ set object 1 rect from -0.75, -1.3 to 0, 0.75 fc rgb "#F7D9C4" \
     fs solid 1 noborder behind
 set arrow 1 from -0.75, 0 to 2.2, 0 lw 1 lc rgb "black" head size 0.08, 20
 set arrow 2 from 0, -1.3 to 0, 0.75 lw 1 lc rgb "black" head size 0.08, 20
-set arrow 3 from -0.75, near to 2.1, near nohead lw 1 dt 2 lc rgb "#0072B2"
+set arrow 3 from -0.75, near to 2.1, near nohead lw 1 dt 2 lc rgb "#009E73"
 set arrow 4 from -0.75, far to 2.1, far nohead lw 1 dt 2 lc rgb "#D55E00"
 set arrow 5 from landing(near), near to landing(near), P(landing(near)) lw 1 \
-    dt 3 lc rgb "#0072B2" nohead
+    dt 3 lc rgb "#009E73" nohead
 set label 1 "{/:Italic P}" at 0.1, 0.66 left
 set label 2 "{/:Italic F}" at 2.15, 0.12 center
 set label 3 "{/:Italic F}_0" at F0 + 0.05, P(F0) - 0.14 left
-set label 4 "load 1" at 2.15, near - 0.08 right tc rgb "#0072B2"
+set label 4 "load 1" at 2.15, near - 0.08 right tc rgb "#009E73"
 set label 5 "load 2" at 2.15, far + 0.08 right tc rgb "#D55E00"
 set label 6 "{/:Italic F}_1" at landing(near) - 0.06, near + 0.11 right \
-    tc rgb "#0072B2"
+    tc rgb "#009E73"
 set label 7 "{/:Italic F}_1" at landing(far), far - 0.12 center \
     tc rgb "#D55E00"
 set label 8 "no log law" at -0.73, 0.66 left
-set label 9 "log law" at 0.50, -1.2 left
-plot sample [0.2:2.2] P(x) with lines lw 2.5 lc rgb "black", \
+set label 9 "log law" at 0.50, -1.2 left tc rgb "#0072B2"
+plot sample [0.2:2.2] P(x) with lines lw 2.5 lc rgb "#0072B2", \
      [landing(far):2.1] tangent(x) with lines lw 2 lc rgb "#D55E00", \
-     [landing(near):2.1] tangent(x) with lines lw 2 lc rgb "#0072B2", \
+     [landing(near):2.1] tangent(x) with lines lw 2 lc rgb "#009E73", \
      "+" using (F0):(P(F0)) every ::0::0 with points pt 7 ps 0.8 \
          lc rgb "black", \
      "+" using (landing(near)):(near) every ::0::0 with points pt 7 ps 0.8 \
-         lc rgb "#0072B2", \
+         lc rgb "#009E73", \
      "+" using (landing(far)):(far) every ::0::0 with points pt 2 ps 1.1 lw 2.5 \
          lc rgb "#D55E00"
 unset object

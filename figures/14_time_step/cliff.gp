@@ -22,7 +22,7 @@ set ylabel "energy over energy at the start"
 plot data index "cliff_above" using "k":"energy" with lines ls 2 \
          title "1.01 of the critical step", \
      E_last * growth**(x - k_last) with lines ls 8 \
-         title sprintf("expected: times %.3f a step", growth), \
+         title sprintf("expected: times %.3f per step", growth), \
      data index "cliff_below" using "k":"energy" with lines ls 1 \
          title "0.99 of the critical step", \
      1.99 / 0.01 with lines ls 8 dt 4 title "bound at 0.99"

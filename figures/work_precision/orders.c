@@ -66,7 +66,7 @@ static void in_time(enum work_scene scene, struct count *count)
 
 static void in_space(enum work_scene scene, enum law law, struct count *count)
 {
-    struct work_setting set = {scene, law, 0, 0, law == LOG ? 16 : 1,
+    struct work_setting set = {scene, law, 0, 0, law == LOG ? 4 : 1,
                                BACKWARD_EULER, 1e-9};
     struct work run[3];
     const struct material notes = material_notes(law);
