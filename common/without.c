@@ -17,15 +17,7 @@ const char *without_word(enum without without)
     return word[without];
 }
 
-/* ---- lifts --------------------------------------------------------------- */
-
-static enum status no_lift(struct body *body, double dt, const double w[],
-                           const double u0[], const double g[],
-                           enum tangent tangent, double u[])
-{
-    (void)body, (void)dt, (void)w, (void)u0, (void)g, (void)tangent, (void)u;
-    return STALLED;
-}
+/* ---- a lift -------------------------------------------------------------- */
 
 static enum status leap(struct body *body, double dt, const double w[],
                         const double u0[], const double g[],
@@ -83,14 +75,6 @@ static enum status unstopped(struct live *live, double u[], double v[],
     return status;
 }
 
-/* The first rung's lift was counted, and it was none. */
-static enum status alone(struct live *live, double u[], double v[],
-                         struct live_report *report)
-{
-    report->systems = 0;
-    return live_downhill(live, u, v, report);
-}
-
 /* ---- all frames ---------------------------------------------------------- */
 
 struct without_result without_play(enum without without, int n, enum law law,
@@ -98,13 +82,11 @@ struct without_result without_play(enum without without, int n, enum law law,
                                    const struct pointers *script)
 {
     static live_rung *const second[N_WITHOUT] = {
-        [FIRST_RUNG] = alone,      [PROJECTION] = unprojected,
-        [SEARCH] = unsearched,     [ACCEPTING] = unaccepted,
-        [STOPPING] = unstopped,    [HALVING] = unhalved,
-        [LEAPING] = leaping};
+        [PROJECTION] = unprojected, [SEARCH] = unsearched,
+        [ACCEPTING] = unaccepted,   [STOPPING] = unstopped,
+        [HALVING] = unhalved,       [LEAPING] = leaping};
     live_rung *const rung = second[without] ? second[without] : live_downhill;
-    live_lifter *const lift = without == FIRST_RUNG ? no_lift
-                              : without == LEAPING  ? leap : live_lift;
+    live_lifter *const lift = without == LEAPING ? leap : live_lift;
     const struct live_setting set = {n, law, method, PATCH,
                                      without == LIFT ? LAST_STATE : ELASTIC,
                                      without != SECOND_RUNG};
@@ -118,6 +100,8 @@ struct without_result without_play(enum without without, int n, enum law law,
         live_input(live, pointer);
         if (without != BOUND) live_hand(live->hand, pointer, to);
         live_carry(live, to);
+        if (without == FIRST_RUNG) live->trouble = 1;
+        if (without == TROUBLE) live->trouble = 0;
         const struct live_report report = live_frame_by(live, lift, rung, to);
         const int lost = strcmp(report.rung, "lost") == 0;
         sum.lost += lost;
@@ -125,7 +109,6 @@ struct without_result without_play(enum without without, int n, enum law law,
         if (frozen > sum.freeze) sum.freeze = frozen;
         sum.stands += live->holding && report.part == 0.0;
         sum.unfinished += !lost && report.status != OK;
-        if (without == TROUBLE) live->trouble = 0;
         times_record(&systems, report.systems, 1);
         sum.energy = fmax(sum.energy, live_energy(live));
         sum.last = 0.0;
