@@ -31,7 +31,7 @@ static void begin(struct live *live)
     live->now = state_make(live->n_dof);
     live->grip = allocate((size_t)live->n_dof, sizeof *live->grip);
     live->g = allocate((size_t)live->n_dof, sizeof *live->g);
-    live->holding = 0;
+    live->trouble = live->holding = 0;
     hold(live, NULL);
 }
 
@@ -193,10 +193,10 @@ enum status live_lift(struct body *body, double dt, const double w[],
 
 /* Where no rung comes after it, `fast` may take its time. */
 static const struct step_control
-    LIVE_FAST = {1e-8, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER},
-    LIVE_ALONE = {1e-8, 40, FROM_LAST, 0, 1, 0, NEVER};
+    LIVE_FAST = {LIVE_TOLERANCE, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER},
+    LIVE_ALONE = {LIVE_TOLERANCE, 40, FROM_LAST, 0, 1, 0, NEVER};
 const struct step_control LIVE_DOWNHILL = {
-    1e-8, DOWNHILL_SYSTEMS, FROM_LAST, 0, 0, 1, ON_DEMAND};
+    LIVE_TOLERANCE, FRAME_SYSTEMS, FROM_LAST, 0, 0, 1, ON_DEMAND};
 
 /* u, v := the end of the frame by the method of the setting, if the status is
  * OK. */
@@ -248,10 +248,12 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
     const struct state *now = &live->now;
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, unused;
+    struct step_control rest = *control;
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
     report->part = 1.0;
     for (int k = 0; k < tries && status != OK; k++) {
+        if (report->systems == FRAME_SYSTEMS - 1) break;
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
@@ -263,8 +265,9 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
         report->part = 0.0;
         memcpy(u, now->u, (size_t)n * sizeof *u);
     }
+    rest.max_iterations = FRAME_SYSTEMS - report->systems;
     const struct step_report newton =
-        step_solve(live->body, control, live->dt, w, NULL, u);
+        step_solve(live->body, &rest, live->dt, w, NULL, u);
     report->systems += newton.iterations;
     const int whole = newton.status == OK && report->part == 1.0;
     for (int r = 0; r < n; r++)
@@ -276,22 +279,27 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
 enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, PROJECTED, LIVE_HALVINGS,
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
                             &LIVE_DOWNHILL, u, v, report);
 }
 
 struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  live_rung *downhill, const double to[2])
 {
-    struct live_report report = {.rung = "fast", .part = 1.0};
+    struct live_report report = {.rung = "fast", .first = "untried",
+                                 .part = 1.0};
     double *u = allocate(2 * (size_t)live->n_dof, sizeof *u);
     double *v = u + live->n_dof, unused;
-    enum status accept = report.status = report.first =
-        fast(live, lift, u, v, &report);
+    enum status accept = NOT_SPD;
+    if (!(live->trouble && live->set.ladder)) {
+        accept = report.status = fast(live, lift, u, v, &report);
+        report.first = status_name(accept);
+    }
     if (accept != OK && live->set.ladder) {
         report.rung = "downhill";
         report.status = downhill(live, u, v, &report);
         accept = body_energy(live->body, u, &unused);
+        live->trouble = report.systems > CALM_SYSTEMS;
     }
     if (accept == OK) accept = state_accept(&live->now, u, v);
     if (accept != OK) report.rung = "lost"; /* and the hand goes on */
@@ -312,7 +320,7 @@ struct live_report live_frame_in_parts(struct live *live, const double to[2])
                                                NULL, &live->now);
     const int lost = frame.status != OK;
     if (!lost) memcpy(live->hand, to, sizeof live->hand);
-    return (struct live_report){frame.status, frame.status,
+    return (struct live_report){status_name(frame.status), frame.status,
                                 lost ? "lost" : "parts", frame.iterations,
                                 lost ? 0.0 : 1.0};
 }

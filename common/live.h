@@ -12,16 +12,19 @@
  *         live_carry(live, hand);           the held values at its end: live->g
  *         live_frame(live);                 u and v advance by a frame
  *
- * A frame is a budget of linear systems and not a tolerance [alg:live-frame]:
+ * A frame is a budget of FRAME_SYSTEMS linear systems [alg:live-frame]:
  *
  *     fast      from the elastic lift of the state [eq:elastic-lift], factors
  *               kept, FAST_SYSTEMS at most
  *     downhill  backward Euler from the *last* state: the projected lift, the
- *               hand going 1, 1/2, 1/4, ... of its way until the material
+ *               hand going 1, 1/2, 1/4, 1/8 of its way until the material
  *               allows the start, at last 0; line search, projection on demand,
- *               DOWNHILL_SYSTEMS at most.  What has not converged by then is
- *               accepted, because Phi has fallen.  v = 0 after a frame that is
- *               unfinished, or in which the hand was held back.
+ *               with what is left of the budget.  What has not converged by
+ *               then is accepted, because Phi has fallen.  v = 0 after a frame
+ *               that is unfinished, or in which the hand was held back.
+ *
+ * Trouble lasts: after a frame downhill with more than CALM_SYSTEMS the next
+ * one begins downhill.
  */
 #ifndef COMMON_LIVE_H
 #define COMMON_LIVE_H
@@ -33,7 +36,10 @@ enum grab { PATCH, SIDE };                 /* what the hand takes */
 enum start { ELASTIC, ROWS, LAST_STATE };  /* `fast` starts from live_lift(),
                                             * step_boundary(), the last state */
 
-enum { FAST_SYSTEMS = 6, DOWNHILL_SYSTEMS = 8, LIVE_HALVINGS = 8 };
+enum { FRAME_SYSTEMS = 8, FAST_SYSTEMS = 6, CALM_SYSTEMS = 3, LIVE_TRIES = 4 };
+
+/* Newton's tolerance (m): a fiftieth of a pixel of the window. */
+#define LIVE_TOLERANCE 1e-4
 
 /* The hand goes this far in a frame at most (m), stays this near to 0 (m), and
  * takes what is this near to it (m). */
@@ -60,6 +66,7 @@ struct live {
     struct body *body; /* with what is held now */
     int n_dof;
     struct state now;
+    int trouble;     /* does the next frame begin downhill? */
     int holding;     /* does the hand hold anything? */
     double hand[2];  /* where it is (m) */
     double *grip;    /* [n_dof] what it holds, from the hand (m) */
@@ -82,7 +89,7 @@ void live_hand(const double from[2], const struct pointer *pointer,
 void live_carry(struct live *live, const double to[2]);
 
 struct live_report {
-    enum status first;  /* of `fast` */
+    const char *first;  /* how `fast` ended; "untried" in trouble */
     enum status status; /* of the last rung; MAX_ITERATIONS: unfinished */
     const char *rung;   /* "fast", "downhill", "lost" */
     int systems;        /* linear systems solved, all together */
@@ -112,7 +119,8 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
 /*
  * The second rung: u, v := the end of the frame, or 0 for v where the frame is
  * unfinished or the hand was held back.  Of the report it sets `part` and adds
- * to `systems`; the status is that of step_solve() with LIVE_DOWNHILL.
+ * to `systems`, up to FRAME_SYSTEMS, of which the last is not for a lift; the
+ * status is that of step_solve() with LIVE_DOWNHILL.
  */
 enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);

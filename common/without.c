@@ -12,19 +12,12 @@ const char *without_word(enum without without)
     static const char *const word[] = {
         "nothing", "first rung", "elastic lift", "second rung",
         "projection of lift", "line search", "acceptance if unfinished",
-        "stop if unfinished", "halved ways", "bounded hand", "bound on leaps"};
+        "stop if unfinished", "halved ways", "bounded hand", "bound on leaps",
+        "memory of trouble"};
     return word[without];
 }
 
-/* ---- lifts --------------------------------------------------------------- */
-
-static enum status no_lift(struct body *body, double dt, const double w[],
-                           const double u0[], const double g[],
-                           enum tangent tangent, double u[])
-{
-    (void)body, (void)dt, (void)w, (void)u0, (void)g, (void)tangent, (void)u;
-    return STALLED;
-}
+/* ---- a lift -------------------------------------------------------------- */
 
 static enum status leap(struct body *body, double dt, const double w[],
                         const double u0[], const double g[],
@@ -38,7 +31,7 @@ static enum status leap(struct body *body, double dt, const double w[],
 static enum status unprojected(struct live *live, double u[], double v[],
                                struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, EXACT, LIVE_HALVINGS,
+    return live_downhill_by(live, live_lift, EXACT, LIVE_TRIES,
                             &LIVE_DOWNHILL, u, v, report);
 }
 
@@ -47,7 +40,7 @@ static enum status unsearched(struct live *live, double u[], double v[],
 {
     struct step_control control = LIVE_DOWNHILL;
     control.line_search = 0;
-    return live_downhill_by(live, live_lift, PROJECTED, LIVE_HALVINGS,
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
                             &control, u, v, report);
 }
 
@@ -61,7 +54,7 @@ static enum status unhalved(struct live *live, double u[], double v[],
 static enum status leaping(struct live *live, double u[], double v[],
                            struct live_report *report)
 {
-    return live_downhill_by(live, leap, PROJECTED, LIVE_HALVINGS,
+    return live_downhill_by(live, leap, PROJECTED, LIVE_TRIES,
                             &LIVE_DOWNHILL, u, v, report);
 }
 
@@ -82,14 +75,6 @@ static enum status unstopped(struct live *live, double u[], double v[],
     return status;
 }
 
-/* The first rung's lift was counted, and it was none. */
-static enum status alone(struct live *live, double u[], double v[],
-                         struct live_report *report)
-{
-    report->systems = 0;
-    return live_downhill(live, u, v, report);
-}
-
 /* ---- all frames ---------------------------------------------------------- */
 
 struct without_result without_play(enum without without, int n, enum law law,
@@ -97,13 +82,11 @@ struct without_result without_play(enum without without, int n, enum law law,
                                    const struct pointers *script)
 {
     static live_rung *const second[N_WITHOUT] = {
-        [FIRST_RUNG] = alone,      [PROJECTION] = unprojected,
-        [SEARCH] = unsearched,     [ACCEPTING] = unaccepted,
-        [STOPPING] = unstopped,    [HALVING] = unhalved,
-        [LEAPING] = leaping};
+        [PROJECTION] = unprojected, [SEARCH] = unsearched,
+        [ACCEPTING] = unaccepted,   [STOPPING] = unstopped,
+        [HALVING] = unhalved,       [LEAPING] = leaping};
     live_rung *const rung = second[without] ? second[without] : live_downhill;
-    live_lifter *const lift = without == FIRST_RUNG ? no_lift
-                              : without == LEAPING  ? leap : live_lift;
+    live_lifter *const lift = without == LEAPING ? leap : live_lift;
     const struct live_setting set = {n, law, method, PATCH,
                                      without == LIFT ? LAST_STATE : ELASTIC,
                                      without != SECOND_RUNG};
@@ -117,12 +100,15 @@ struct without_result without_play(enum without without, int n, enum law law,
         live_input(live, pointer);
         if (without != BOUND) live_hand(live->hand, pointer, to);
         live_carry(live, to);
+        if (without == FIRST_RUNG) live->trouble = 1;
+        if (without == TROUBLE) live->trouble = 0;
         const struct live_report report = live_frame_by(live, lift, rung, to);
         const int lost = strcmp(report.rung, "lost") == 0;
         sum.lost += lost;
         frozen = lost ? frozen + 1 : 0;
         if (frozen > sum.freeze) sum.freeze = frozen;
         sum.stands += live->holding && report.part == 0.0;
+        sum.unfinished += !lost && report.status != OK;
         times_record(&systems, report.systems, 1);
         sum.energy = fmax(sum.energy, live_energy(live));
         sum.last = 0.0;

@@ -18,6 +18,7 @@ enum without {
     HALVING,     /* the hand goes all of its way or none */
     BOUND,       /* the hand goes all the way to the pointer */
     LEAPING,     /* a lift may go any way that is finite */
+    TROUBLE,     /* each frame begins with the first rung */
     N_WITHOUT
 };
 const char *without_word(enum without without);
@@ -25,6 +26,7 @@ const char *without_word(enum without without);
 struct without_result {
     int lost, freeze;      /* frames lost, and in a row at most */
     int stands;            /* frames in which a hand that holds goes nowhere */
+    int unfinished;        /* frames accepted although not converged */
     double p50, p99, most; /* systems per frame */
     double energy, speed;  /* the largest (J), (m/s) */
     double last;           /* largest |u| at the end (m) */

@@ -8,10 +8,10 @@
  * it likes, thirty frames per second.  Each frame is a step of backward Euler
  * or of the midpoint rule; none may be lost, whatever the hand does.
  *
- *     fast       elastic lift, factors kept                 at most  6 systems
- *        |  it failed
- *     downhill   from the last state, projected, Phi falls  at most  8 systems
- *                the hand goes 1, 1/2, 1/4, ... of its way, at last 0
+ *     fast       elastic lift, factors kept                 at most 6 systems
+ *        |  it failed, or the frame before was in trouble
+ *     downhill   from the last state, projected, Phi falls  at most 8 in all
+ *                the hand goes 1, 1/2, 1/4, 1/8 of its way, at last 0
  *
  * Input is a line per frame, "x y down key"; see common/pointer.h.
  *
@@ -53,7 +53,7 @@ static void print_frame(const struct live *live, int knots, struct cell ms,
                         const struct live_report *report, struct summary *sum)
 {
     const double energy = live_energy(live);
-    table_row(++sum->frames, report->rung, status_name(report->first),
+    table_row(++sum->frames, report->rung, report->first,
               status_name(report->status), report->systems, report->part,
               body_min_J(live->body, live->now.u), knots, energy,
               live->hand[0], live->hand[1], ms);
@@ -159,14 +159,14 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
 
 /*
  * The second rung: backward Euler from the last state [alg:live-frame].  The
- * projected lift, the hand going 1, 1/2, 1/4, ... of its way, LIVE_HALVINGS
- * times at most, until it is OK and the energy is defined; else u = u0 and 0 of
- * the way.  Then step_solve() with LIVE_DOWNHILL, whose status is returned; u
- * is taken as it is then.  v = (u - u0) / dt, but 0 where that is not OK or the
- * hand has not gone all of its way.
+ * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
+ * and the energy is defined: LIVE_TRIES at most, and none with the last of
+ * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the
+ * systems that are left, whose status is returned; u is taken as it is then.
+ * v = (u - u0) / dt, but 0 where that is not OK or the hand was held back.
  *
- * report  in/out  systems: one more for each lift, and those of Newton's
- *                 method; part: how much of its way the hand has gone
+ * report  in/out  systems: those of the frame so far, with one more for each
+ *                 lift and those of Newton's method; part: of the hand's way
  */
 static enum status downhill(struct live *live, double u[], double v[],
                             struct live_report *report)
@@ -174,12 +174,15 @@ static enum status downhill(struct live *live, double u[], double v[],
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, energy = 0.0;
+    struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, energy, u, v, report, status): w and
-     * g are to be filled; live->g has the held values at the end of the way. */
+    /* SLOT 24d(live, dt, u0, v0, n, w, g, energy, u, v, report, status,
+     * control): w and g are to be filled; live->g has the held values at the
+     * end of the way. */
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
     report->part = 1.0;
-    for (int k = 0; k < LIVE_HALVINGS && status != OK; k++) {
+    for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
+        if (report->systems == FRAME_SYSTEMS - 1) break;
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
@@ -191,8 +194,9 @@ static enum status downhill(struct live *live, double u[], double v[],
         report->part = 0.0;
         memcpy(u, u0, (size_t)n * sizeof *u);
     }
+    control.max_iterations = FRAME_SYSTEMS - report->systems;
     const struct step_report newton =
-        step_solve(live->body, &LIVE_DOWNHILL, dt, w, NULL, u);
+        step_solve(live->body, &control, dt, w, NULL, u);
     report->systems += newton.iterations;
     status = newton.status;
     const int whole = status == OK && report->part == 1.0;

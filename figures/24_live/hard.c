@@ -19,18 +19,18 @@
 static void print_rungs(struct without_result all[2][N_WITHOUT])
 {
     struct pointers hard = pointers_hard();
-    table_begin("rungs", "without log_lost log_freeze log_p50 log_p99 log_most "
-                         "log_energy log_last cubic_lost cubic_freeze "
-                         "cubic_p50 cubic_p99 cubic_most cubic_energy "
+    table_begin("rungs", "without log_lost log_freeze log_unfinished log_p50 "
+                         "log_p99 log_energy log_last cubic_lost cubic_freeze "
+                         "cubic_unfinished cubic_p50 cubic_p99 cubic_energy "
                          "cubic_last");
     for (int w = 0; w < N_WITHOUT; w++) {
         for (int l = 0; l < 2; l++)
             all[l][w] = without_play((enum without)w, 8, l ? CUBIC : LOG,
                                      BACKWARD_EULER, &hard);
         const struct without_result *a = &all[0][w], *b = &all[1][w];
-        table_row(without_word((enum without)w), a->lost, a->freeze, a->p50,
-                  a->p99, a->most, a->energy, a->last, b->lost, b->freeze,
-                  b->p50, b->p99, b->most, b->energy, b->last);
+        table_row(without_word((enum without)w), a->lost, a->freeze,
+                  a->unfinished, a->p50, a->p99, a->energy, a->last, b->lost,
+                  b->freeze, b->unfinished, b->p50, b->p99, b->energy, b->last);
     }
     table_end();
     pointers_free(&hard);
@@ -43,10 +43,11 @@ static const struct {
     int seed; /* 0: hard */
     const char *what;
 } RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
-            {PROJECTION, CUBIC, IMPLICIT_MIDPOINT, 33, "most systems"},
+            {TROUBLE, CUBIC, BACKWARD_EULER, 11, "frames unfinished"},
+            {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand stands"},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
-            {HALVING, LOG, BACKWARD_EULER, 8, "frames the hand stands"},
-            {BOUND, CUBIC, BACKWARD_EULER, 18, "energy (J)"},
+            {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand stands"},
+            {BOUND, CUBIC, BACKWARD_EULER, 25, "energy (J)"},
             {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
 
 /* value[k] := what tells, with all rungs and without one; of mad with all
@@ -64,8 +65,9 @@ static void print_rare(double value[][2])
             const struct without_result r =
                 without_play(less ? RARE[k].which : NOTHING, 8, RARE[k].law,
                              RARE[k].method, &script);
-            const double tells[COUNT(RARE)] = {r.last,   r.most,   r.energy,
-                                               r.stands, r.energy, r.speed};
+            const double tells[COUNT(RARE)] = {r.last,   r.unfinished, r.stands,
+                                               r.energy, r.stands,     r.energy,
+                                               r.speed};
             value[k][less] = tells[k];
             if (less || !seed) continue;
             frames += script.n;
@@ -81,8 +83,8 @@ static void print_rare(double value[][2])
     table_begin("mad", "frames lost most");
     table_row(frames, lost, most);
     table_end();
-    claim(lost == 0 && most <= 22.0, "mad loses no frame (%d), and takes 22 "
-          "systems at most (%g)", lost, most);
+    claim(lost == 0 && most <= FRAME_SYSTEMS, "mad loses no frame (%d), and "
+          "takes %d systems at most (%g)", lost, FRAME_SYSTEMS, most);
 }
 
 int main(void)
@@ -98,15 +100,15 @@ int main(void)
               "the whole ladder loses no frame (%d); without the second rung "
               "the picture freezes for 40 frames or more (%d)",
               a[NOTHING].lost, a[SECOND_RUNG].freeze);
-        claim(a[ACCEPTING].lost >= 20, "an unfinished frame that is not "
-              "accepted is lost, and more follow (%d)", a[ACCEPTING].lost);
-        claim(a[LIFT].p50 >= 1.5 * a[NOTHING].p50, "without the elastic lift "
+        claim(a[ACCEPTING].lost > a[NOTHING].unfinished, "an unfinished frame "
+              "that is not accepted is lost, and more follow (%d, %d)",
+              a[ACCEPTING].lost, a[NOTHING].unfinished);
+        claim(a[LIFT].p50 > a[NOTHING].p50, "without the elastic lift "
               "a frame needs more systems (%g, %g)", a[LIFT].p50,
               a[NOTHING].p50);
     }
-    claim(all[0][SEARCH].lost > 0 && all[1][SEARCH].energy > 1e50,
-          "without a line search LOG loses frames (%d), and the cubic body "
-          "explodes (%g J)", all[0][SEARCH].lost, all[1][SEARCH].energy);
+    claim(all[1][SEARCH].energy > 1e50, "without a line search the cubic body "
+          "explodes (%g J)", all[1][SEARCH].energy);
     claim(value[0][1] < 1e-3 * value[0][0], "the first rung is what swings");
     for (int k = 1; k < COUNT(RARE); k++)
         claim(value[k][1] > 1.2 * value[k][0], "without the %s, %s: %g, with "

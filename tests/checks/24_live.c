@@ -256,7 +256,10 @@ static void follow(struct live *live, const struct live *other)
     memcpy(live->hand, other->hand, sizeof live->hand);
 }
 
-/* downhill() on one of two equal squares, live_downhill() on the other. */
+/* downhill() on one of two equal squares, live_downhill() on the other, after
+ * 0 to 7 systems of the rung before.  Two right programs differ by less than
+ * Newton's method may; a frame that has not converged may have grown what their
+ * lifts differ by. */
 static struct live_report compare_downhill(struct live *live,
                                            struct live *copy, int k)
 {
@@ -264,7 +267,8 @@ static struct live_report compare_downhill(struct live *live,
     double *u = guarded_alloc(n), *v = guarded_alloc(n);
     double *due_u = allocate(2 * (size_t)n, sizeof *due_u);
     double *due_v = due_u + n;
-    struct live_report report = {.rung = "downhill", .systems = 3};
+    const int used = k % FRAME_SYSTEMS;
+    struct live_report report = {.rung = "downhill", .systems = used};
     for (int r = 0; r < n && k % 2; r++) /* most are 0 by then */
         if (live->body->equation[r] >= 0)
             copy->now.v[r] = live->now.v[r] += 3.0 * sin(2.385 * r);
@@ -274,16 +278,17 @@ static struct live_report compare_downhill(struct live *live,
     const char *name = material_law(live->set.law);
     expect(report.part == due.part && report.systems == due.systems &&
                report.status == due.status,
-           "frame %d of hard, %s: downhill() goes %g of the way with %d "
-           "systems and ends with %s; live_downhill() %g, %d, %s",
-           k, name, report.part, report.systems - 3,
-           status_name(report.status), due.part, due.systems - 3,
+           "frame %d of hard, %s, after %d systems of fast: downhill() goes %g "
+           "of the way with %d more and ends with %s; live_downhill() %g, %d, "
+           "%s", k, name, used, report.part, report.systems - used,
+           status_name(report.status), due.part, due.systems - used,
            status_name(due.status));
+    const double allowed = due.status == OK ? LIVE_TOLERANCE : 1e-3; /* m */
     for (int r = 0; r < n; r++) {
-        expect_close(u[r], due_u[r], 1e-6, 1.0, "frame %d of hard, %s: u[%d] "
-                     "of downhill()", k, name, r);
-        expect_close(v[r], due_v[r], 1e-6, 100.0, "frame %d of hard, %s: "
-                     "v[%d] of downhill()", k, name, r);
+        expect_close(u[r], due_u[r], allowed, 1.0, "frame %d of hard, "
+                     "%s: u[%d] of downhill()", k, name, r);
+        expect_close(v[r], due_v[r], allowed, 1.0 / live->dt, "frame %d "
+                     "of hard, %s: v[%d] of downhill()", k, name, r);
     }
     if (report.part == 0.0)
         expect(phi(live, u) <= phi(live, live->now.u) * (1.0 + 1e-9),
@@ -307,7 +312,7 @@ static void downhill_does_what_it_says(void)
                 if (i > 0) follow(all[i], all[0]);
                 begin_frame(all[i], &hard.frame[k], to);
             }
-            if (k % 7 == 1) {
+            if (k % 3 == 1) {
                 const struct live_report report =
                     compare_downhill(all[1], all[2], k);
                 unfinished += report.status == MAX_ITERATIONS;
@@ -334,9 +339,9 @@ static void no_frame_is_lost(void)
         const struct output *out = run(options);
         expect(cell(out, "summary", "lost", 0) == 0.0, "%s: %g frames lost",
                options, cell(out, "summary", "lost", 0));
-        expect(cell(out, "summary", "most_systems", 0) <= 24.0,
-               "%s: %g systems in a frame", options,
-               cell(out, "summary", "most_systems", 0));
+        expect(cell(out, "summary", "most_systems", 0) <= FRAME_SYSTEMS,
+               "%s: %g systems in a frame, whose budget is %d", options,
+               cell(out, "summary", "most_systems", 0), FRAME_SYSTEMS);
     }
 }
 
@@ -384,7 +389,7 @@ static const char *const runs[] = {
     "--speed -3 --n 5 --law cubic --integrator midpoint",
 };
 
-#define FRAME "Newton's tolerance, 1e-8 m, and the motion after it"
+#define FRAME "round-off in Newton's method, and the motion after it"
 
 static const struct column_rule rules[] = {
     {"frames", "k", 0.0, "counts frames", 0.0},
