@@ -9,7 +9,7 @@ set terminal svg size 900,640
 set output out
 array Scene[6] = ["slow_pull", "fast_pull", "shake", "swing", "buckle", "push"]
 array Title[6] = ["slow pull", "fast pull", "shake", "release and swing", \
-    "press to buckling", "push that inverts"]
+    "press to buckling", "push"]
 array Law[3] = ["cubic", "log", "linear"]
 array Color[3] = ["#D55E00", "#0072B2", "#000000"]
 array Method[5] = ["static", "backward", "midpoint", "bdf2", "symplectic"]
