@@ -290,7 +290,7 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  .part = 1.0};
     double *u = allocate(2 * (size_t)live->n_dof, sizeof *u);
     double *v = u + live->n_dof, unused;
-    enum status accept = NOT_SPD;
+    enum status accept = NOT_SPD; /* or anything but OK: untried */
     if (!(live->trouble && live->set.ladder)) {
         accept = report.status = fast(live, lift, u, v, &report);
         report.first = status_name(accept);

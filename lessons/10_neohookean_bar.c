@@ -39,7 +39,7 @@ static void scene_of_options(int argc, char *argv[], struct bar_scene *scene)
         {"law", .choice = &law, .choices = "cubic log", .help = "r(J)"},
         {"nu", .real = &nu, .min = 0.0, .max = 0.4999, .help = "Poisson's"},
         {"held", .choice = &held, .choices = "left right both", .help = "ends"},
-        {"c", .real = &scene->c, .min = -1e4, .max = 1e4, .unit = "N/m",
+        {"c", .real = &scene->c, .min = -1e4, .max = 1e4, .unit = "N/m^3",
          .help = "body force; < 0 presses towards the left end"},
         {"left", .real = &end[0], .min = -1e4, .max = 1e4,
          .help = "u (m) of a held left end, force (N) on a free one"},

@@ -7,6 +7,9 @@ set terminal svg size 900,400
 set output out
 total(m) = system("awk -F'\t' '$0 == \"# price\" { on = 1 } NF == 0 { on = 0 } \
     on && $1 == \"".m."\" { print $3 }' '".data."'")
+divides = system("awk -F'\t' '$0 == \"# approach\" { on = 1 } \
+    NF == 0 { on = 0 } on && NF == 4 { before = last; last = $4 } \
+    END { printf \"%.1f\", before / last }' '".data."'")
 set multiplot
 set tmargin at screen 0.83
 set bmargin at screen 0.15
@@ -35,7 +38,7 @@ set xlabel "linear systems"
 set ylabel "distance to the solution (m)"
 set key at graph 0, 1.2 left top maxrows 3 samplen 2
 plot data index "approach" using "k":"always" with linespoints ls 4 \
-         title "always: each divides it by 4 to 5", \
+         title "always: at last each divides it by ".divides, \
      data index "approach" using "k":"demand" with linespoints ls 3 \
          title "never, on demand: the digits double"
 unset multiplot

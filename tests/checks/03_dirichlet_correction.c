@@ -318,9 +318,9 @@ static const struct lesson lesson = {
     "1346 and 16 elements a 1 on the diagonal makes the condition number 195 "
     "times larger (figures/03_dirichlet_correction/conditioning.svg). Keep the "
     "scale of the matrix.",
-    "Clear only the rows: with the diagonal kept, Cholesky ends OK with an "
-    "answer that is wrong by 0.75, because it never looks at the upper "
-    "triangle. Which system did it solve?",
+    "Clear only the rows, and leave out 3a: with the diagonal kept, Cholesky "
+    "ends OK with an answer that is wrong by 0.75, because it never looks at "
+    "the upper triangle. Which system did it solve?",
     what_was_predicted};
 
 int main(int argc, char *argv[])

@@ -688,8 +688,8 @@ static const struct lesson lesson = {
     "with the change of q, at a state that is neither at rest nor symmetric.",
     "In slot 12c give mu to one diagonal entry of each block only, as the "
     "notes print it: K stays symmetric, and what happens to the history? Then "
-    "undo it and turn cof(j, m) into cof(m, j) instead: which check still "
-    "passes, and why?",
+    "undo it and turn cof(j, m) into cof(m, j) instead: which state does "
+    "tangent_is_the_derivative_of_the_force name, and why not the one at rest?",
     what_was_predicted};
 
 int main(int argc, char *argv[])

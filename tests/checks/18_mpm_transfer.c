@@ -609,8 +609,8 @@ static const struct lesson lesson = {
     "P2G loses nothing but kinetic energy, in any scheme; what PIC is blamed "
     "for happens on the way back, and once per step: halve the time step and "
     "a second of motion goes through the filter twice as often.",
-    "Start APIC with B = 0 in the disc. It loses a little once, and then "
-    "never again. Why only once?",
+    "Start APIC with B = 0 in the disc. The velocities lose a little, once, "
+    "and the ratio stays 1. Why?",
     what_was_predicted};
 
 int main(int argc, char *argv[])

@@ -647,8 +647,8 @@ static const struct lesson lesson = {
     "with the linear kernel would have to shrink to nothing, four systems of "
     "equations are enough. It does care whether particles hold the nodes: "
     "with one per cell the second load is NOT_SPD.",
-    "Take the guess u = dt v in newton() and run --law log with ever longer "
-    "steps. When does the first status other than OK come?",
+    "Take the guess u = dt v in newton() and run --scene strained --law log "
+    "with ever longer steps. When does a status other than OK come?",
     what_was_predicted};
 
 int main(int argc, char *argv[])
