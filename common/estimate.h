@@ -36,8 +36,8 @@ double estimate_inertia(const struct ladder_state *state);
 
 /*
  * The energy of G - G_recovered over that of G, G = (F^T F - I) / 2, over
- * 1 - 2^-p: what is recovered is what half the cells would see, and these leave
- * 2^-p of the error, p twice material_corner().
+ * 1 - 2^-p: what is recovered is what cells of half the size would see, and
+ * these leave 2^-p of the error, p twice material_corner().
  */
 double estimate_mesh(const struct ladder_state *state);
 

@@ -59,7 +59,8 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
  * triangle it differs from G by d_1, d_2, d_3 at the vertices, with the energy
  * area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).  The sum
  * of it over the sum of area psi(G), over 1 - 2^-p; 0 where u = 0.  For what is
- * recovered is what half the cells would see, and they leave 2^-p of the error.
+ * recovered is what cells of half the size would see, and they leave 2^-p of
+ * the error.
  */
 static void mesh_part(const struct ladder_state *s, double part[N_PART])
 {

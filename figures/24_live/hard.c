@@ -43,7 +43,7 @@ static const struct {
     int seed; /* 0: hard */
     const char *what;
 } RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
-            {TROUBLE, CUBIC, BACKWARD_EULER, 11, "frames unfinished"},
+            {TROUBLE, LOG, BACKWARD_EULER, 7, "frames unfinished"},
             {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand stands"},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
             {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand stands"},

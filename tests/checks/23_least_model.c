@@ -163,15 +163,16 @@ static void mesh_is_of_second_order(void)
                "the energy is %g of it", s->mesh->n, got, want);
         if (level)
             expect(before / got > 3.2 && before / got < 4.8,
-                   "half the cells: mesh must fall to a quarter, falls from "
-                   "%g to %g", before, got);
+                   "cells of half the size: mesh must fall to a quarter, falls "
+                   "from %g to %g", before, got);
         before = got;
         ladder_free(s);
     }
 }
 
 /* What the loops give is the same for every material, but that of nu = 0.49 has
- * a sharper corner, p = 1.1998 for 1.4223, of which half the cells see less. */
+ * a sharper corner, p = 1.1998 for 1.4223, of which cells of half the size see
+ * less. */
 static void mesh_counts_what_half_the_cells_leave(void)
 {
     double got[2];
@@ -487,8 +488,8 @@ static const struct lesson lesson = {
     "Run --scene above-buckling --truth yes: on the first rung every part is "
     "small, the estimate says 3 %, and the truth is 99 %. Only the sign of the "
     "lowest eigenvalue of K knows it (figures/23_least_model/twelve.svg).",
-    "Let the verdict forget the mesh. Which scenes then stop on a rung that is "
-    "wrong by half, and which do not change?",
+    "Let the verdict forget the mesh. Which six scenes then stop on a rung "
+    "that is wrong by 17 % or more, and which do not change?",
     what_was_predicted};
 
 int main(int argc, char *argv[])
