@@ -240,6 +240,37 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     return status;
 }
 
+/* *phi := Phi of backward Euler at u [eq:incremental-potential]. */
+static enum status potential(const struct live *live, const double u[],
+                             double *phi)
+{
+    const struct state *now = &live->now;
+    const int n = live->n_dof;
+    double *move = allocate(2 * (size_t)n, sizeof *move), *momentum = move + n;
+    const enum status status = body_energy(live->body, u, phi);
+    *phi *= live->dt * live->dt;
+    for (int r = 0; r < n; r++)
+        move[r] = u[r] - now->u[r] - live->dt * now->v[r];
+    body_mass(live->body, move, momentum);
+    for (int r = 0; r < n; r++) *phi += 0.5 * move[r] * momentum[r];
+    free(move);
+    return status;
+}
+
+enum status live_start(const struct live *live, const double g[],
+                       const double u[])
+{
+    const int n = live->n_dof;
+    double *left = allocate((size_t)n, sizeof *left), lifted, phi;
+    for (int r = 0; r < n; r++)
+        left[r] = live->body->equation[r] < 0 ? g[r] : live->now.u[r];
+    enum status status = potential(live, u, &lifted);
+    if (status == OK && potential(live, left, &phi) == OK && lifted > phi)
+        status = STALLED;
+    free(left);
+    return status;
+}
+
 enum status live_downhill_by(struct live *live, live_lifter *lift,
                              enum tangent tangent, int tries,
                              const struct step_control *control, double u[],
@@ -247,7 +278,7 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, unused;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
     struct step_control rest = *control;
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
@@ -259,7 +290,7 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
         report->systems++;
         status = lift(live->body, live->dt, w, now->u, g, tangent, u);
-        if (status == OK) status = body_energy(live->body, u, &unused);
+        if (status == OK) status = live_start(live, g, u);
     }
     if (status != OK) {
         report->part = 0.0;

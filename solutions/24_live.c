@@ -160,7 +160,7 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
 /*
  * The second rung: backward Euler from the last state [alg:live-frame].  The
  * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
- * and the energy is defined: LIVE_TRIES at most, and none with the last of
+ * and live_start() is: LIVE_TRIES at most, and none with the last of
  * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the
  * systems that are left, whose status is returned; u is taken as it is then.
  * v = (u - u0) / dt, but 0 where that is not OK or the hand was held back.
@@ -173,12 +173,11 @@ static enum status downhill(struct live *live, double u[], double v[],
 {
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n, energy = 0.0;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, energy, u, v, report, status,
-     * control): w and g are to be filled; live->g has the held values at the
-     * end of the way. */
+    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, status, control): w and
+     * g are to be filled; live->g has the held values at the end of the way. */
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
     report->part = 1.0;
     for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
@@ -188,7 +187,7 @@ static enum status downhill(struct live *live, double u[], double v[],
             g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
         report->systems++;
         status = elastic_lift(live->body, dt, w, u0, g, PROJECTED, u);
-        if (status == OK) status = body_energy(live->body, u, &energy);
+        if (status == OK) status = live_start(live, g, u);
     }
     if (status != OK) {
         report->part = 0.0;

@@ -310,6 +310,55 @@ static void in_parts_the_hand_waits(void)
     live_free(live);
 }
 
+/* A lift is a start where Phi is not above that of leaving the body where it
+ * is, or where that is not to be had. */
+static void a_start_is_better_than_none(void)
+{
+    int taken = 0, refused = 0, undefined = 0, alone = 0;
+    for (int law = LOG; law <= CUBIC; law++) {
+        struct live *live = live_of(8, (enum law)law, BACKWARD_EULER);
+        struct pointers hard = pointers_hard();
+        const int n = live->n_dof;
+        double *u = allocate(3 * (size_t)n, sizeof *u), *lift = u + n;
+        double *left = lift + n;
+        for (int k = 0; k < 100; k++) {
+            double to[2], energy;
+            live_input(live, &hard.frame[k]);
+            live_hand(live->hand, &hard.frame[k], to);
+            live_carry(live, to);
+            for (int r = 0; r < n; r++) {
+                u[r] = live->now.u[r] + live->dt * live->now.v[r];
+                left[r] = live->body->equation[r] < 0 ? live->g[r]
+                                                      : live->now.u[r];
+            }
+            if (live_lift(live->body, live->dt, u, live->now.u, live->g,
+                          PROJECTED, lift) != OK) continue;
+            for (int far = 1; far <= 16; far *= 4) { /* too far, or not */
+                for (int r = 0; r < n; r++)
+                    u[r] = left[r] + far * (lift[r] - left[r]);
+                const enum status status = live_start(live, live->g, u);
+                if (body_energy(live->body, u, &energy) != OK) {
+                    ck_assert_int_eq(status, INVERTED);
+                    undefined++;
+                } else if (body_energy(live->body, left, &energy) != OK) {
+                    ck_assert_int_eq(status, OK);
+                    alone++;
+                } else {
+                    const int worse = phi(live, u) > phi(live, left);
+                    ck_assert_int_eq(status, worse ? STALLED : OK);
+                    refused += worse;
+                    taken += !worse;
+                }
+            }
+            live_frame(live, to);
+        }
+        pointers_free(&hard);
+        free(u);
+        live_free(live);
+    }
+    ck_assert(taken > 0 && refused > 0 && undefined > 0 && alone > 0);
+}
+
 /* Every frame of `hard` by the second rung: it ends where it says. */
 static void downhill_goes_down(void)
 {
@@ -723,6 +772,7 @@ static const struct unit_law laws[] = {
     LAW(a_law_is_not_given_what_it_cannot_have),
     LAW(a_lift_solves_the_linear_problem),
     LAW(a_lift_refuses_what_cannot_be),
+    LAW(a_start_is_better_than_none),
     LAW(downhill_goes_down),
     LAW(a_frame_goes_down_the_ladder),
     LAW(trouble_lasts),
