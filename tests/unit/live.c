@@ -357,6 +357,18 @@ static void a_start_is_better_than_none(void)
         live_free(live);
     }
     ck_assert(taken > 0 && refused > 0 && undefined > 0 && alone > 0);
+
+    /* a body that flies: going along strains it, and yet Phi is less */
+    struct live *live = live_of(2, CUBIC, BACKWARD_EULER);
+    double u[18] = {0.0}, g[18] = {0.0}, energy;
+    for (int r = 0; r < live->n_dof; r += 2) {
+        const int free_to_go = live->body->equation[r] >= 0;
+        live->now.v[r] = free_to_go;
+        u[r] = free_to_go * 0.5 * live->dt;
+    }
+    ck_assert(body_energy(live->body, u, &energy) == OK && energy > 0.0);
+    ck_assert_int_eq(live_start(live, g, u), OK);
+    live_free(live);
 }
 
 /* Every frame of `hard` by the second rung: it ends where it says. */
