@@ -1,6 +1,7 @@
 /* live.c - see live.h. */
 #include "live.h"
 
+#include <float.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
@@ -240,32 +241,20 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     return status;
 }
 
-/* *phi := Phi of backward Euler at u [eq:incremental-potential]. */
-static enum status potential(const struct live *live, const double u[],
-                             double *phi)
+enum status live_start(const struct live *live, const double w[],
+                       const double g[], const double u[])
 {
-    const struct state *now = &live->now;
+    const struct body *body = live->body;
     const int n = live->n_dof;
-    double *move = allocate(2 * (size_t)n, sizeof *move), *momentum = move + n;
-    const enum status status = body_energy(live->body, u, phi);
-    *phi *= live->dt * live->dt;
+    double *left = allocate(3 * (size_t)n, sizeof *left), *work = left + n;
+    double lifted, phi, noise;
     for (int r = 0; r < n; r++)
-        move[r] = u[r] - now->u[r] - live->dt * now->v[r];
-    body_mass(live->body, move, momentum);
-    for (int r = 0; r < n; r++) *phi += 0.5 * move[r] * momentum[r];
-    free(move);
-    return status;
-}
-
-enum status live_start(const struct live *live, const double g[],
-                       const double u[])
-{
-    const int n = live->n_dof;
-    double *left = allocate((size_t)n, sizeof *left), lifted, phi;
-    for (int r = 0; r < n; r++)
-        left[r] = live->body->equation[r] < 0 ? g[r] : live->now.u[r];
-    enum status status = potential(live, u, &lifted);
-    if (status == OK && potential(live, left, &phi) == OK && lifted > phi)
+        left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
+    enum status status =
+        step_potential(body, live->dt, w, NULL, u, work, &lifted, &noise);
+    if (status == OK && step_potential(body, live->dt, w, NULL, left, work,
+                                       &phi, &noise) == OK &&
+        lifted > phi + 16.0 * DBL_EPSILON * noise)
         status = STALLED;
     free(left);
     return status;
@@ -290,7 +279,7 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
         report->systems++;
         status = lift(live->body, live->dt, w, now->u, g, tangent, u);
-        if (status == OK) status = live_start(live, g, u);
+        if (status == OK) status = live_start(live, w, g, u);
     }
     if (status != OK) {
         report->part = 0.0;

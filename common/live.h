@@ -17,8 +17,8 @@
  *     fast      from the elastic lift of the state [eq:elastic-lift], factors
  *               kept, FAST_SYSTEMS at most
  *     downhill  backward Euler from the *last* state: the projected lift, the
- *               hand going 1, 1/2, 1/4, 1/8 of its way until that is a start
- *               [live_start()], at last 0; line search, projection on demand,
+ *               hand going 1, 1/2, 1/4, 1/8 of its way until live_start()
+ *               takes it, at last 0; line search, projection on demand,
  *               with what is left of the budget.  What has not converged by
  *               then is accepted, because Phi has fallen.  v = 0 after a frame
  *               that is unfinished, or in which the hand was held back.
@@ -118,13 +118,13 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
 
 /*
  * Is u, lifted to the held values g, a start for the second rung?  OK; or the
- * status of body_energy() at u; or STALLED, where Phi is larger than with the
- * free vertices left where they are.  (Where K is nearly singular a lift can be
- * finite, defined and worse than none; on fine meshes frames without end follow
- * from one.)
+ * status of step_potential() at u; or STALLED, where Phi is larger than with
+ * the free vertices left where they are; w = u0 + dt v0.  (Where K is nearly
+ * singular a lift can be finite, defined and worse than none; on fine meshes
+ * frames without end follow from one.)
  */
-enum status live_start(const struct live *live, const double g[],
-                       const double u[]);
+enum status live_start(const struct live *live, const double w[],
+                       const double g[], const double u[]);
 
 /*
  * The second rung: u, v := the end of the frame, or 0 for v where the frame is

@@ -34,14 +34,10 @@ const char *step_reason(const struct step_control *control,
     return blown_up && !control->line_search ? "fails" : status_name(status);
 }
 
-/*
- * Phi(u) [eq:incremental-potential], and in *noise the size of what is added
- * up, on which its round-off depends.  work: [4 n_vertex].
- */
-static enum status potential(const struct body *body, double dt,
-                             const double w[], const double f[],
-                             const double u[], double work[], double *phi,
-                             double *noise)
+enum status step_potential(const struct body *body, double dt,
+                           const double w[], const double f[],
+                           const double u[], double work[], double *phi,
+                           double *noise)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     double *move = work, *momentum = work + n_dof, kinetic = 0.0, power = 0.0;
@@ -74,14 +70,14 @@ static enum status line_search(const struct body *body, double dt,
     const int n_dof = 2 * body->mesh->n_vertex;
     double slope = 0.0, start, noise, phi, unused;
     enum status status =
-        potential(body, dt, w, f, u, work.twice, &start, &noise);
+        step_potential(body, dt, w, f, u, work.twice, &start, &noise);
     if (status != OK) return status;
     for (int r = 0; r < n_dof; r++) slope += work.q[r] * work.du[r];
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
         for (int r = 0; r < n_dof; r++)
             work.trial[r] = u[r] + length * work.du[r];
         *halved = length < 1.0;
-        status = potential(body, dt, w, f, work.trial, work.twice, &phi,
+        status = step_potential(body, dt, w, f, work.trial, work.twice, &phi,
                            &unused);
         /* close to the minimum Phi has no digits left to compare */
         if (status == OK && phi <= start + 1e-4 * length * slope +

@@ -78,6 +78,16 @@ struct step_report step_solve(struct body *body,
                               const struct step_control *control, double dt,
                               const double w[], const double f[], double u[]);
 
+/*
+ * *phi := Phi(u) [eq:incremental-potential], *noise := the size of what is
+ * added up, on which its round-off depends.  work: [4 n_vertex].  OK; the
+ * status of body_energy() where u has no energy; NONFINITE.
+ */
+enum status step_potential(const struct body *body, double dt,
+                           const double w[], const double f[],
+                           const double u[], double work[], double *phi,
+                           double *noise);
+
 /* u := u + length du, the length by the line search that step_solve() has, for
  * q at u and du = 0 at prescribed vertices [alg:line-search].  STALLED: none
  * decreases Phi; u is unchanged. */

@@ -187,7 +187,7 @@ static enum status downhill(struct live *live, double u[], double v[],
             g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
         report->systems++;
         status = elastic_lift(live->body, dt, w, u0, g, PROJECTED, u);
-        if (status == OK) status = live_start(live, g, u);
+        if (status == OK) status = live_start(live, w, g, u);
     }
     if (status != OK) {
         report->part = 0.0;
