@@ -3,13 +3,17 @@
 
 #include "status.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <gsl/gsl_rng.h>
 #include <math.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 void pointers_add(struct pointers *pointers, struct pointer pointer)
 {
@@ -98,11 +102,20 @@ struct pointers pointers_mad(int seed, int frames)
 
 /* ---- files --------------------------------------------------------------- */
 
+/* The path in a message of one line. */
+static const char *shown(const char *path)
+{
+    char *text = allocate(strlen(path) + 1, 1);
+    for (size_t k = 0; path[k]; k++)
+        text[k] = (char)(iscntrl((unsigned char)path[k]) ? '?' : path[k]);
+    return text;
+}
+
 _Noreturn static void refuse(const char *path, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    fprintf(stderr, "error: %s: ", path);
+    fprintf(stderr, "error: %s: ", shown(path));
     vfprintf(stderr, format, arguments);
     va_end(arguments);
     fputc('\n', stderr);
@@ -144,12 +157,29 @@ struct pointers pointers_named(const char *name, double speed, int seed)
     return pointers_read(name);
 }
 
+/* A new file beside path, whose name becomes `beside`, with the permissions
+ * that path has or would get. */
+static FILE *open_beside(char *beside, const struct stat *old)
+{
+    const int file = mkstemp(beside);
+    if (file < 0) return NULL;
+    const mode_t mask = umask(0);
+    umask(mask);
+    fchmod(file, old ? old->st_mode & 0777 : 0666 & ~mask);
+    return fdopen(file, "w");
+}
+
 void pointers_write(const struct pointers *pointers, const char *path)
 {
-    const size_t size = strlen(path) + 6;
+    struct stat old;
+    const int is_there = lstat(path, &old) == 0;
+    const int is_replaced = !is_there || S_ISREG(old.st_mode);
+    const size_t size = strlen(path) + 8;
     char *beside = allocate(size, 1);
-    snprintf(beside, size, "%s.part", path);
-    FILE *file = fopen(beside, "w");
+    snprintf(beside, size, "%s.XXXXXX", path);
+    signal(SIGXFSZ, SIG_IGN); /* a limit of size is an error, too */
+    FILE *file = is_replaced ? open_beside(beside, is_there ? &old : NULL)
+                             : fopen(path, "w");
     int bad = !file;
     for (int k = 0; k < pointers->n && !bad; k++) {
         const struct pointer *p = &pointers->frame[k];
@@ -157,11 +187,11 @@ void pointers_write(const struct pointers *pointers, const char *path)
                       p->key) < 0;
     }
     if (file) bad |= fclose(file) != 0;
-    bad = bad || rename(beside, path) != 0;
+    if (is_replaced) bad = bad || rename(beside, path) != 0;
     if (bad) {
         const char *why = strerror(errno);
-        if (file) remove(beside);
-        die("%s cannot be written: %s", path, why);
+        if (file && is_replaced) remove(beside);
+        die("%s cannot be written: %s", shown(path), why);
     }
     free(beside);
 }

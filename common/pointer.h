@@ -31,7 +31,7 @@ struct pointers {
  * Scripts.
  *
  *     pull   the middle of the right side goes to the right with `speed` (m/s),
- *    XX
+ *            for 40 frames, and is held where it is for 20
  *     hard   pulled, shaken, slammed and pushed through itself in 180 frames,
  *            then let go, 120 frames
  *     mad    `frames` frames of a hand that grabs, leaps and lets go at random
@@ -50,7 +50,10 @@ struct pointers pointers_read(const char *path);
 /* The script of this name, "mad" of 600 frames, or the lines of the file. */
 struct pointers pointers_named(const char *name, double speed, int seed);
 
-/* Write them to path, beside it first; die() when that fails. */
+/*
+ * Write them to path: a file gets all of them or stays what it was, a device, a
+ * pipe or a link is written into.  die() when that fails.
+ */
 void pointers_write(const struct pointers *pointers, const char *path);
 
 void pointers_add(struct pointers *pointers, struct pointer pointer);

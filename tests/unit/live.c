@@ -3,12 +3,15 @@
 
 #include "unit.h"
 
+#include <fcntl.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static struct live *live_of(int n, enum law law, enum method method)
@@ -755,17 +758,79 @@ static void bad_lines_are_named(void)
     snprintf(path, sizeof path, "%s", name);
     ck_assert_str_eq(outcome_of(read_it).out, "2");
     remove(name);
+    snprintf(path, sizeof path, "a\nb");
+    ck_assert_str_eq(outcome_of(read_it).err,
+                     "error: a?b: No such file or directory\n");
 }
 
-static void write_nowhere(void)
+static void write_pull(void)
 {
     struct pointers pull = pointers_named("pull", 1.0, 1);
-    pointers_write(&pull, "/there/is/none");
+    pointers_write(&pull, path);
+    pointers_free(&pull);
+}
+
+static void write_within_a_limit(void)
+{
+    setrlimit(RLIMIT_FSIZE, &(struct rlimit){500, 500});
+    write_pull();
+}
+
+/* In a folder of its own: a file that is there keeps its permissions, what is
+ * called like it is not touched, a pipe and a link stay what they are. */
+static void only_a_file_is_replaced(void)
+{
+    char folder[] = "/tmp/live.XXXXXX", text[99] = "";
+    const char *const name[] = {"new", "new.part", "old", "link", "pipe"};
+    const mode_t mask = umask(027);
+    struct stat is;
+    ck_assert(mkdtemp(folder) && chdir(folder) == 0);
+    for (int k = 1; k < 3; k++) {
+        FILE *file = fopen(name[k], "w");
+        ck_assert(file && fputs("kept\n", file) >= 0 && fclose(file) == 0);
+    }
+    ck_assert(chmod("old", 0604) == 0 && symlink("old", "link") == 0 &&
+              mkfifo("pipe", 0600) == 0);
+    const int reader = open("pipe", O_RDONLY | O_NONBLOCK);
+    for (int k = 0; k < 5; k++) {
+        if (k == 1) continue;
+        snprintf(path, sizeof path, "%s", name[k]);
+        ck_assert_int_eq(outcome_of(write_pull).status, 0);
+        ck_assert_int_eq(lstat(path, &is), 0);
+        ck_assert_msg(k == 3   ? S_ISLNK(is.st_mode)
+                      : k == 4 ? S_ISFIFO(is.st_mode)
+                               : (is.st_mode & 0777) == (k ? 0604 : 0640),
+                      "%s: mode %o", path, (unsigned)is.st_mode);
+    }
+    ck_assert(read(reader, text, 8) == 8 && strcmp(text, "1 0 1 .\n") == 0);
+    close(reader);
+    snprintf(path, sizeof path, "old");
+    ck_assert_str_eq(outcome_of(read_it).out, "60");
+    FILE *file = fopen("new.part", "r");
+    ck_assert(file && fgets(text, sizeof text, file) && fclose(file) == 0);
+    ck_assert_str_eq(text, "kept\n");
+    for (int k = 0; k < 5; k++) remove(name[k]);
+    umask(mask);
+    ck_assert(chdir("/") == 0);
+    ck_assert_msg(rmdir(folder) == 0, "%s has other files", folder);
+}
+
+static void a_record_beyond_a_limit_leaves_nothing(void)
+{
+    char folder[] = "/tmp/live.XXXXXX";
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/a\nb", folder);
+    const struct outcome end = outcome_of(write_within_a_limit);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert_ptr_nonnull(strstr(end.err, "/a?b cannot be written: "));
+    ck_assert(strchr(end.err, '\n') == end.err + strlen(end.err) - 1);
+    ck_assert_msg(rmdir(folder) == 0, "%s has a file", folder);
 }
 
 static void what_cannot_be_written_is_said(void)
 {
-    const struct outcome end = outcome_of(write_nowhere);
+    snprintf(path, sizeof path, "/there/is/none");
+    const struct outcome end = outcome_of(write_pull);
     ck_assert_int_eq(end.status, 1);
     ck_assert_str_eq(end.err, "error: /there/is/none cannot be written: "
                               "No such file or directory\n");
@@ -801,5 +866,7 @@ static const struct unit_law laws[] = {
     LAW(a_replay_is_the_same),
     LAW(bad_lines_are_named),
     LAW(what_cannot_be_written_is_said),
+    LAW(only_a_file_is_replaced),
+    LAW(a_record_beyond_a_limit_leaves_nothing),
 };
 UNIT_MAIN("live", laws)
