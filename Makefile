@@ -36,10 +36,12 @@ endif
 PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # What is made is moved to its place when it is whole: another make may be
 # reading or running the old one.  A signal leaves no half of it.
-COMPILE = trap 'rm -f $@.$$$$' 0; trap 'exit 130' 1 2 15; \
-          $(PLAIN) -MMD -MP -MF $@.d -MT $@
-OBJECT  = -c -o $@.$$$$ && mv -f $@.$$$$ $@
-PLACED  = -o $@.$$$$ $(LINK) && mv -f $@.$$$$ $@
+PART    = $@.$$$$.part
+WHOLE   = trap 'rm -f $(PART)' 0; trap 'exit 130' 1 2 15;
+MOVED   = mv -f $(PART) $@
+COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
+OBJECT  = -c -o $(PART) && $(MOVED)
+PLACED  = -o $(PART) $(LINK) && $(MOVED)
 LINK    = $(LIB) $(LDFLAGS) $(GSL_LIBS)
 BUILD   ?= build
 Q       := $(if $(V),,@)
@@ -122,7 +124,7 @@ OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(filter-out \
                common/window.c,$(wildcard common/*.c)))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
-	$(Q)rm -f $@.$$$$ && ar rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
+	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
 
 native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
              $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)))
@@ -185,10 +187,10 @@ endif
 # A study whose claim is false ends with status 1 and leaves no data.
 $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 	$(call say,run,$<)
-	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
+	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(PART) && $(MOVED)
 $(COUNTED:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%
 	$(call say,study,$*)
-	$(Q)mkdir -p $(@D) && $< > $@.part && mv $@.part $@
+	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(PART) && $(MOVED)
 
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 DRAW = $(Q)mkdir -p $(@D) && sh tests/tools/figure.sh
@@ -202,7 +204,7 @@ $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
 # The map of the course is drawn from the heads of the chapters.
 figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md)
 	$(call say,map,$@)
-	$(Q)awk -f $< $(filter %.md,$^) > $@.part && mv $@.part $@
+	$(Q)$(WHOLE) awk -f $< $(filter %.md,$^) > $(PART) && $(MOVED)
 figures: $(FIGURES) $(TIMED_HERE)
 	@echo 'figures: $(words $(FIGURES)) in figures/;' \
 	      '$(words $(TIMED_HERE)) with seconds of this machine in' \
@@ -210,9 +212,8 @@ figures: $(FIGURES) $(TIMED_HERE)
 
 $(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
 	$(call say,check,$*)
-	$(Q)$< --file solutions/$*.c --reference $(BUILD)/solutions/$* \
-	    > $@.part || { cat $@.part; exit 1; }
-	$(Q)mv $@.part $@
+	$(Q)$(WHOLE) $< --file solutions/$*.c --reference $(BUILD)/solutions/$* \
+	    > $(PART) || { cat $(PART); exit 1; }; $(MOVED)
 
 course: $(LESSONS:%=$(BUILD)/solutions/%.verdict) figures \
         $(COUNTED:%=$(BUILD)/data/%.tsv)
@@ -239,18 +240,20 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && \
 	    rival='$(if $(filter %/solvers,$*),$(CHOLMOD))' && $(COMPILE) \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
-	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $@ $(LINK) \
-	    $$rival $$lapack
+	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) $(LINK) \
+	    $$rival $$lapack && $(MOVED)
 # One after the other, each time anew, and the pictures with seconds in them in
 # their place in the tree.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
-	@for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
+	@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
+	trap 'exit 130' 1 2 15; \
+	for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
 	    data=$(BUILD)/data/$$s.tsv; mkdir -p $${data%/*}; \
 	    printf '  %-8s %s\n' bench "$$s" >&2; \
 	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
 	        $(BUILD)/figures/$$s \
-	        > $$data.part && mv $$data.part $$data && cat $$data || exit 1; \
+	        > $$part && mv $$part $$data && cat $$data || exit 1; \
 	done
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
 	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$$f.tsv \

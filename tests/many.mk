@@ -18,8 +18,8 @@ MANY_CC = OMPI_CC='$(CC)' mpicc $(STD) $(STRICT) $(CFLAGS) -Icommon \
 MANY_LIBS = $(LINK) $$(pkg-config --libs petsc)
 $(MANY)/many: $(MANY_FILES) $(LIB) Makefile tests/many.mk
 	$(call say,mpicc,figures/many/many.c)
-	$(Q)mkdir -p $(@D) && $(MANY_CC) figures/many/many.c -o $@.$$$$ \
-	    $(MANY_LIBS) && mv -f $@.$$$$ $@
+	$(Q)mkdir -p $(@D) && $(WHOLE) $(MANY_CC) figures/many/many.c -o $(PART) \
+	    $(MANY_LIBS) && $(MOVED)
 MANY_WRONG := $(shell $(VARIANT) -v list=mistake tests/many/mistakes.txt)
 $(MANY_WRONG:%=$(MANY)/%/many): $(MANY)/%/many: tests/many/mistakes.txt \
         $(MANY_FILES) $(LIB) tests/tools/variant.awk

@@ -40,10 +40,10 @@ define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
 	$(Q)mkdir -p $$(@D)
-	$(Q)$$(VARIANT) -v name=$(notdir $1) -v get=caught-by,why $$< \
-	        > $$(@:.c=.why) && \
-	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$@.part && \
-	    mv $$@.part $$@ || rm -f $$@ $$@.part $$(@:.c=.why)
+	$(Q)$$(WHOLE) $$(VARIANT) -v name=$(notdir $1) -v get=caught-by,why $$< \
+	        > $$(PART) && mv -f $$(PART) $$(@:.c=.why) && \
+	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$(PART) && \
+	    $$(MOVED) || rm -f $$@ $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
 	$(Q)[ ! -f $$< ] || { $$(QUICK) $$< $$(PLACED); }
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
@@ -226,9 +226,9 @@ $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(call say,test,random options)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
-# both on one lesson, the cheapest to judge
+# all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(T)/hostile.result $(T)/grade.result: $(T)/%.result: tests/cli/%.sh \
+$(patsubst %,$(T)/%.result,hostile grade limits): $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(call mistakes_of,$(TRIED))
@@ -244,7 +244,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/many.result \
+           $(T)/limits.result $(T)/many.result \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

@@ -8,7 +8,9 @@ set -u
 LC_ALL=C
 export LC_ALL
 script=$1 data=$2 out=$3
-part=$out.part
+part=$out.$$.part
+trap 'rm -f "$part"' EXIT
+trap 'exit 130' HUP INT TERM
 said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)
 status=$?
 # of a GIF gnuplot says how many frames it has; in the C locale it has no degree
@@ -22,7 +24,6 @@ whole() { # an SVG ends with its tag, a GIF with a semicolon
     esac 2>/dev/null
 }
 if [ $status -ne 0 ] || [ -n "$said" ] || ! whole; then
-    rm -f "$part"
     echo "figure: $script failed: ${said:-no picture}" >&2
     exit 1
 fi

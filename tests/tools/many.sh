@@ -12,7 +12,9 @@ programs=${BUILD:-build}/figures/many
 program=$programs/many
 kept=figures/many/many.tsv
 out=$(mktemp -d) || exit 2
-trap 'rm -rf "$out"' EXIT
+part=$kept.$$.part
+trap 'rm -rf "$out" "$part"' EXIT
+trap 'exit 130' HUP INT TERM
 
 # cells, steps, method, processes, compare with step.c
 small='16 10 geometric 1 yes
@@ -165,7 +167,7 @@ measure() {
         printf '# %s\n' "$table"
         cat "$out/$table"
         printf '\n\n'
-    done >"$kept.part"
+    done >"$part"
     if [ -s "$out/seconds" ]; then
         for round in 1 2 3; do each "$timed" round_; done
         : >>"$out/round_seconds"
@@ -177,8 +179,8 @@ measure() {
         done >"$out/all_seconds"
     fi
     : >>"$out/all_seconds"
-    awk -F '\t' -f tests/tools/many.awk "$kept.part" "$out/all_seconds" || exit 1
-    mv "$kept.part" "$kept"
+    awk -F '\t' -f tests/tools/many.awk "$part" "$out/all_seconds" || exit 1
+    mv "$part" "$kept"
     echo "  wrote    $kept"
     [ -s "$out/seconds" ] || echo 'The machine was busy: no seconds.'
 }

@@ -182,9 +182,11 @@ grade() { # grade FILE NAME INTO
     judge "$1" "$2" >"$3/said" 2>&1
     [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }
-folder=
+folder= part=
 # one signal is enough
-trap 'trap "" INT TERM HUP QUIT; [ -z "$folder" ] || clean_up' EXIT
+trap 'trap "" INT TERM HUP QUIT
+    [ -z "$folder" ] || clean_up
+    [ -z "$part" ] || rm -f "$part"' EXIT
 trap 'exit 130' INT TERM HUP QUIT
 
 # Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>
@@ -210,8 +212,28 @@ last_result() { # the last verdict's word, failed check and slot
 plot_spec() { sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1; }
 
 out=$BUILD/mine/$slug.tsv
-run_mine() { # with limits, so that an endless loop or endless output ends
-    (ulimit -t 20 -f 65536 2>/dev/null; exec "$built/mine/$slug" >"$out")
+# limit OPTION MOST: `ulimit`, which in dash sets one limit at a time.  One that
+# is there already may be lower.
+limit() {
+    ulimit "$1" "$2" 2>/dev/null ||
+        case $(ulimit "$1" 2>/dev/null) in
+        *[0-9]*) ;;
+        *) echo "ulimit knows no $1 here: what never ends is yours to stop." >&2 ;;
+        esac
+}
+run_mine() { # so that an endless loop or endless output ends
+    (
+        limit -t 21
+        ulimit -S -t 20 2>/dev/null # a signal that has a name
+        limit -f 65536
+        exec "$built/mine/$slug" >"$out"
+    )
+    ended=$?
+    case $ended in
+    152) echo 'The program was ended: it computes for too long.' ;;
+    153) echo "The program was ended: it prints too much; see $out" ;;
+    esac >&2
+    return $ended
 }
 
 draw() { # in the C locale gnuplot has no degree sign of its own, and says so
@@ -310,10 +332,10 @@ plot)
     run_mine || exit $?
     given="mine='$out'; reference='$BUILD/data/$slug.tsv'"
     given="$given; name='$1'; x='$2'; y='$3'"
-    picture=$BUILD/mine/$slug.svg
+    picture=$BUILD/mine/$slug.svg part=$BUILD/mine/$slug.$$.part
     rm -f "$picture"
-    draw "$given; out=''" && draw "$given; out='$picture.part'" &&
-        mv "$picture.part" "$picture" &&
+    draw "$given; out=''" && draw "$given; out='$part'" &&
+        mv "$part" "$picture" &&
         echo "Table \`$1\`, $3 against $2; the picture is $picture" ;;
 hint)
     hint ;;
@@ -326,13 +348,13 @@ solution)
         exit 1
     fi ;;
 reset)
-    starter "$slug" >"$mine.part" || exit 1
-    if cmp -s "$mine.part" "$mine"; then
-        rm -f "$mine.part"
+    part=$mine.$$.part
+    starter "$slug" >"$part" || exit 1
+    if cmp -s "$part" "$mine"; then
         echo "$mine is the starter already."
     else
         save_mine
-        mv "$mine.part" "$mine"
+        mv "$part" "$mine"
         rm -f "$state".*
         echo "$mine is the starter again."
     fi ;;
@@ -341,15 +363,14 @@ status)
 starters)
     shift
     for slug in "$@"; do
-        mine=lessons/$slug.c
-        starter "$slug" >"$mine.part" || { rm -f "$mine.part"; exit 1; }
-        if cmp -s "$mine.part" "$mine"; then
-            rm -f "$mine.part"
-        else
+        mine=lessons/$slug.c part=$mine.$$.part
+        starter "$slug" >"$part" || exit 1
+        if ! cmp -s "$part" "$mine"; then
             save_mine
-            mv "$mine.part" "$mine"
+            mv "$part" "$mine"
             echo "  starter  $mine"
         fi
+        rm -f "$part"
     done ;;
 *)
     echo "student.sh: no command $command" >&2

@@ -14,9 +14,12 @@ if [ $# = 0 ]; then
 fi
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 new=$(mktemp) || exit 2
-trap 'rm -f "$new"' EXIT
+part=
+trap 'rm -f "$new" "$part"' EXIT
+trap 'exit 130' HUP INT TERM
 said=0
 for file; do
+    part=$file.$$.part
     table=
     [ "$file" = "$equations" ] ||
         table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
@@ -24,7 +27,7 @@ for file; do
         -v table="$table" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
     if [ "$command" = fill ]; then
-        cp "$new" "$file.part" && mv "$file.part" "$file" || exit 2
+        cp "$new" "$part" && mv "$part" "$file" || exit 2
         echo "  book     $file is filled"
     else
         diff "$file" "$new" | head -n 20
