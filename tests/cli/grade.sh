@@ -23,7 +23,7 @@ state() {
 
 # ---- the class ----------------------------------------------------------------
 for student in Zo"$(printf '\303\253')" "O'Neill, \"Sean\"" -dash 'two twice' \
-    'Mallory ' nobody; do
+    'Mallory ' nobody ann bob eve fay gil; do
     mkdir -p "class/$student/handed in"
 done
 variant lift_sign >"class/O'Neill, \"Sean\"/handed in/$slug.c"
@@ -50,6 +50,13 @@ export hostile='for (int k = 1; k < 9; k++) {
         comment && /\*\// { comment = 0; print ENVIRON["hostile"] }' \
         "solutions/$slug.c" | sed "s|SLUG/|$slug/|; s|cd HERE|cd $PWD|"
 } >"class/Mallory /$slug.c"
+# ann's, as a browser names it, and bob's are Sean's but for comments and blanks;
+# gil has the solution's text, eve includes it, fay wrote UTF-16
+variant lift_sign | tee "class/ann/$slug (1).c" |
+    sed -e 's|/\*.*\*/||; s/    /	/' -e 's/$/ /' >"class/bob/$slug.c"
+{ echo '/* all'; echo 'mine */'; cat "solutions/$slug.c"; } >"class/gil/$slug.c"
+echo "#include \"solutions/$slug.c\"" >"class/eve/$slug-2.c"
+printf '\377\376/\000*\000' >"class/fay/$slug.c"
 ln -s "$PWD/solutions" class/everyone
 echo text >class/a.txt
 mkdir "class/$(printf 'a\nb')"
@@ -62,6 +69,11 @@ student,lesson,verdict,check,slot,mistake
 "Mallory ",$slug,CRASHED,matrix_stays_symmetric,3b,-
 "O'Neill, ""Sean""",$slug,WRONG,same_as_elimination,3a,lift_sign
 Zo$(printf '\303\253'),$slug,OK,-,-,-
+ann,$slug,WRONG,same_as_elimination,3a,lift_sign
+bob,$slug,WRONG,same_as_elimination,3a,lift_sign
+eve,$slug,WRONG,compile,-,-
+fay,$slug,WRONG,compile,-,-
+gil,$slug,OK,-,-,-
 two twice,$slug,two files,-,-,-
 END
 state >before
@@ -73,13 +85,16 @@ for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; 
     grep -qF "$text" build/grade/grades.svg
     result $? "grade draws: $text" "$(ls build/grade)"
 done
-for text in "known mistake (lift_sign)" "== two twice, $slug"; do
+for text in "known mistake (lift_sign)" "== two twice, $slug" 'is in UTF-16' \
+    "not judged: solutions/$slug.c" \
+    "aside: gil/$slug.c, two twice/$slug.c, solutions/$slug.c"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"
 done
 for text in '99_nothing.c: no lesson' 'twice/link: a link' 'everyone: a link' \
     "a.txt: in no student's folder" 'a?b: a name with control' \
-    'nobody: nothing to judge' 'another file of this lesson' '1  03 lift sign'; do
+    'nobody: nothing to judge' 'another file of this lesson' '3  03 lift sign' \
+    "  O'Neill, \"Sean\"/handed in/$slug.c, ann/$slug (1).c, bob/$slug.c"; do
     echo "$said" | grep -qF "$text"
     result $? "grade says: $text" "$said"
 done

@@ -26,7 +26,9 @@ fail() { echo "grade: $*" >&2; exit 2; }
 take() {
     for file in "$@"; do
         shown=${file#"$DIR"/} base=${file##*/}
-        slug=${base%.c}
+        # browsers number what is there already: NN_slug (1).c, NN_slug-1.c
+        slug=$(printf '%s\n' "${base%.c}" |
+            sed -e 's/ *([0-9]*)$//' -e 's/-[0-9]*$//')
         case $shown in
         *[[:cntrl:]]*) note "$shown" "a name with control characters"; continue ;;
         esac
@@ -35,7 +37,7 @@ take() {
             continue
         fi
         case " $LESSONS " in *" $slug "*) ;; *) slug= ;; esac
-        if [ -z "$slug" ] || [ "$base" = "$slug" ]; then
+        if [ -z "$slug" ] || [ "$base" = "${base%.c}" ]; then
             note "$shown" "no lesson"
         elif [ ! -f "$file" ]; then
             note "$shown" "not a plain file"
@@ -76,6 +78,49 @@ collect() {
         elif [ -e "$student" ]; then
             note "$name" "in no student's folder"
         fi
+    done
+}
+
+# text FILE: a sum of it without blanks and comments.
+text() {
+    tr '\r' '\n' <"$1" | awk '
+        { rest = $0
+          while (rest != "") {
+              at = index(rest, inside ? "*/" : "/*")
+              if (!inside) print at ? substr(rest, 1, at - 1) : rest
+              rest = at ? substr(rest, at + 2) : ""
+              if (at) inside = !inside
+          } }' | tr -d '[:space:]' | cksum
+}
+
+# Which files have the text of another one or of the solution?  That of the
+# starter is everybody's.  A line per text is left in $work/same, and what is
+# said of each file beside it.
+same() {
+    for folder in "$work"/[0-9]*/; do
+        slug=${folder##*/*.} slug=${slug%/}
+        echo "$slug $(text "$folder$slug.c")$tab$(cat "$folder/name")$tab$folder"
+    done >"$work/texts"
+    for slug in $(sed 's/ .*//' "$work/texts" | sort -u); do
+        awk -f tests/tools/starter.awk "solutions/$slug.c" >"$work/starter"
+        echo "$slug $(text "$work/starter")$tab$tab"
+        echo "$slug $(text "solutions/$slug.c")${tab}solutions/$slug.c$tab"
+    done >>"$work/texts"
+    awk -F '\t' '
+        $2 == "" { everybody[$1] }
+        { name[NR] = $2; folder[NR] = $3; key[NR] = $1; count[$1]++ }
+        END {
+            for (i = 1; i <= NR; i++)
+                if (!(key[i] in everybody) && count[key[i]] > 1)
+                    group[key[i]] = group[key[i]] ", " name[i]
+            for (k in group) print "\t" substr(group[k], 3)
+            for (i = 1; i <= NR; i++)
+                if (key[i] in group && folder[i])
+                    print folder[i] "\t" substr(group[key[i]], 3)
+        }' "$work/texts" >"$work/groups"
+    sed -n "s/^$tab//p" "$work/groups" | sort >"$work/same"
+    grep -v "^$tab" "$work/groups" | while IFS=$tab read -r folder names; do
+        echo "The same text, blanks and comments aside: $names" >"${folder}same"
     done
 }
 
@@ -227,6 +272,10 @@ summary() {
             tr -d ' '):"
         head -n 10 "$work/known" | awk -F '\t' '{ printf "  %5d  %s\n", $2, $1 }'
     }
+    [ ! -s "$work/same" ] || {
+        echo '  the same text, blanks and comments aside:'
+        sed 's/^/    /' "$work/same"
+    }
     [ ! -s "$work/notes" ] || echo '  not judged:'
     show_notes | sed 's/^/  /'
 }
@@ -246,6 +295,7 @@ class() {
     trap 'exit 130' INT TERM HUP QUIT
     collect
     judge_all || fail 'some submissions are not judged'
+    same
     cat "$work"/*/row | sort -t "$tab" -k 1,1 -k 2,2 >"$work/rows"
     csv "$work/rows" >"$work/csv" && mv "$work/csv" "$out/grades.csv" || exit 2
     for folder in "$work"/[0-9]*/; do
@@ -254,6 +304,7 @@ class() {
     done | sort | while IFS=$tab read -r student lesson folder; do
         printf '== %s, %s\n' "$student" "$lesson"
         cat "$work/$folder/said"
+        [ ! -f "$work/$folder/same" ] || cat "$work/$folder/same"
         echo
     done >"$work/verdicts" && mv "$work/verdicts" "$out/verdicts.txt"
     draw

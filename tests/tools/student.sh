@@ -98,6 +98,13 @@ explain_compile() {
     fi
 }
 
+# The programs that FILE, whose judge is compiled, includes: what is said of it
+# must not be said of them.
+included() {
+    tr ' \\' '\n\n' <"$folder/judge.d" | sed 's/:$//' | grep '\.c$' | sort -u |
+        grep -vxF -e "tests/checks/$slug.c" -e "$1" | tr '\n' ' ' | sed 's/ $//'
+}
+
 # Every file that a judgement rests on, with its sum.
 fingerprint() {
     cksum Makefile common/* solutions/*.c tests/*/* \
@@ -117,6 +124,12 @@ judge() {
         verdict "UNFINISHED (empty file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
+    case $(od -An -tx1 -N2 "$1" | tr -d ' ') in
+    fffe | feff | 00?? | ??00)
+        echo "$2 is in UTF-16. Save it as UTF-8, which compilers read."
+        verdict "WRONG (UTF-16)" "WRONG compile - -" "make check-$nn"
+        return 1 ;;
+    esac
     patiently "$MAKE" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
         >"$folder/log" 2>&1 || { not_your_fault; return 2; }
     if ! compile "$folder/judge" "$1"; then
@@ -127,6 +140,13 @@ judge() {
         explain_compile "$1" "$2"
         [ -z "$log" ] || echo "  the whole message: $log"
         verdict "WRONG (does not compile)" "WRONG compile - -" "make check-$nn"
+        return 1
+    fi
+    others=$(included "$1")
+    if [ -n "$others" ]; then
+        echo "$2 includes another program, which is not judged: $others" |
+            tee -a "$folder/log"
+        verdict "WRONG (includes a program)" "WRONG compile - -" "make check-$nn"
         return 1
     fi
     sums=$(fingerprint)
