@@ -46,6 +46,9 @@ rule 'lines of at most 80 columns' \
     "$(for f in $sources; do awk -v f="$f" 'length > 80 { print f ":" FNR }' "$f"; done)"
 rule 'no // comments' "$(grep -nE '(^|[^:"])//' $sources)"
 rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile | grep -vE 'filter|error')"
+rule 'ulimit sets one limit at a time (dash takes no more)' \
+    "$(grep -nE 'ulimit( +-[SH])* +-[a-z] +[0-9a-z]+ +-' Makefile tests/*.mk \
+        tests/tools/*.sh tests/cli/*.sh)"
 sh tests/tools/sizes.sh lint
 rule 'a header of at most 25 lines tells what a program is for' \
     "$(for f in solutions/*.c $studies; do
