@@ -34,8 +34,7 @@ static double *entry(const struct matrix *A, int i, int j)
     return &A->a[(size_t)j * A->stride + (size_t)(i - j)];
 }
 
-/* Is it a band that banded.h factors? */
-static int is_wide(const struct matrix *A)
+static int is_wide(const struct matrix *A) /* for banded.h */
 {
     return A->storage == BANDED && A->p >= BAND_WIDE;
 }
@@ -96,9 +95,7 @@ struct matrix *matrix_block(const struct matrix *A, int first, int n)
 void matrix_free(struct matrix *A)
 {
     if (!A) return;
-    free(A->a);
-    free(A->factor);
-    free(A);
+    free(A->a), free(A->factor), free(A);
 }
 
 void matrix_zero(struct matrix *A)
@@ -281,7 +278,7 @@ enum status matrix_solve_indefinite(const struct matrix *A, double b[],
     double *copy = allocate(n * row, sizeof *copy);
     gsl_matrix_view view = gsl_matrix_view_array(copy, n, row);
     gsl_vector_view x = gsl_vector_view_array(b, n);
-    assert(A->storage == BANDED || A->storage == PLAIN);
+    assert(A->storage != DENSE);
     for (size_t j = 0; j < n; j++)
         memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
     gsl_error_handler_t *old = gsl_set_error_handler_off();
@@ -326,8 +323,7 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[])
         gsl_eigen_symm(copy, &values.vector, work);
         gsl_sort_vector(&values.vector);
     }
-    gsl_eigen_symm_free(work);
-    gsl_matrix_free(copy);
+    gsl_eigen_symm_free(work), gsl_matrix_free(copy);
     return status;
 }
 

@@ -17,7 +17,7 @@
  * wide one (BAND_WIDE, banded.h) have room behind them that holds zeros.  The
  * entries * beyond the last row are zero and stay it.  SPARSE is sparse.h: 2x2
  * blocks by columns, in the order of nested dissection, and factors elsewhere.
- * PLAIN is a band of any width as a narrow one, by the textbook's loops: slower,
+ * PLAIN is a band of any width as a narrow one, by the textbook's loops: slow,
  * and with the same digits for every processor and compiler, where BANDED and
  * SPARSE add in the order that is fast.  It is for studies of chaotic paths.
  *

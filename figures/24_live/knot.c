@@ -5,8 +5,8 @@
  * seconds, then let go; eight seconds later, or when it has been still for one,
  * the body is looked at.  60 times, the same for both laws.  Tables: after (how
  * many are at rest, knotted, or neither; knotted in per cent with the standard
- * error), body (the triangles of the first body that is knotted, with J, and its
- * knots, with J = 0).
+ * error), body (the triangles of the first body that is knotted, with J, and
+ * its knots, with J = 0).
  */
 #include "live.h"
 #include "study.h"

@@ -1,6 +1,6 @@
 # chart.gp - the chart of the course: methods and laws by scenes.
-# Reads   data  table chart (method law scene passed standard_error
-#               systems ms error), machine
+# Reads   data  table chart (method law scene passed passed_se systems
+#               ms error), machine
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,500
@@ -44,8 +44,8 @@ count(n) = sprintf(n < 9.95 ? "%.1f" : "%.0f", n)
 all(i) = column("passed") == 100 ? count(column("systems")) : \
     column("passed") > 0 ? sprintf("%.0f%s %%", column("passed"), unsure(i)) : \
     "failed"
-unsure(i) = stringcolumn("standard_error") eq "-" ? "" : \
-    sprintf(" ± %.0f", column("standard_error"))
+unsure(i) = stringcolumn("passed_se") eq "-" ? "" : \
+    sprintf(" ± %.0f", column("passed_se"))
 price(i) = column("passed") > 0 ? (column("passed") < 100 ? \
     count(column("systems")).sprintf("; %.2g ms", column("ms")) : \
     sprintf("%.2g ms", column("ms"))) : ""

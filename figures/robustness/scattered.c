@@ -3,10 +3,8 @@
  *
  * The free vertices of n = 4 are thrown to random places, each component within
  * an amplitude (in h) of its own, and equilibrium without load is asked for.
- * Tables: where the runs of each method end, from the same starts, the parts of
- * all with their standard errors, and the linear systems of those that find an
- * equilibrium; one that is not at rest.  (These meshes have narrow bands, whose
- * digits are the same on every machine, as paths that are chaotic need.)
+ * Tables: where the runs of each method end, with standard errors, and systems
+ * solved by those that find an equilibrium; one that is not at rest.
  */
 #include "scene.h"
 #include "study.h"
@@ -94,7 +92,7 @@ int main(void)
     static struct census c[STARTS][METHODS];
     table_begin("scattered", "held amplitude method seeds inverted rest stable "
                 "saddle not_spd fails median p90 least_J rest_part rest_error "
-                "stable_part stable_error");
+                "stable_part");
     for (int k = 0; k < STARTS; k++)
         for (int m = 0; m < METHODS; m++) {
             c[k][m] = take_census(k, method[m]);
@@ -104,10 +102,8 @@ int main(void)
                       end[NO_MINIMUM], end[STOPPED], end[FAILS],
                       cell_if(some, times_median(&c[k][m].systems)),
                       cell_if(some, times_quantile(&c[k][m].systems, 0.9)),
-                      cell_if(some, c[k][m].least_J),
-                      1.0 * end[REST] / SEEDS, rate_error(end[REST], SEEDS),
-                      1.0 * end[MINIMUM] / SEEDS,
-                      rate_error(end[MINIMUM], SEEDS));
+                      cell_if(some, c[k][m].least_J), 1.0 * end[REST] / SEEDS,
+                      rate_error(end[REST], SEEDS), 1.0 * end[MINIMUM] / SEEDS);
         }
     table_end();
     print_tangled();
@@ -115,11 +111,8 @@ int main(void)
         claim(c[k][3].end[REST] == SEEDS, "demand+search brings all back");
     claim(c[2][1].end[STOPPED] == SEEDS && c[2][2].end[FAILS] > 0.9 * SEEDS,
           "from 4 h neither search nor projection alone does");
-    claim(rate_apart(c[0][2].end[REST], SEEDS, c[0][0].end[REST], SEEDS) >
-                  RATE_SURE &&
-              rate_apart(c[0][0].end[REST], SEEDS, c[0][1].end[REST], SEEDS) >
-                  RATE_SURE,
-          "from h / 2 projection alone helps, a line search alone does not");
+    claim(rate_apart(c[0][0].end[REST], SEEDS, c[0][1].end[REST], SEEDS) >
+              RATE_SURE, "from h / 2 a line search alone makes it worse");
     const struct census *left = &c[4][3];
     claim(left->end[REST] + left->end[MINIMUM] == SEEDS && left->least_J > 0 &&
           left->end[MINIMUM] > 0.3 * SEEDS, "there are other stable answers");
