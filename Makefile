@@ -25,8 +25,9 @@ $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
 endif
 # Flags for common/banded.c, front.c, readable.c and body.c, where they count: of
 # the list that the compiler takes; body.c goes without the last, so that its
-# digits are the same everywhere.  They make the build one for this machine; `make
-# clean` and NATIVE= give one for any.
+# digits are the same everywhere, and without pairs made of lines that stand one
+# after the other, which gcc 12 contracts all the same.  They make the build one
+# for this machine; `make clean` and NATIVE= give one for any.
 ifeq ($(origin NATIVE),undefined)
 NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
              -mprefer-vector-width=512 -ffp-contract=fast; do \
@@ -127,7 +128,8 @@ $(LIB): $(OBJECTS)
 	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
 
 native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
-             $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)))
+             $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)) \
+                 -fno-tree-slp-vectorize)
 $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \

@@ -92,7 +92,7 @@ void body_store(struct body *body, enum storage storage)
     body->n_equation = number_equations(body);
     for (int e = 0; e < body->mesh->n_triangle; e++) sort_vertices(body, e);
     body->K = body->pattern ? matrix_alloc_sparse(body->pattern)
-                            : matrix_alloc(BANDED, body->n_equation,
+                            : matrix_alloc(storage, body->n_equation,
                                            half_bandwidth(body));
     scatter_map(body, body->place);
 }
@@ -343,7 +343,7 @@ enum status body_force(const struct body *body, const double u[], double q[])
 struct matrix *body_matrix(const struct body *body)
 {
     if (body->pattern) return matrix_alloc_sparse(body->pattern);
-    return matrix_alloc(BANDED, body->n_equation, body->K->p);
+    return matrix_alloc(body->K->storage, body->n_equation, body->K->p);
 }
 
 enum status body_stiffness(const struct body *body, const double u[],

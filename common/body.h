@@ -81,7 +81,7 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
                         double rho, enum mass mass, const int held[]);
 void body_free(struct body *body);
 
-/* Number the equations anew, for a zero K in this storage, BANDED or SPARSE.
+/* Number the equations anew, for a zero K in this storage: not DENSE.
  * Matrices of body_matrix() that were made before are of no use any more. */
 void body_store(struct body *body, enum storage storage);
 

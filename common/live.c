@@ -12,16 +12,19 @@ static int on_left_side(const struct mesh *mesh, int a)
     return mesh->X[2 * a] == -1.0;
 }
 
-/* A new body, in which the left side is held, and all that `take` names. */
+/* A new body, in which the left side is held, and all that `take` names; in
+ * PLAIN storage when the one before was. */
 static void hold(struct live *live, const int take[])
 {
     const struct mesh *mesh = live->mesh;
+    const int plain = live->body && live->body->K->storage == PLAIN;
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
     for (int a = 0; a < mesh->n_vertex; a++)
         held[a] = on_left_side(mesh, a) || (take && take[a]);
     body_free(live->body);
     live->body = body_alloc(mesh, material_notes(live->set.law), 1.0,
                             CONSISTENT, held);
+    if (plain) body_store(live->body, PLAIN);
     free(held);
 }
 
@@ -36,10 +39,9 @@ static void begin(struct live *live)
     hold(live, NULL);
 }
 
+/* All but the body, whose storage the next one takes over. */
 static void end(struct live *live)
 {
-    body_free(live->body);
-    live->body = NULL;
     mesh_free(live->mesh);
     state_free(&live->now);
     free(live->grip);
@@ -59,6 +61,7 @@ void live_free(struct live *live)
 {
     if (!live) return;
     end(live);
+    body_free(live->body);
     free(live);
 }
 

@@ -77,7 +77,9 @@ struct live *live_alloc(const struct live_setting *set);
 void live_free(struct live *live);
 
 /* The frame's key; grabbing and letting go, which make a new body.  The state
- * is kept, but for a reset and another mesh. */
+ * is kept, but for a reset and another mesh.  body_store(live->body, PLAIN)
+ * holds for the bodies that follow: a script then has the same frames, to the
+ * last digit, on every machine. */
 void live_input(struct live *live, const struct pointer *pointer);
 
 /* to := where a hand at `from` is after a frame, on its way to the pointer

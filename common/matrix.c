@@ -18,7 +18,7 @@
 
 const char *storage_name(enum storage storage)
 {
-    static const char *const name[] = {"dense", "banded", "sparse"};
+    static const char *const name[] = {"dense", "banded", "sparse", "plain"};
     return name[storage];
 }
 
@@ -32,6 +32,11 @@ static double *entry(const struct matrix *A, int i, int j)
     }
     if (A->storage == DENSE) return &A->a[(size_t)i * A->stride + (size_t)j];
     return &A->a[(size_t)j * A->stride + (size_t)(i - j)];
+}
+
+static int is_wide(const struct matrix *A) /* for banded.h */
+{
+    return A->storage == BANDED && A->p >= BAND_WIDE;
 }
 
 /* n zeros that start at a line of the cache: see banded.h. */
@@ -50,8 +55,7 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p)
     A->storage = storage;
     A->n = n;
     A->p = storage == DENSE || p >= n ? n - 1 : p;
-    A->stride = A->p >= BAND_WIDE && storage == BANDED ? band_stride(A->p)
-                                                       : (size_t)A->p + 1;
+    A->stride = is_wide(A) ? band_stride(A->p) : (size_t)A->p + 1;
     A->size = (size_t)n * A->stride;
     A->a = allocate_lines(A->size);
     return A;
@@ -91,9 +95,7 @@ struct matrix *matrix_block(const struct matrix *A, int first, int n)
 void matrix_free(struct matrix *A)
 {
     if (!A) return;
-    free(A->a);
-    free(A->factor);
-    free(A);
+    free(A->a), free(A->factor), free(A);
 }
 
 void matrix_zero(struct matrix *A)
@@ -214,9 +216,8 @@ void matrix_keep_single(struct matrix *A, int single)
 enum status matrix_factor(struct matrix *A)
 {
     if (A->storage == DENSE) return dense_factor(A);
-    if (A->storage == BANDED)
-        return A->p < BAND_WIDE ? narrow_factor(A)
-                                : band_factor(A->n, A->p, A->stride, A->a);
+    if (is_wide(A)) return band_factor(A->n, A->p, A->stride, A->a);
+    if (A->storage != SPARSE) return narrow_factor(A);
     if (!A->factor)
         A->factor = allocate_lines(sparse_size(A->pattern, A->single));
     return sparse_factor(A->pattern, A->a, A->single, A->factor);
@@ -226,10 +227,10 @@ void matrix_solve(const struct matrix *L, double b[])
 {
     if (L->storage == SPARSE) {
         sparse_solve(L->pattern, L->single, L->factor, b);
-    } else if (L->storage == BANDED && L->p < BAND_WIDE) {
-        narrow_solve(L, b);
-    } else if (L->storage == BANDED) {
+    } else if (is_wide(L)) {
         band_solve(L->n, L->p, L->stride, L->a, b);
+    } else if (L->storage != DENSE) {
+        narrow_solve(L, b);
     } else {
         const size_t n = (size_t)L->n;
         gsl_matrix_view view = gsl_matrix_view_array(L->a, n, n);
@@ -277,7 +278,7 @@ enum status matrix_solve_indefinite(const struct matrix *A, double b[],
     double *copy = allocate(n * row, sizeof *copy);
     gsl_matrix_view view = gsl_matrix_view_array(copy, n, row);
     gsl_vector_view x = gsl_vector_view_array(b, n);
-    assert(A->storage == BANDED);
+    assert(A->storage != DENSE);
     for (size_t j = 0; j < n; j++)
         memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
     gsl_error_handler_t *old = gsl_set_error_handler_off();
@@ -322,8 +323,7 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[])
         gsl_eigen_symm(copy, &values.vector, work);
         gsl_sort_vector(&values.vector);
     }
-    gsl_eigen_symm_free(work);
-    gsl_matrix_free(copy);
+    gsl_eigen_symm_free(work), gsl_matrix_free(copy);
     return status;
 }
 

@@ -1,7 +1,7 @@
 /*
  * matrix.h - symmetric linear systems: assemble, correct, factor, solve.
  *
- * Three storages behind one interface.  Number the nodes along the bar and
+ * Four storages behind one interface.  Number the nodes along the bar and
  * A[i][j] = 0 whenever |i - j| > p.  Keeping only the band costs n (p + 1)
  * numbers and about n (p + 1)^2 flops to factor, instead of n^2 and n^3 / 3
  * [eq:band-cost].  Half bandwidth p = 1 is the tridiagonal case.
@@ -17,6 +17,9 @@
  * wide one (BAND_WIDE, banded.h) have room behind them that holds zeros.  The
  * entries * beyond the last row are zero and stay it.  SPARSE is sparse.h: 2x2
  * blocks by columns, in the order of nested dissection, and factors elsewhere.
+ * PLAIN is a band of any width as a narrow one, by the textbook's loops: slow,
+ * and with the same digits for every processor and compiler, where BANDED and
+ * SPARSE add in the order that is fast.  It is for studies of chaotic paths.
  *
  * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.2, 4.3;
  *         GSL manual, "Linear Algebra", "Symmetric Banded Format".
@@ -30,7 +33,7 @@
 
 struct sparse; /* sparse.h: a pattern and the order of its elimination */
 
-enum storage { DENSE, BANDED, SPARSE };
+enum storage { DENSE, BANDED, SPARSE, PLAIN };
 enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
 
 struct matrix {
@@ -53,7 +56,8 @@ struct matrix_cost {
     double solve;   /* flops of the two triangular solves */
 };
 
-/* The storage as the word that programs print: "dense", "banded", "sparse". */
+/* The storage as the word that programs print: "dense", "banded", "sparse",
+ * "plain". */
 const char *storage_name(enum storage storage);
 
 /* A zero matrix; p is ignored when dense.  The caller frees it. */

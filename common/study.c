@@ -59,6 +59,18 @@ void claim_failed(const char *format, ...)
     die("the claim is false: %s", text);
 }
 
+double rate_error(int hits, int runs)
+{
+    const double p = (hits + 1.0) / (runs + 2.0);
+    return sqrt(p * (1.0 - p) / (runs + 3.0));
+}
+
+double rate_apart(int hits, int runs, int other_hits, int other_runs)
+{
+    return (1.0 * hits / runs - 1.0 * other_hits / other_runs) /
+           hypot(rate_error(hits, runs), rate_error(other_hits, other_runs));
+}
+
 void times_record(struct times *t, double seconds, int valid)
 {
     if (t->runs < STUDY_SAMPLES)

@@ -31,6 +31,23 @@ double order_of(double coarse, double fine, double ratio);
 _Noreturn void claim_failed(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
+/* ---- rates of random runs ------------------------------------------------ */
+
+/*
+ * The standard error of the rate hits / runs of independent runs: the standard
+ * deviation of the true rate when nothing else is known of it (Laplace).  That
+ * is nearly sqrt(p (1 - p) / runs), and 1 / runs for none and for all.
+ */
+double rate_error(int hits, int runs);
+
+/*
+ * The difference of two rates of independent runs in its standard errors, > 0
+ * when the first is the larger one.  A study claims a difference from RATE_SURE
+ * on.  (From the same starts, as studies have them, it is rather surer.)
+ */
+enum { RATE_SURE = 3 };
+double rate_apart(int hits, int runs, int other_hits, int other_runs);
+
 /* ---- seconds ------------------------------------------------------------ */
 
 /* Samples of the seconds that one run takes.  A run whose answer is not valid

@@ -91,6 +91,7 @@ struct without_result without_play(enum without without, int n, enum law law,
                                      without == LIFT ? LAST_STATE : ELASTIC,
                                      without != SECOND_RUNG};
     struct live *live = live_alloc(&set);
+    body_store(live->body, PLAIN); /* trouble is chaotic */
     struct without_result sum = {0};
     struct times systems = {0};
     int frozen = 0;

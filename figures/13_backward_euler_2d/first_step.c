@@ -7,8 +7,8 @@
  * with Cholesky stops where K is not positive definite; then the lift, the line
  * search, the projection on demand, each alone, and all of them.  Tables:
  * first_step_cubic, first_step_log; history_notes, history_lift, history_demand
- * (n = 56, cubic law; up to an increment of more than 2 m, after which all is
- * amplified round-off); starts (corner of the mesh, in units of h).
+ * (n = 56, cubic law, PLAIN storage; up to an increment of more than 2 m, then
+ * all is amplified round-off); starts (corner of the mesh, in units of h).
  */
 #include "options.h"
 #include "scene.h"
@@ -61,6 +61,7 @@ static struct step_report print_history(const char *name, int m)
     struct scene *s = square(56, CUBIC);
     struct step_control one = step_method(method[m]);
     struct step_report report;
+    body_store(s->body, PLAIN);
     scene_hold(s, s->set.dt);
     step_boundary(s->body, s->g, one.lift, s->u);
     table_begin(name, "iteration increment residual min_J");

@@ -4,7 +4,9 @@
  *
  * The vertices of a square, all or the inner ones only (boundary held), are put
  * at random places and let go [alg:release].  Tables: how many squares come
- * back, with the stress error at a stretch of 1.1; where the others are stuck.
+ * back, in per cent with the standard error, and the stress error at a stretch
+ * of 1.1; where the others are stuck.  (Narrow bands: their digits are the same
+ * on every machine, as a chaotic path needs.)
  */
 #include "release.h"
 #include "study.h"
@@ -15,7 +17,7 @@
 #include <gsl/gsl_statistics_int.h>
 #include <math.h>
 
-enum { LARGEST = 25 }; /* vertices */
+enum { LARGEST = 25 /* vertices */, STARTS_2 = 2000, STARTS_4 = 500 };
 
 /* P / P_log - 1 in per cent, at F = 1.1 in uniaxial strain. */
 static double error_of(enum law law)
@@ -26,16 +28,17 @@ static double error_of(enum law law)
 
 struct count {
     int starts, recovered, stuck, inverted, wound, at_893;
-    double median; /* of the iterations */
+    double median;      /* of the iterations */
+    double rate, error; /* recovered, its standard error (%) */
 };
 
 /* Seeds 1, 2, ...; place: where the vertices of the first stuck one are. */
 static struct count scramble(int n, enum law law, int held_boundary,
                              double place[2 * LARGEST])
 {
-    struct count count = {.starts = n == 4 && !held_boundary ? 100 : 200};
+    struct count count = {.starts = n == 4 ? STARTS_4 : STARTS_2};
     struct mesh *mesh = mesh_square(n);
-    int held[LARGEST] = {0}, iterations[200];
+    int held[LARGEST] = {0}, iterations[STARTS_2];
     for (int a = 0; a < mesh->n_vertex && held_boundary; a++)
         held[a] = a % (n + 1) == 0 || a % (n + 1) == n || a / (n + 1) == 0 ||
                   a / (n + 1) == n;
@@ -61,14 +64,16 @@ static struct count scramble(int n, enum law law, int held_boundary,
     gsl_sort_int(iterations, 1, (size_t)count.starts);
     count.median = gsl_stats_int_median_from_sorted_data(
         iterations, 1, (size_t)count.starts);
-    body_free(body);
-    mesh_free(mesh);
+    count.rate = 100.0 * count.recovered / count.starts;
+    count.error = 100.0 * rate_error(count.recovered, count.starts);
+    body_free(body), mesh_free(mesh);
     return count;
 }
 
-static double back(const struct count *c) /* per cent */
+/* By how many standard errors does a recover more often than b? */
+static double apart(const struct count *a, const struct count *b)
 {
-    return 100.0 * c->recovered / c->starts;
+    return rate_apart(a->recovered, a->starts, b->recovered, b->starts);
 }
 
 int main(void)
@@ -81,27 +86,21 @@ int main(void)
     for (int k = 0; k < 12; k++)
         count[k] = scramble(k / 6 ? 4 : 2, law[k % 3], k / 3 % 2, x[k > 0]);
     table_end();
-    table_begin("scramble", "n boundary law starts recovered rate inside_out "
-                            "wound iterations error");
+    table_begin("scramble", "n boundary law starts recovered rate "
+                            "standard_error inside_out wound iterations error");
     for (int k = 0; k < 12; k++)
         table_row(k / 6 ? 4 : 2, k / 3 % 2 ? "held" : "free",
                   material_law(law[k % 3]), count[k].starts,
-                  count[k].recovered, back(&count[k]), count[k].inverted,
-                  count[k].wound, count[k].median, error_of(law[k % 3]));
-    table_end();
-    table_begin("laws", "law held_2 held_4 free_2 free_4 error");
-    for (int k = 0; k < 3; k++)
-        table_row(material_law(law[k]), back(&count[3 + k]),
-                  back(&count[9 + k]), back(&count[k]), back(&count[6 + k]),
-                  error_of(law[k]));
+                  count[k].recovered, count[k].rate, count[k].error,
+                  count[k].inverted, count[k].wound, count[k].median,
+                  error_of(law[k % 3]));
     table_end();
     struct mesh *mesh = mesh_square(2);
     table_begin("wound", "x0 y0 x1 y1 x2 y2");
     for (const int *t = mesh->triangle; t < mesh->triangle + 24; t += 3)
         table_row(x[0][2 * t[0]], x[0][2 * t[0] + 1], x[0][2 * t[1]],
                   x[0][2 * t[1] + 1], x[0][2 * t[2]], x[0][2 * t[2] + 1]);
-    table_end();
-    mesh_free(mesh);
+    table_end(), mesh_free(mesh);
 
     for (int k = 0; k < 12; k++)
         claim(count[k].inverted == 0 && count[k].wound == count[k].stuck &&
@@ -110,11 +109,12 @@ int main(void)
               "stuck is not inside out, but wound twice round a vertex");
     claim(count[0].at_893 == count[0].stuck,
           "the cubic law is always stuck at the same energy");
-    claim(count[8].recovered > 2 * count[6].recovered &&
-              count[6].recovered > count[7].recovered + 5 &&
-              error_of(STABLE) > 10.0 * error_of(CUBIC) &&
-              error_of(CUBIC) > error_of(EXTENDED),
-          "the law that recovers best is the least accurate, and the most "
-          "accurate one recovers worst");
+    for (const struct count *c = count; c <= &count[6]; c += 6)
+        claim(fmin(apart(&c[2], &c[0]), apart(&c[2], &c[1])) > RATE_SURE &&
+                  fabs(apart(&c[0], &c[1])) < RATE_SURE,
+              "free squares come back most often under the stable law; between "
+              "the two others %d starts show no difference", c->starts);
+    claim(error_of(STABLE) > 10 * error_of(CUBIC) && error_of(EXTENDED) == 0,
+          "the stable law is the least accurate, extended has no error");
     return table_finish();
 }

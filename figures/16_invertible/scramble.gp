@@ -1,7 +1,7 @@
 # scramble.gp - a square that is wound twice round its middle vertex, and which
 # law brings a scrambled square back, against its error where nothing is wrong.
-# Reads   data  tables wound, stuck, scramble (n boundary law rate iterations
-#               error)
+# Reads   data  tables wound, stuck, scramble (n boundary law rate
+#               standard_error iterations error)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 860,440
@@ -110,13 +110,17 @@ place(k) = (stringcolumn("law") eq "extended" ? 0 : \
     stringcolumn("law") eq "cubic" ? 1 : 2) + 0.26 * (k - 2)
 rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
     column("rate") : NaN
+unsure(k) = column("standard_error")
 set style fill solid 0.85 border
 set boxwidth 0.22
 set label 1 "above a bar: iterations, the median" at graph 0.99, graph 1.03 \
     right font ",12"
 plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
          with boxes ls Style[k] title Title[k], \
-     for [k = 1:3] data index "scramble" using (place(k)):(rate(k) + 4): \
+     for [k = 1:3] data index "scramble" using (place(k)): \
+         (rate(k) - unsure(k)):(0):(2 * unsure(k)) with vectors heads \
+         size graph 0.012,90 lw 1.5 lc rgb "black" notitle, \
+     for [k = 1:3] data index "scramble" using (place(k)):(rate(k) + 6): \
          (sprintf("%.0f", column("iterations"))) with labels font ",12" \
          textcolor rgb Colour[k] notitle
 unset multiplot

@@ -4,8 +4,8 @@
  *
  * K of the stretch, both ends held: 2 (n - 1) (n + 1) unknowns.  Full; in a
  * band of half bandwidth 2 n - 1; by nested dissection with the fronts of
- * sparse.h.  Counted, not timed: entries of L, flops to factor and to solve
- * [eq:cholesky-flops].  Tables: growth, with exponents from n / 2 to n;
+ * sparse.h.  Counted, not timed: numbers stored of L, flops to factor and to
+ * solve [eq:cholesky-flops].  Tables: growth, with exponents from n / 2 to n;
  * compare, the last two side by side; crossovers, the least n from which
  * dissection has less than the band; second, the price of a second right-hand
  * side, and the memory of K and L.

@@ -29,7 +29,7 @@ plot data index "growth" using (of("full")):"flops" with linespoints ls 2 \
          title "its band", \
      data index "growth" using (of("dissection")):"flops" \
          with linespoints ls 3 title "nested dissection"
-set ylabel "entries of L"
+set ylabel "numbers stored of L"
 set yrange [1e2:1e11]
 set label 1 "n^4" at 290,1.7e10
 set label 2 "n^3" at 290,6.7e7

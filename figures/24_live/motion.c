@@ -16,6 +16,7 @@ int main(void)
     const struct live_setting set = {8, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
                                      1};
     struct live *live = live_alloc(&set);
+    body_store(live->body, PLAIN); /* trouble is chaotic */
     struct pointers hard = pointers_hard();
     int lost = 0;
     gsl_set_error_handler_off();

@@ -1,5 +1,6 @@
 # chart.gp - the chart of the course: methods and laws by scenes.
-# Reads   data  table chart (method law scene passed systems ms error), machine
+# Reads   data  table chart (method law scene passed passed_se systems
+#               ms error), machine
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,500
@@ -41,7 +42,10 @@ first(k) = column("passed") == 100 && !Seen[k] ? (Seen[k] = 1) : 0
 shade(p) = p == 100 ? 0xCBE8DC : p > 0 ? 0xFBE3C4 : 0xF3D3D8
 count(n) = sprintf(n < 9.95 ? "%.1f" : "%.0f", n)
 all(i) = column("passed") == 100 ? count(column("systems")) : \
-    column("passed") > 0 ? sprintf("%.0f %%", column("passed")) : "failed"
+    column("passed") > 0 ? sprintf("%.0f%s %%", column("passed"), unsure(i)) : \
+    "failed"
+unsure(i) = stringcolumn("passed_se") eq "-" ? "" : \
+    sprintf(" ± %.0f", column("passed_se"))
 price(i) = column("passed") > 0 ? (column("passed") < 100 ? \
     count(column("systems")).sprintf("; %.2g ms", column("ms")) : \
     sprintf("%.2g ms", column("ms"))) : ""

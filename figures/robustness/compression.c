@@ -41,8 +41,7 @@ static enum status advance(struct scene *s, const struct step_control *control,
         return half == OK ? advance(s, control, halve - 1, dt / 2, run) : half;
     }
     if (report.status != OK) return report.status;
-    run->t += dt;
-    run->steps++;
+    run->t += dt, run->steps++;
     run->iterations += report.iterations;
     run->pressed = fmax(run->pressed, sin(run->t));
     run->least_J = fmin(run->least_J, body_min_J(s->body, s->u));
@@ -56,6 +55,7 @@ static struct run press(enum law law, int n, int m)
     const struct step_control control = step_method(halve ? "all" : method[m]);
     struct scene *s = scene_alloc(&set);
     struct run run = {.reason = "OK", .least_J = 1.0};
+    body_store(s->body, PLAIN); /* a body that buckles is chaotic */
     for (; run.frames < FRAMES; run.frames++) {
         run.reason = law == LOG && run.least_J < 1e-3 ? "flat"
             : step_reason(&control, advance(s, &control, halve, set.dt, &run));

@@ -1,7 +1,7 @@
 # scattered.gp - random starts, n = 4: where the runs of each method end; linear
 # systems of those that converge; and an equilibrium without an inverted triangle
-# that is not rest, with the start that led to it.  Round-off decides a few runs;
-# so bars go in steps of 5 %, and above 30 the systems in sevenths of a decade.
+# that is not rest, with the start that led to it.  Of the runs at rest the bars
+# have the standard error.
 # Reads   data  tables scattered, tangled
 # Writes  out   SVG
 load "figures/style.gp"
@@ -35,13 +35,18 @@ set key at screen 0.065, screen 0.985 left top horizontal maxrows 1 samplen 1 \
     width 1
 all = "rest stable not_spd fails"
 count(k) = k == 0 ? 0 : column(word(all, k)) + count(k - 1)
-part(k) = 5.0 * floor(20.0 * count(k) / column("seeds") + 0.5)
+part(k) = 100.0 * count(k) / column("seeds")
+unsure = "100.0 * column('rest_error')"
 array Color[4] = ["#009E73", "#56B4E9", "#E69F00", "#D55E00"]
 array Title[4] = ["at rest", "stable, but not at rest", \
     "NOT SPD", "fails"]
 plot for [k = 4:1:-1] data index "scattered" using (place(strcol("method"), \
          strcol("held"), column("amplitude"))):(part(k)) \
-         with boxes fc rgb Color[k] title Title[k]
+         with boxes fc rgb Color[k] title Title[k], \
+     "" index "scattered" using (place(strcol("method"), strcol("held"), \
+         column("amplitude"))):(column("rest") > 0 ? part(1) - @unsure : NaN): \
+         (0):(2 * @unsure) with vectors heads size screen 0.003,90 lw 1.2 \
+         lc rgb "black" notitle
 unset key
 set tmargin at screen 0.67
 set bmargin at screen 0.545
@@ -63,11 +68,9 @@ do for [m = 0:4] {
 }
 set label 99 "h" at -0.9, screen 0.525 center font ",11"
 set label 98 "held:" at -1.1, screen 0.503 right font ",11" textcolor rgb "#555555"
-about(x) = x < 30 ? x : 10 ** (floor(7.0 * log10(x) + 0.5) / 7.0)
 plot data index "scattered" using (column("rest") + column("stable") > 0 ? \
          place(strcol("method"), strcol("held"), column("amplitude")) : NaN): \
-         (about(column("median"))):(about(column("median"))): \
-         (about(column("p90"))) \
+         (column("median")):(column("median")):(column("p90")) \
          with yerrorbars lc rgb "#0072B2" lw 2 pt 7 ps 0.6
 unset label
 unset logscale y

@@ -198,6 +198,23 @@ static void keys_do_what_the_window_says(void)
 }
 
 /* The law without inverted triangles cannot take over a body that has some. */
+static void a_plain_body_has_plain_successors(void)
+{
+    struct live *live = live_of(8, LOG, BACKWARD_EULER);
+    ck_assert_int_eq(live->body->K->storage, BANDED);
+    body_store(live->body, PLAIN);
+    for (const char *key = ".lr+-."; *key; key++) {
+        const struct pointer pointer = {1.0, 1.0, key[1] != '\0', *key};
+        live_input(live, &pointer);
+        ck_assert_int_eq(live->body->K->storage, PLAIN);
+        struct matrix *K = body_matrix(live->body);
+        ck_assert_int_eq(K->storage, PLAIN);
+        ck_assert_uint_eq(K->size, live->body->K->size);
+        matrix_free(K);
+    }
+    live_free(live);
+}
+
 static void a_law_is_not_given_what_it_cannot_have(void)
 {
     struct live *live = live_of(4, CUBIC, BACKWARD_EULER);
@@ -848,6 +865,7 @@ static const struct unit_law laws[] = {
     LAW(a_hand_takes_what_is_near),
     LAW(a_hand_takes_a_side),
     LAW(keys_do_what_the_window_says),
+    LAW(a_plain_body_has_plain_successors),
     LAW(a_law_is_not_given_what_it_cannot_have),
     LAW(a_lift_solves_the_linear_problem),
     LAW(a_lift_refuses_what_cannot_be),

@@ -266,6 +266,49 @@ static void a_band_of_any_width_equals_gsl(void)
         }
 }
 
+/* Bit for bit, whatever the processor: each entry less its products one after
+ * the other, and the same in the solves.  A copy is as plain. */
+static void a_plain_band_adds_in_the_textbooks_order(void)
+{
+    enum { n = 61 };
+    for (int p = 0; p <= 40; p += 5) {
+        struct matrix *A = matrix_alloc(PLAIN, n, p);
+        double L[n][n] = {{0.0}}, b[n], x[n];
+        for (int i = 0; i < n; i++) {
+            for (int j = i > p ? i - p : 0; j <= i; j++) {
+                L[i][j] = i == j ? 1.613 + 0.5 * p : 0.5 * sin(2.385 * i + j);
+                matrix_add(A, i, j, L[i][j]);
+            }
+            b[i] = x[i] = sin(2.385 * i + 0.7);
+        }
+        struct matrix *copy = matrix_copy(A);
+        for (int j = 0; j < n; j++) {
+            for (int k = 0; k < j; k++)
+                for (int i = j; i < n; i++) L[i][j] -= L[j][k] * L[i][k];
+            L[j][j] = sqrt(L[j][j]);
+            for (int i = j + 1; i < n; i++) L[i][j] *= 1.0 / L[j][j];
+        }
+        for (int j = 0; j < n; j++) {
+            x[j] /= L[j][j];
+            for (int i = j + 1; i < n; i++) x[i] -= L[i][j] * x[j];
+        }
+        for (int j = n - 1; j >= 0; j--) {
+            for (int i = j + 1; i < n; i++) x[j] -= L[i][j] * x[i];
+            x[j] /= L[j][j];
+        }
+        ck_assert_int_eq(matrix_factor(copy), OK);
+        matrix_solve(copy, b);
+        for (int i = 0; i < n; i++) {
+            ck_assert_double_eq(b[i], x[i]);
+            for (int j = i > p ? i - p : 0; j <= i; j++)
+                ck_assert_double_eq(matrix_get(copy, i, j), L[i][j]);
+        }
+        ck_assert_uint_eq(matrix_bytes(copy), 8 * n * ((size_t)p + 1));
+        ck_assert_str_eq(storage_name(copy->storage), "plain");
+        matrix_free(A), matrix_free(copy);
+    }
+}
+
 /* What banded.h asks for and promises; a tile that reaches too far shows. */
 static void the_room_behind_a_column_stays_zero(void)
 {
@@ -531,6 +574,8 @@ static const struct unit_law laws[] = {
     {"not_spd_is_reported", not_spd_is_reported},
     {"ill_conditioned_is_still_spd", ill_conditioned_is_still_spd},
     {"a_band_of_any_width_equals_gsl", a_band_of_any_width_equals_gsl},
+    {"a_plain_band_adds_in_the_textbooks_order",
+     a_plain_band_adds_in_the_textbooks_order},
     {"the_room_behind_a_column_stays_zero",
      the_room_behind_a_column_stays_zero},
     {"a_wide_band_that_is_not_spd_is_reported",

@@ -113,6 +113,39 @@ static void seconds_are_sorted_and_need_a_valid_answer(void)
     ck_assert_double_eq(times_median(&full), (STUDY_SAMPLES + 1) / 2.0);
 }
 
+/* The mean, or the mean square, of a true rate p between 0 and 1 of which there
+ * is known that it gave so many hits: by the midpoint rule. */
+static double moment(int power, int hits, int runs)
+{
+    double sum = 0.0, all = 0.0;
+    for (int k = 0; k < 20000; k++) {
+        const double p = (k + 0.5) / 20000;
+        const double weight = pow(p, hits) * pow(1.0 - p, runs - hits);
+        sum += weight * pow(p, power);
+        all += weight;
+    }
+    return sum / all;
+}
+
+static void a_rate_is_as_sure_as_its_runs(void)
+{
+    const int runs[] = {1, 5, 60};
+    for (int i = 0; i < 3; i++)
+        for (int hits = 0; hits <= runs[i]; hits++) {
+            const double mean = moment(1, hits, runs[i]);
+            const double square = moment(2, hits, runs[i]);
+            close_to(rate_error(hits, runs[i]), sqrt(square - mean * mean),
+                     1e-6);
+        }
+    close_to(rate_error(800, 2000), sqrt(0.24 / 2000), 2e-5);
+    close_to(rate_error(2000, 2000), 1.0 / 2000, 1e-5 / 10);
+    /* 0.6 and 0.4 with a standard error of 0.05 each, and the larger first */
+    close_to(rate_apart(60, 100, 40, 100), 0.2 / (0.0488 * sqrt(2.0)), 0.05);
+    close_to(rate_apart(40, 100, 600, 1000),
+             -0.2 / hypot(rate_error(40, 100), rate_error(600, 1000)), 1e-15);
+    ck_assert_double_eq(rate_apart(250, 250, 250, 250), 0.0);
+}
+
 static void a_machine_is_a_note(void)
 {
     char machine[512], want[600];
@@ -128,6 +161,7 @@ static const struct unit_law laws[] = {
     {"a_false_claim_ends_the_study", a_false_claim_ends_the_study},
     {"seconds_are_sorted_and_need_a_valid_answer",
      seconds_are_sorted_and_need_a_valid_answer},
+    {"a_rate_is_as_sure_as_its_runs", a_rate_is_as_sure_as_its_runs},
     {"a_machine_is_a_note", a_machine_is_a_note},
 };
 

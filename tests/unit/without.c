@@ -37,6 +37,7 @@ static void nothing_is_the_ladder_of_live(void)
     const struct live_setting set = {8, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
                                      1};
     struct live *live = live_alloc(&set);
+    body_store(live->body, PLAIN);
     struct pointers script = pointers_hard();
     struct without_result due = {0};
     for (int k = 0; k < script.n; k++) {
