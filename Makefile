@@ -23,7 +23,7 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for common/banded.c, front.c, readable.c and body.c, where they count: of
+# Flags for common/linear/banded.c, front.c, readable.c and body.c, where they count: of
 # the list that the compiler takes; body.c goes without the last, so that its
 # digits are the same everywhere, and without pairs made of lines that stand one
 # after the other, which gcc 12 contracts all the same.  They make the build one
@@ -122,7 +122,7 @@ deps:
 
 # window.c needs SDL2 and is for `make live` only.
 OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(filter-out \
-               common/window.c,$(wildcard common/*.c)))
+               common/motion/window.c,$(wildcard common/*.c)))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
@@ -286,7 +286,7 @@ live: $(LIB)
 	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \
 	    'apt install libsdl2-dev, or brew install sdl2' >&2; exit 2; }
 	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) \
-	    $(if $(FORCE),solutions,lessons)/24_live.c common/window.c \
+	    $(if $(FORCE),solutions,lessons)/24_live.c common/motion/window.c \
 	    -o $(BUILD)/live $(LINK) $$(pkg-config --libs sdl2)
 	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
 	@echo 'The frames are in $(BUILD)/live.tsv'

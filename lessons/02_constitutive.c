@@ -19,9 +19,9 @@
  * PREDICT 2 F > 1 from which the cubic law's stress is 1 % off: ...
  * Plot: curve_cubic F P
  */
-#include "material.h"
-#include "options.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <math.h>
 

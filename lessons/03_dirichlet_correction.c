@@ -19,9 +19,9 @@
  * PREDICT 2b and with 1 on the diagonal: ...
  * Plot: nodes x u
  */
-#include "matrix.h"
-#include "options.h"
-#include "table.h"
+#include "linear/matrix.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <stdlib.h>
 

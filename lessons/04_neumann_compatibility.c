@@ -21,9 +21,9 @@
  * PREDICT 2b and by two-point Gauss: ...
  * Plot: nodes x u
  */
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

@@ -19,9 +19,9 @@
  * PREDICT 3 times the flops, p = sqrt N, for four times the unknowns: ...
  * Plot: eigenvalues_none k exact
  */
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

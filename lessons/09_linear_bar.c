@@ -19,9 +19,9 @@
  * PREDICT 2 strain in tension at which linear is 5 % off the log law: ...
  * Plot: nodes X u
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

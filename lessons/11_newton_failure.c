@@ -16,9 +16,9 @@
  * PREDICT 2 largest time step of the notes' example with 100 elements (s): ...
  * Plot: history k F
  */
-#include "bar.h"
-#include "options.h"
-#include "table.h"
+#include "bar/bar.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

@@ -18,10 +18,10 @@
  * PREDICT 1b part of a mode with w dt = 0.5 left by 40 such steps: ...
  * Plot: mode k backward_u
  */
-#include "integrate.h"
-#include "options.h"
-#include "table.h"
-#include "user.h"
+#include "motion/integrate.h"
+#include "base/options.h"
+#include "base/table.h"
+#include "motion/user.h"
 
 #include <math.h>
 #include <stdlib.h>

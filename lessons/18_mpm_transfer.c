@@ -14,9 +14,9 @@
  * PREDICT 3 and with the cubic kernel, --order 3: ...
  * Plot: spin transfers ratio
  */
-#include "options.h"
-#include "particle_scene.h"
-#include "table.h"
+#include "base/options.h"
+#include "particles/particle_scene.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -18,10 +18,10 @@
  * PREDICT 3 and one step from rest: ...
  * Plot: taylor t force
  */
-#include "options.h"
-#include "particle_force.h"
-#include "particle_scene.h"
-#include "table.h"
+#include "base/options.h"
+#include "particles/particle_force.h"
+#include "particles/particle_scene.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -18,10 +18,10 @@
  * PREDICT 2b and with the mirror: ...
  * Plot: energies t elastic
  */
-#include "options.h"
-#include "particle_bodies.h"
-#include "particle_step.h"
-#include "table.h"
+#include "base/options.h"
+#include "particles/particle_bodies.h"
+#include "particles/particle_step.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

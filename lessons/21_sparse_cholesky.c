@@ -20,9 +20,9 @@
  * PREDICT 2 least n from which on dissection needs fewer flops: ...
  * Plot: dissection k count
  */
-#include "options.h"
-#include "system.h"
-#include "table.h"
+#include "base/options.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>

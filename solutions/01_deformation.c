@@ -18,11 +18,11 @@
  * PREDICT 3 sum of J area over the pushed square (m^2): ...
  * Plot: bar X0 F
  */
-#include "mesh.h"
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
-#include "tensor.h"
+#include "plane/mesh.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
+#include "material/tensor.h"
 
 #include <float.h>
 #include <gsl/gsl_math.h>

@@ -19,9 +19,9 @@
  * PREDICT 1b and less the trapezoidal rule: ...
  * Plot: nodes x u
  */
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

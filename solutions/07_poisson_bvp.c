@@ -17,9 +17,9 @@
  * PREDICT 3 flux error, slope with 64 elements over reaction with 4: ...
  * Plot: nodes x u
  */
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
 
 #include <gsl/gsl_integration.h>
 #include <math.h>

@@ -19,11 +19,11 @@
  * PREDICT 2b and in banded storage: ...
  * Plot: nodes x u
  */
-#include "clock.h"
-#include "matrix.h"
-#include "options.h"
-#include "poisson.h"
-#include "table.h"
+#include "base/clock.h"
+#include "linear/matrix.h"
+#include "base/options.h"
+#include "bar/poisson.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -20,9 +20,9 @@
  * PREDICT 2 first step of a log element, 0.1 m, pressed to F = 1e-8 (m): ...
  * Plot: nodes X u
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

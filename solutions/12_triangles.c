@@ -21,8 +21,8 @@
  * PREDICT 2 residual of the default scene after 1.8e-4 (N/m): ...
  * Plot: nodes X u_x
  */
-#include "history.h"
-#include "options.h"
+#include "plane/history.h"
+#include "base/options.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

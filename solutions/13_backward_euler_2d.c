@@ -21,8 +21,8 @@
  * PREDICT 3 times the steps, for a tenth of the error in the energy: ...
  * Plot: steps t elastic
  */
-#include "history.h"
-#include "options.h"
+#include "plane/history.h"
+#include "base/options.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

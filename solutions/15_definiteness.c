@@ -19,10 +19,10 @@
  * PREDICT 3 systems for the pushed column, always over on demand: ...
  * Plot: where s least
  */
-#include "modes.h"
-#include "options.h"
-#include "scene.h"
-#include "table.h"
+#include "material/modes.h"
+#include "base/options.h"
+#include "plane/scene.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -19,11 +19,11 @@
  * PREDICT 3 `stable` is off the log law at a stretch of 1.1 by (%): ...
  * Plot: principal s2 P2
  */
-#include "circuit.h"
-#include "modes.h"
-#include "options.h"
-#include "release.h"
-#include "table.h"
+#include "plane/circuit.h"
+#include "material/modes.h"
+#include "base/options.h"
+#include "plane/release.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -17,10 +17,10 @@
  * PREDICT 1b and when it carries 100 N/m^2: ...
  * Plot: force_length l T
  */
-#include "fibre.h"
-#include "options.h"
-#include "scene.h"
-#include "table.h"
+#include "plane/fibre.h"
+#include "base/options.h"
+#include "plane/scene.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>

@@ -19,11 +19,11 @@
  * PREDICT 1b and of the V-cycle: ...
  * Plot: history k residual
  */
-#include "cg.h"
-#include "multigrid.h"
-#include "options.h"
-#include "system.h"
-#include "table.h"
+#include "linear/cg.h"
+#include "linear/multigrid.h"
+#include "base/options.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -12,9 +12,9 @@
  * PREDICT 2b and for 50 %: ...
  * Plot: ladder rung estimate
  */
-#include "ladder.h"
-#include "options.h"
-#include "table.h"
+#include "choice/ladder.h"
+#include "base/options.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -13,18 +13,18 @@
  *     downhill   from the last state, projected, Phi falls  at most 8 in all
  *                the hand goes 1, 1/2, 1/4, 1/8 of its way, at last 0
  *
- * Input is a line per frame, "x y down key"; see common/pointer.h.
+ * Input is a line per frame, "x y down key"; see common/motion/pointer.h.
  *
  * Run       make lesson-24, or with options: -h lists them; make live: a window
  * PREDICT 1a frames lost of 60 while a side is pushed in at 3 m/s: ...
  * PREDICT 1b frames that need the second rung: ...
  * Plot: frames k energy
  */
-#include "clock.h"
-#include "live.h"
-#include "options.h"
-#include "table.h"
-#include "window.h"
+#include "base/clock.h"
+#include "motion/live.h"
+#include "base/options.h"
+#include "base/table.h"
+#include "motion/window.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>

@@ -7,10 +7,10 @@
  * 3/4.  X^2 inverts none, but its smallest F is 1/n, since phi'(0) = 0, and a
  * law with a logarithm has no limit there.
  */
-#include "material.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <gsl/gsl_math.h>

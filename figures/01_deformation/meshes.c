@@ -4,9 +4,9 @@
  * square: (-1, 1)^2 pushed inside by 1.05, as in push.c.  strip: 6 m by 0.6 m,
  * the middle 3 m of it bent into an arc, J = 1 - Y angle / 3; its tails cross.
  */
-#include "status.h"
-#include "study.h"
-#include "table.h"
+#include "base/status.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -7,10 +7,10 @@
  * 3 sqrt(3)/8 = 0.6495.  The signed area that a closed curve encloses is a
  * matter of the curve alone, so the sum of J A is 4 whatever s is.
  */
-#include "mesh.h"
-#include "status.h"
-#include "study.h"
-#include "table.h"
+#include "plane/mesh.h"
+#include "base/status.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

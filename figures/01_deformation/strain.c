@@ -7,10 +7,10 @@
  * and then turns; and the angles at which the linear strain of a rotation
  * passes 1, 5 and 10 per cent.
  */
-#include "material.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

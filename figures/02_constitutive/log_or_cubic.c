@@ -6,9 +6,9 @@
  * how far the stresses of the cubic and of the linear law are from the log
  * law's, and at which F they first are so by 1, 5 and 10 per cent.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -5,9 +5,9 @@
  * for each path and law: s is the stretch, the shear or the angle in degrees,
  * P is P12 in shear and P11 elsewhere; rows only where the law is defined.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -6,9 +6,9 @@
  * dimension, which tends to (mu + 3/2 lambda) / (2 mu + lambda) for both curved
  * laws; and what a rotation by 30 degrees costs.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -11,10 +11,10 @@
  * place of the minimum is a root of the derivative, by central differences;
  * the nu at which the least dP/dF is 0 is a root as well.
  */
-#include "material.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

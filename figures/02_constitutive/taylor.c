@@ -11,9 +11,9 @@
  * for every law, and for the cubic law with a wrong stress (the adjugate where
  * the cofactor is due) and with a wrong tangent (that of rest).
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,11 +7,11 @@
  * or with 1 in its place.  Tables: the matrix of the picture before and after;
  * condition numbers with the left end prescribed [eq:condition-number].
  */
-#include "material.h"
-#include "matrix.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "linear/matrix.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

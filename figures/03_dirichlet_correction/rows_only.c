@@ -5,11 +5,11 @@
  * right, and LU solves it, but A is not symmetric: Cholesky, which reads the
  * lower triangle only, fails or solves another problem without a word.
  */
-#include "material.h"
-#include "matrix.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "linear/matrix.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,9 +7,9 @@
  * -(e - 1) h^2 / 24; the defects of three rules.  An order is from half as many
  * elements [eq:order].
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

@@ -7,9 +7,9 @@
  * [eq:dirichlet-correction].  Tables: eigenvalues and ranks; the eigenvector of
  * the eigenvalue 0, scaled to mean 1 [eq:quadratic-form].
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <gsl/gsl_eigen.h>

@@ -6,9 +6,9 @@
  * the family u + c [eq:neumann-family] and the exact x - e^x + C of the same
  * nodal mean; their energy v^T A v [eq:quadratic-form], norm and integral.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

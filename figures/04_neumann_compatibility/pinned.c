@@ -8,9 +8,9 @@
  * answer is from the u of minimum norm of the projected system, and from the
  * exact solution, both in the energy norm and relative to that of u.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

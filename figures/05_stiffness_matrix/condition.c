@@ -7,9 +7,9 @@
  * 4 n^2 / pi^2 and 16 n^2 / pi^2 [eq:stiffness-eigenvalues], and on elements
  * with h_n / h_1 = grading.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -8,10 +8,10 @@
  * the best of several runs, of answers with a backward error of at most 16 eps;
  * and the exponents of both over the last factor 4.
  */
-#include "clock.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

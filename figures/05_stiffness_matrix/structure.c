@@ -4,9 +4,9 @@
  * beta = 1, n elements with h_n / h_1 = 4 [eq:stiffness-row].  Counted in the
  * full array, so that nothing is taken for granted.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,9 +7,9 @@
  * evaluates n times and Gauss 2 n times; GSL's evaluations and errors for a
  * given number of digits.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>

@@ -5,9 +5,9 @@
  * [eq:quadrature-A] [eq:quadrature-b].  GSL's adaptive quadrature is the judge.
  * Tables: the diagonal of A and b by the midpoint rule, and by GSL.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_integration.h>
 #include <math.h>

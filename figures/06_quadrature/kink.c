@@ -6,9 +6,9 @@
  * both ends held; unit flux and beta = 1 left of c, 4 right of it, with three
  * means of beta on the element of c.  Orders [eq:order]: over a factor 4 of h.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

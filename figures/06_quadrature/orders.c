@@ -7,9 +7,9 @@
  * rules [eq:quadrature-b]; the orders between the finest mesh and one four
  * times coarser [eq:order].
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,9 +5,9 @@
  * load by the midpoint rule, or fitted (poisson.h), which is exact at the nodes
  * and not between them.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

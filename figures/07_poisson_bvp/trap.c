@@ -7,9 +7,9 @@
  * error has order 2 whatever one does.  `fitted` tests with functions of
  * constant flux (poisson.h) and makes the exercise exact at its nodes, too.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,10 +7,10 @@
  * time; one problem and one knob (n) per curve; work is counted beside the
  * seconds; machine and flags are named; the best of several repeats counts.
  */
-#include "clock.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

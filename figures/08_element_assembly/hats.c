@@ -5,9 +5,9 @@
  * [eq:poisson-local], and the matrix that they add up to
  * [alg:element-assembly].
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * over vertices, which writes each entry once [eq:quadrature-A]
  * [eq:quadrature-b]; the differences are in units of eps.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

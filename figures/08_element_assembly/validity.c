@@ -5,9 +5,9 @@
  * a system that differs from A u = b by at most 20 eps, whatever the status of
  * the factorisation says.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

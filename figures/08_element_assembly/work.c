@@ -5,9 +5,9 @@
  * [eq:cholesky-flops], numbers that are kept, and the L2 error [eq:norm-L2].
  * No machine changes this part of the chart.
  */
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

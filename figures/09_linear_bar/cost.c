@@ -6,9 +6,9 @@
  * with the cubic and the log law, and its error after k solves, all against the
  * converged log law.  The first solve from rest is the linear bar [alg:newton].
  */
-#include "bar_scene.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

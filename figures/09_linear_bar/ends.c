@@ -6,9 +6,9 @@
  * K for the unknowns, and the answer.  Where nothing holds the bar node 0 is
  * held, and the force that it needs tells whether there is a solution.
  */
-#include "bar_scene.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

@@ -7,9 +7,9 @@
  * the cubic law at E = 1000, nu = 0.3; where they reach 1, 5 and 10 %; and the
  * slope (mu + 3/2 lambda) / (2 mu + lambda) of both for small strains.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,10 +6,10 @@
  * by two Gauss points and exactly; L2 and energy errors with the midpoint rule;
  * and the orders [eq:order] of the two finest meshes.
  */
-#include "bar_scene.h"
-#include "poisson.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "bar/poisson.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -6,9 +6,9 @@
  * [eq:lame-inverse]; a bar of eight elements, one end held, pulled by +100 at
  * the other, with the printed modulus and with the printed sign of that load.
  */
-#include "bar_scene.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <float.h>
 #include <math.h>

@@ -5,9 +5,9 @@
  * step raises the energy and turns elements inside out.  With the line search
  * of bar_newton() the energy falls in every step [alg:line-search].
  */
-#include "bar_scene.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

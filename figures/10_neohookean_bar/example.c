@@ -6,10 +6,10 @@
  * any, the log law is inverted at once where the jump is longer than the
  * element.  Times are 0, dt, 2 dt, ... until 6.3.
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -5,10 +5,10 @@
  * force without a body force, where every element has the same F and the log
  * law is inverted by the first step from rest when p <= -(2 mu + lambda).
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

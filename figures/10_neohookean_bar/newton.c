@@ -8,9 +8,9 @@
  * of the element with the largest error [eq:newton].  Where round-off governs,
  * errors below 1e-10, there is no ratio, and the table ends.
  */
-#include "bar_scene.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

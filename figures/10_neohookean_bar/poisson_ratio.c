@@ -8,10 +8,10 @@
  * and pulled to twice its length at once does find an equilibrium, but not the
  * uniform one.
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

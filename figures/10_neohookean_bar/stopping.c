@@ -8,10 +8,10 @@
  * P' is enormous there, the step is tiny, and the loop calls that a solution.
  * Each beside bar_newton(), which looks at the residual as well [alg:newton].
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

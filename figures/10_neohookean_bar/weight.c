@@ -6,10 +6,10 @@
  * an integral in closed form; linear elements with midpoint load have an error
  * h^2 C with a C known beforehand [eq:bar-weight].
  */
-#include "bar_scene.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

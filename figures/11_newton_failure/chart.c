@@ -6,8 +6,8 @@
  * systems and no more.  Load stepping is measured at its last equilibrium.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,8 +6,8 @@
  * only the first of n elements starts away from F = 1, at 1 - dg / dX.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

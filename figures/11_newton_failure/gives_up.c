@@ -6,8 +6,8 @@
  * finds; and what happens to ten held elements when one end moves at once.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>

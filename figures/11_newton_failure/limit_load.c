@@ -6,8 +6,8 @@
  * equilibrium is far away: plain Newton, load stepping, line search.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 int main(void)
 {

@@ -6,8 +6,8 @@
  * [eq:first-step].
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

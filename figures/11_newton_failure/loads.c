@@ -6,8 +6,8 @@
  * of -(3 mu + 11/2 lambda), at which the cubic law has F = 0, and far beyond.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 int main(void)
 {

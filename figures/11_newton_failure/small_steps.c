@@ -6,8 +6,8 @@
  * while the residual is enormous; tested on both, the iteration carries on.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

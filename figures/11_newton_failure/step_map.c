@@ -8,8 +8,8 @@
  * when pushed, by less than exp(1/2 + mu / lambda) - 1 when pulled.
  */
 #include "stretch.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

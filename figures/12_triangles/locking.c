@@ -7,9 +7,9 @@
  * displacement of the vertex (1, 0) and how much of it is missing, against n,
  * for three of Poisson's ratios.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * u, smooth and 0 on the boundary [eq:manufactured]; cubic law.  Table: L2
  * norms of the errors of u, of its gradient, and of the interpolant's gradient.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 

@@ -7,9 +7,9 @@
  * step of backward Euler of 1/30 s, by a solver that needs no symmetry.
  * Tables: iterations, and residuals.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_math.h>

@@ -6,9 +6,9 @@
  * diagonal entry of each block, (i,i), in place of both.  Table: error and
  * asymmetry of dP/dF as a 4x4 matrix, relative to its norm; cubic law.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

@@ -7,9 +7,9 @@
  * omega dt per step keeps 1 / sqrt(1 + 2 dt omega^2 t) of it [eq:spin-decay].
  * Tables: energies, spin.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>

@@ -10,10 +10,10 @@
  * (n = 56, cubic law, PLAIN storage; up to an increment of more than 2 m, then
  * all is amplified round-off); starts (corner of the mesh, in units of h).
  */
-#include "options.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/options.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

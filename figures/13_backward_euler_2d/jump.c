@@ -8,10 +8,10 @@
  * the solution, cubic law), guess (the triangles of the start and of the
  * solution after a jump of 0.85 h, cubic law).
  */
-#include "options.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/options.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -4,9 +4,9 @@
  * The scene `spin` (6 rad/s, (0.2, 0.1) m/s), n = 4, cubic law, 45 steps of
  * backward Euler with dt = 1/30.  Table: its triangles after every step.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -6,9 +6,9 @@
  * three finest of seven runs give by Richardson's extrapolation.
  * Table: orders_time.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>

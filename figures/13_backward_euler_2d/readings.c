@@ -7,10 +7,10 @@
  * matrix is not positive definite.  Tables: readings (n = 4), gallery (the
  * triangles of four scenes at three times, n = 6, cubic law, reach 0.6).
  */
-#include "options.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/options.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

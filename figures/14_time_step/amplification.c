@@ -7,9 +7,9 @@
  * methods over omega dt; modes 1, 3, 5 of the bar at 30 steps per second, with
  * the step at which backward Euler takes 1 % per period.
  */
-#include "integrate.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_math.h>

@@ -7,11 +7,11 @@
  * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
  * distance from the extrapolation one level below bounds that error.
  */
-#include "clock.h"
-#include "integrate.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "motion/integrate.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

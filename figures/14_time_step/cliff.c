@@ -8,10 +8,10 @@
  * [eq:amplification]; below, an invariant bounds the energy by (1 + 0.99) /
  * (1 - 0.99) [eq:critical-step].
  */
-#include "integrate.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -5,10 +5,10 @@
  * the energy of a small ripple stays bounded; bar and square, both masses.  A
  * bar that has the stretch F already: sqrt((2 mu + lambda) / P'(F)) of that.
  */
-#include "integrate.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * 1 / (1 + omega^2 dt^2) per step, omega of the continuous bar
  * [eq:amplification].
  */
-#include "integrate.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

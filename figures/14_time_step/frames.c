@@ -5,11 +5,11 @@
  * log law, one step of backward Euler per frame [alg:frame].  What a frame
  * takes is the time between the user's input and the new u.
  */
-#include "clock.h"
-#include "integrate.h"
-#include "study.h"
-#include "table.h"
-#include "user.h"
+#include "base/clock.h"
+#include "motion/integrate.h"
+#include "base/study.h"
+#include "base/table.h"
+#include "motion/user.h"
 
 enum { N = 32 };
 

@@ -6,9 +6,9 @@
  * (u^2 + v^2 / omega^2)^(1/2), over the leading coefficient of (omega dt)^p
  * that it should have [eq:mode-constants].
  */
-#include "integrate.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

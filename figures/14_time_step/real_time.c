@@ -8,11 +8,11 @@
  * longer search needs a larger BUDGET here.  real_time is `-` when the time was
  * over before one could say.
  */
-#include "clock.h"
-#include "integrate.h"
-#include "study.h"
-#include "table.h"
-#include "user.h"
+#include "base/clock.h"
+#include "motion/integrate.h"
+#include "base/study.h"
+#include "base/table.h"
+#include "motion/user.h"
 
 static const double BUDGET = 0.5; /* (s) */
 

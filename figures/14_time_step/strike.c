@@ -8,10 +8,10 @@
  * Of the cubic law the blows end at 1.2 m: struck harder, it turns triangles
  * over on its way, and the reason that FAST ends with is round-off.
  */
-#include "integrate.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * by mesh, beside Euler's; the straight branch and the buckled one of 80 x 8
  * cells; the shape at the last load.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>

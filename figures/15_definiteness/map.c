@@ -4,9 +4,9 @@
  * Tables: their number over the two singular values, both laws; where twist and
  * flip change sign; and P' of uniaxial strain, which says nothing of it.
  */
-#include "modes.h"
-#include "study.h"
-#include "table.h"
+#include "material/modes.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,9 +7,9 @@
  * is positive definite.  Tables: linear systems in all and in each step; the
  * distance to the solution after k systems, and the order.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

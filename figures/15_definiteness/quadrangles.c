@@ -5,9 +5,9 @@
  * length to both sides.  The factor of the mode is the curvature of psi along
  * it.  Table: corners and factors, and the curvature by differences.
  */
-#include "modes.h"
-#include "study.h"
-#include "table.h"
+#include "material/modes.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,10 +6,10 @@
  * middle, energy, elements with a negative eigenvalue; SADDLE: converged, and K
  * there is not positive definite.
  */
-#include "modes.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "material/modes.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,10 +6,10 @@
  * rest; n = 4, all vertices scrambled by the same random numbers.  Tables: the
  * triangles after every step, and where each law ends.
  */
-#include "release.h"
-#include "step.h"
-#include "study.h"
-#include "table.h"
+#include "plane/release.h"
+#include "plane/step.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 

@@ -8,9 +8,9 @@
  * of 1.1; where the others are stuck.  (Narrow bands: their digits are the same
  * on every machine, as a chaotic path needs.)
  */
-#include "release.h"
-#include "study.h"
-#include "table.h"
+#include "plane/release.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sort_int.h>

@@ -6,10 +6,10 @@
  * the left one.  Tables: history (root mean square of the angle; force on the
  * right end, u of its middle), fibres (pieces in place, stretch), outline.
  */
-#include "fibre.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/fibre.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

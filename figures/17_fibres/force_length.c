@@ -8,9 +8,9 @@
  * lengths against activation, and the activation up to which each model is
  * within one per cent of the fullest.
  */
-#include "fibre.h"
-#include "study.h"
-#include "table.h"
+#include "plane/fibre.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -8,10 +8,10 @@
  * after each step K is factored once more.  Tables: uniform (a strip that stays
  * uniform), pull, strip (the triangles at 1.26 times the length).
  */
-#include "fibre.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/fibre.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -9,10 +9,10 @@
  * Tables: polar, idle (the pull
  * that does not stretch the cords), pulled.
  */
-#include "fibre.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "plane/fibre.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 

@@ -6,9 +6,9 @@
  * their places.  Four ways: PIC, FLIP, APIC, and the mixture that many programs
  * use against FLIP's noise, 95 % FLIP and 5 % PIC.
  */
-#include "particle_scene.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

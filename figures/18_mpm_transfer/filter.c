@@ -6,9 +6,9 @@
  * PIC applies this filter once per step and not once per second: a viscosity
  * (p + 1) h^2 / (12 dt), p the order of the kernel.
  */
-#include "particle_scene.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

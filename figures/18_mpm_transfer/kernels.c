@@ -7,9 +7,9 @@
  * the slope: where the slope jumps, so does the force.  Beside it the trap: the
  * quadratic pieces with the wrong first node, floor(x/h).
  */
-#include "particles.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particles.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

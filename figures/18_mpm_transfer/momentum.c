@@ -5,9 +5,9 @@
  * nothing happens between, once the nodes get a rigid kick.  Angular momentum
  * about 0; B belongs to it in APIC [eq:apic].
  */
-#include "particle_scene.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

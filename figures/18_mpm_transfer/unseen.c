@@ -6,9 +6,9 @@
  * particles, for ever.  The rank is that of the matrix m_p N_i(x_p), by GSL's
  * singular values; the unseen part of a zigzag is what is orthogonal to it.
  */
-#include "particles.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particles.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_linalg.h>
 #include <math.h>

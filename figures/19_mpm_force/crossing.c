@@ -9,10 +9,10 @@
  *     4 z S(z)^(p + 1) sin(2 pi m theta),  z = pi m / s,  S = sin z / z
  *                                                     [eq:cell-crossing]
  */
-#include "particle_force.h"
-#include "particle_scene.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_force.h"
+#include "particles/particle_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,9 +6,9 @@
  * with respect to X, which is J times the divergence of sigma with respect to
  * x.
  */
-#include "material.h"
-#include "study.h"
-#include "table.h"
+#include "material/material.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -5,10 +5,10 @@
  * All are -V A grad N per particle and node.  Right is A = P F_n^T, which is
  * the slope of the energy, and J sigma F_hat^-T.
  */
-#include "particle_force.h"
-#include "particle_scene.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_force.h"
+#include "particles/particle_scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -6,9 +6,9 @@
  * point fall, y = y_0 + k dt v_0 - g dt^2 k (k + 1) / 2, whatever the scheme.
  * L is its angular momentum about its centre.
  */
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,10 +7,10 @@
  * of PIC, FLIP and APIC (whose B is not counted), and finite elements by
  * backward Euler.  Steps in h / c.
  */
-#include "integrate.h"
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "motion/integrate.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,10 +7,10 @@
  * the middles of all elements [eq:hanging-bar]; the work, what a loop over the
  * particles visits: particles times nodes per particle.
  */
-#include "bar_scene.h"
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_scene.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

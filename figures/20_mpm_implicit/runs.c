@@ -6,9 +6,9 @@
  * step: the limit is sqrt(2) / omega, and not the grid's own 2 / omega.  Bars
  * with velocities of 1e-9 m/s make 1500 steps of 0.98 and 1.02 of it.
  */
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

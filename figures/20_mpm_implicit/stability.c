@@ -7,9 +7,9 @@
  * eigenvalue of it, as a linear map of all v_p and F_p, is beyond 1.  Times in
  * h / c, c the speed of sound; systems: of one implicit step of 1/30 s.
  */
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_complex_math.h>
 #include <gsl/gsl_eigen.h>

@@ -7,9 +7,9 @@
  * modes of the tangent beside the translation.  `field` is one, quadratic
  * kernel.  `loads`: what a hanging bar says in two load steps.
  */
-#include "particle_bodies.h"
-#include "study.h"
-#include "table.h"
+#include "particles/particle_bodies.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

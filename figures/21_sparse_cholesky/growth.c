@@ -10,10 +10,10 @@
  * dissection has less than the band; second, the price of a second right-hand
  * side, and the memory of K and L.
  */
-#include "matrix.h"
-#include "sparse.h"
-#include "study.h"
-#include "table.h"
+#include "linear/matrix.h"
+#include "linear/sparse.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,9 +6,9 @@
  * it is fill [eq:fill].  Tables: grid, the vertices with their places and how
  * many lines cut off their piece; rows and dissection, the blocks; and counts.
  */
-#include "sparse.h"
-#include "study.h"
-#include "table.h"
+#include "linear/sparse.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <stdlib.h>
 #include <string.h>

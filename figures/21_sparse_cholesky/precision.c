@@ -7,11 +7,11 @@
  * The first steps of the same stretch, with kept factors [alg:chord]: how many
  * systems, and how far apart they end.  Megabytes: entries of K and of L.
  */
-#include "refine.h"
-#include "sparse.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/refine.h"
+#include "linear/sparse.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,11 +7,11 @@
  * the diagonal; Cholesky's word; how CG ends to three tolerances, and after how
  * many iterations), limits (the least squeeze that each of them refuses).
  */
-#include "cg.h"
-#include "options.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/cg.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>

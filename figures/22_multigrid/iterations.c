@@ -6,12 +6,12 @@
  * and, rough, to 1e-4; and the products with K that the former are worth: a
  * sweep counts one, on a coarser grid as much as it has entries).
  */
-#include "cg.h"
-#include "multigrid.h"
-#include "options.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/cg.h"
+#include "linear/multigrid.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <stdlib.h>
 

@@ -8,12 +8,12 @@
  * (per step: increments, matrices, iterations of CG; how far u is, in the end,
  * from that of the finest tolerance).
  */
-#include "cg.h"
-#include "multigrid.h"
-#include "options.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/cg.h"
+#include "linear/multigrid.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -8,9 +8,9 @@
  * over that of the cheapest.  Beside it, what the band saves of the richest one
  * with dense factors.  Tables: choice, chart, right.
  */
-#include "estimate.h"
-#include "study.h"
-#include "table.h"
+#include "choice/estimate.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -6,9 +6,9 @@
  * that is finer still.  Tables: rungs (all of them), chosen (the first that is
  * enough for 10 %), least (lowest and highest ratio, stable and not).
  */
-#include "estimate.h"
-#include "study.h"
-#include "table.h"
+#include "choice/estimate.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

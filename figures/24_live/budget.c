@@ -6,9 +6,9 @@
  * with more and more sub-steps.  Table: systems per frame at the median, at the
  * 99th percentile and at most; frames unfinished, and lost.
  */
-#include "live.h"
-#include "study.h"
-#include "table.h"
+#include "motion/live.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>

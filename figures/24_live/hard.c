@@ -7,9 +7,9 @@
  * is seen best; what tells, with all rungs and without that one), mad (those
  * seeds with all rungs: frames, lost, most systems).
  */
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 #include "without.h"
 
 #include <gsl/gsl_errno.h>

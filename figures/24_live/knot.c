@@ -8,9 +8,9 @@
  * error), body (the triangles of the first body that is knotted, with J, and
  * its knots, with J = 0).
  */
-#include "live.h"
-#include "study.h"
-#include "table.h"
+#include "motion/live.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_rng.h>

@@ -4,9 +4,9 @@
  * The script `hard`, n = 8, the cubic law, backward Euler.  Table: the
  * triangles after every third frame, their J, and where the pointer is.
  */
-#include "live.h"
-#include "study.h"
-#include "table.h"
+#include "motion/live.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <string.h>

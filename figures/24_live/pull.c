@@ -10,10 +10,10 @@
  * 2.2 h / dt), slope (G' of both laws over J: K is a sum of matrices with an
  * eigenvalue mu - G').
  */
-#include "live.h"
-#include "options.h"
-#include "study.h"
-#include "table.h"
+#include "motion/live.h"
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

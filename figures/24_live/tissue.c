@@ -9,9 +9,9 @@
  * is the same but for the mesh; least J; linear systems), strip (what is
  * between two lines of the mesh).
  */
-#include "live.h"
-#include "study.h"
-#include "table.h"
+#include "motion/live.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

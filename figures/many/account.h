@@ -1,13 +1,13 @@
 /*
  * account.h - what a run cost: messages and bytes, memory, seconds; and the
- * same steps by common/step.c on one thread, to compare with.
+ * same steps by common/plane/step.c on one thread, to compare with.
  */
 #ifndef MANY_ACCOUNT_H
 #define MANY_ACCOUNT_H
 
 #include "piece.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <petscsnes.h>

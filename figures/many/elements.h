@@ -13,7 +13,7 @@
 #ifndef MANY_ELEMENTS_H
 #define MANY_ELEMENTS_H
 
-#include "body.h"
+#include "plane/body.h"
 
 #include <assert.h>
 #include <limits.h>

@@ -1,7 +1,7 @@
 /*
  * many.c - the square dealt out to many processes, by PETSc and MPI.
  *
- * A step of backward Euler is that of common/step.c (guess, lift, chord rule,
+ * A step of backward Euler is that of common/plane/step.c (guess, lift, chord rule,
  * stop); PETSc deals out the vertices (DMDA), sends what neighbours need, and
  * has Newton's method (SNES), conjugate gradients (KSP) and their
  * preconditioner (PC).
@@ -11,7 +11,7 @@
  * Per step 2.6 linear systems, per system 4 iterations, whatever n is.
  */
 #include "account.h"
-#include "options.h"
+#include "base/options.h"
 
 #include <stdio.h>
 
@@ -224,7 +224,7 @@ int main(int argc, char *argv[])
          .choices = "geometric algebraic rigid_modes cholesky",
          .help = "preconditioner, or the direct solver MUMPS"},
         {"serial", .choice = &serial, .choices = "no yes",
-         .help = "compare with common/step.c"},
+         .help = "compare with common/plane/step.c"},
     };
     options_parse("many", table, COUNT(table), argc, argv);
     PetscCall(PetscInitialize(NULL, NULL, NULL, NULL));

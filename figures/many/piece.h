@@ -11,7 +11,7 @@
 #define MANY_PIECE_H
 
 #include "elements.h"
-#include "scene.h"
+#include "plane/scene.h"
 
 #include <math.h>
 #include <petscdmda.h>

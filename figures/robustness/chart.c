@@ -7,11 +7,11 @@
  *     scrambled_held  its inner vertices at random: 25 ways; standard error
  *     scrambled_free  all of them; error: of the stress at a stretch of 1.1
  */
-#include "clock.h"
-#include "release.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "plane/release.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,9 +7,9 @@
  * cures, and a step that fails is tried again in halves, these in quarters, to
  * dt / 16.  Tables: what the runs reached, and the steps of five with n = 8.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <string.h>

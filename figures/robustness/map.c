@@ -6,9 +6,9 @@
  * jumps at which the notes' method begins to fail, and at which K at its start
  * is no longer positive definite, by bisection.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

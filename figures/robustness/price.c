@@ -4,10 +4,10 @@
  *
  * The first step of `stretch`, n = 64: factorisations, and milliseconds.
  */
-#include "clock.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 /* Factorisations of the step by this method; a row of the table. */
 static int step(const char *method)

@@ -6,9 +6,9 @@
  * from the same state.  Table: Phi [eq:incremental-potential] of both answers,
  * and whether K there, the curvature of Phi, is positive definite.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -6,9 +6,9 @@
  * Tables: where the runs of each method end, with standard errors, and systems
  * solved by those that find an equilibrium; one that is not at rest.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_cblas.h>
 #include <string.h>

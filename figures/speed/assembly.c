@@ -10,11 +10,11 @@
  * They take turns; medians, in ns per element.  An answer that is not that of
  * the others has none.
  */
-#include "clock.h"
+#include "base/clock.h"
 #include "readable.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

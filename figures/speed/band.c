@@ -10,10 +10,10 @@
  * The solvers take turns; medians.  An answer whose residual is not small, or
  * that is not ours, has no seconds.
  */
-#include "clock.h"
+#include "base/clock.h"
 #include "machine.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>

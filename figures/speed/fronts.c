@@ -4,9 +4,9 @@
  * The settings of sweep.h in six scenes once more, error against milliseconds
  * to the answer, the best of four runs.  A run that is not OK has no time.
  */
-#include "study.h"
-#include "sweep.h"
-#include "table.h"
+#include "base/study.h"
+#include "figures/work_precision/sweep.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,9 +7,9 @@
  * lifted; with new factors for every system, or with factors that are kept
  * [alg:chord].  Counts, no seconds; every run has to end in the same u.
  */
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>

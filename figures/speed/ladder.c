@@ -10,14 +10,14 @@
  * product, sweep and triangle, 10 per unknown in each iteration, and what makes
  * the preconditioner.  Tables: ladder, exponents (of the last doubling of n).
  */
-#include "cg.h"
-#include "clock.h"
+#include "linear/cg.h"
+#include "base/clock.h"
 #include "machine.h"
-#include "multigrid.h"
-#include "sparse.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/multigrid.h"
+#include "linear/sparse.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -9,10 +9,10 @@
  * law, by the storage of K), reached (the largest n for which, and for all
  * smaller ones, the median or the 99th percentile is below 1/30 s).
  */
-#include "clock.h"
-#include "live.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "motion/live.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_sort.h>

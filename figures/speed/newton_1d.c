@@ -9,12 +9,12 @@
  *
  * They take turns; medians.  An answer that is not one ends the study.
  */
-#include "bar_fast.h"
-#include "bar_gsl.h"
-#include "clock.h"
-#include "matrix.h"
-#include "study.h"
-#include "table.h"
+#include "bar/bar_fast.h"
+#include "bar/bar_gsl.h"
+#include "base/clock.h"
+#include "linear/matrix.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>

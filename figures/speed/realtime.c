@@ -6,10 +6,10 @@
  * largest is found by halving an interval, for the band and for dissection with
  * factors in double and in single precision, on one thread.
  */
-#include "clock.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "base/clock.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

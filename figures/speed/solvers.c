@@ -7,11 +7,11 @@
  * They take turns.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
-#include "refine.h"
-#include "sparse.h"
-#include "study.h"
-#include "system.h"
-#include "table.h"
+#include "linear/refine.h"
+#include "linear/sparse.h"
+#include "base/study.h"
+#include "plane/system.h"
+#include "base/table.h"
 
 enum solver { BAND, DISSECTION, SINGLE, CHOLMOD_SAME, SOLVERS };
 static const char *const name[] = {"band", "dissection", "single", "cholmod"};

@@ -5,18 +5,18 @@
  *
  *     readable  readable.h, full Newton from the last u, GSL's banded Cholesky
  *     lapack    closed-form assembly, the same Newton, dpbtrf and dpbtrs
- *     blocked   the same with common/banded.c
+ *     blocked   the same with common/linear/banded.c
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
- *     sparse    the same with common/sparse.c
+ *     sparse    the same with common/linear/sparse.c
  *
  * They take turns; one that was twice too slow for 30 pictures per second does
  * a few steps.  A run off the path of `sparse` ends it.
  */
 #include "machine.h"
 #include "readable.h"
-#include "scene.h"
-#include "study.h"
-#include "table.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <string.h>
 

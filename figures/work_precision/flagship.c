@@ -6,8 +6,8 @@
  * steps, and from the static answer.  In the note what half of h changes.  The
  * ends jump to their velocity at t = 0; beside it the pull with a soft start.
  */
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 #include "work.h"
 
 int main(void)

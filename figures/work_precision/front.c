@@ -7,9 +7,9 @@
  * takes for errors 0.5, 0.4, ... as far as a setting gets.  over_same: its
  * flops over those of the cheapest that is as good; over_asked: as was asked.
  */
-#include "study.h"
+#include "base/study.h"
 #include "sweep.h"
-#include "table.h"
+#include "base/table.h"
 
 #include <math.h>
 #define COLUMNS "scene asked law method n steps tolerance error flops reason " \

@@ -13,8 +13,8 @@
  * the linear one, n = 64 to 256, twice the power of r that u has at the corner
  * between a held and a free side [eq:corner].
  */
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 #include "work.h"
 
 #include <math.h>

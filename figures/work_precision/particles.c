@@ -8,8 +8,8 @@
  * of an error, by lines between the logarithms, over those of elements.
  */
 #include "particle_work.h"
-#include "study.h"
-#include "table.h"
+#include "base/study.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -7,9 +7,9 @@
  * link is measured with the other errors driven below a tenth of it: `others`
  * is what is left of them, over the part, for the largest part of a setting.
  */
-#include "study.h"
+#include "base/study.h"
 #include "sweep.h"
-#include "table.h"
+#include "base/table.h"
 
 #include <math.h>
 

@@ -275,7 +275,7 @@ static void common_mesh_agrees(void)
             want[k % 4] += x[2 * node[k / 4] + k % 4 / 2] *
                            gradient[2 * (k / 4) + k % 2];
         triangle_gradient(node, mesh->X, x, &F);
-        expect_tensor(F, want, 10.0, "F, against common/mesh.c");
+        expect_tensor(F, want, 10.0, "F, against common/plane/mesh.c");
     }
     free(x);
     mesh_free(mesh);
@@ -296,7 +296,7 @@ static void common_agrees(void)
     expect_close(law.mu * mat2_dot(linear, linear) +
                      0.5 * law.lambda * trace * trace,
                  material2_psi(&law, A_), ROUND_OFF, 1.0,
-                 "linear energy, against common/material.c");
+                 "linear energy, against common/material/material.c");
 
     /* the log law where X^2 has F = 2 X near 0, at X = 0.1, 0.01, 0.001 */
     const struct material log_law = material_notes(LOG);
@@ -309,7 +309,7 @@ static void common_agrees(void)
                      "log stress of X^2 at X = %g", X1 / 2.0);
     }
 
-    /* the bar's energy from F, against common/bar.c */
+    /* the bar's energy from F, against common/bar/bar.c */
     const double u[] = {0.0, 0.137, -0.242, 0.0385}, b[4] = {0.0};
     const struct bar bar = {3, 0.371, {1, 1}, b, law};
     double energy, sum = 0.0;
@@ -321,7 +321,7 @@ static void common_agrees(void)
         sum += bar.h * material1_psi(&law, F);
     }
     expect_close(sum, energy, ROUND_OFF, 10.0,
-                 "energy of a bar from your F, against common/bar.c");
+                 "energy of a bar from your F, against common/bar/bar.c");
 }
 
 /* What the notes say about rigid motions: F = I, F = W skew, du/dX = W, F = 0,

@@ -328,7 +328,7 @@ static void cosine_load_has_its_order(void)
                  "error of u(1) / h^2, midpoint rule");
 }
 
-/* common/bar_scene.h, which later lessons and the studies use. */
+/* common/bar/bar_scene.h, which later lessons and the studies use. */
 static void same_as_common_bar_scene(void)
 {
     for (int k = 0; k < 6; k++) {

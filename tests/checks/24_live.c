@@ -28,7 +28,7 @@ static struct live *square(enum law law)
     return live_alloc(&set);
 }
 
-/* A live square after the frames 0..k-1 of hard, by common/live.h. */
+/* A live square after the frames 0..k-1 of hard, by common/motion/live.h. */
 static struct live *after(int k, enum law law)
 {
     struct live *live = square(law);
@@ -298,7 +298,7 @@ static struct live_report compare_downhill(struct live *live,
     return report;
 }
 
-/* The frames of hard, each from the state of common/live.h. */
+/* The frames of hard, each from the state of common/motion/live.h. */
 static void downhill_does_what_it_says(void)
 {
     int unfinished = 0, held_back = 0, stopped = 0;

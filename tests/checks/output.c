@@ -112,7 +112,7 @@ static void read_header(struct output *output, struct named_table *table,
     }
 }
 
-/* Tables as common/table.h describes them; comment lines after the name and
+/* Tables as common/base/table.h describes them; comment lines after the name and
  * blank lines between tables are free. */
 static void read_tables(struct output *output, const char *path)
 {

@@ -11,7 +11,7 @@
 #ifndef TESTS_ORACLE_15_DEFINITENESS_H
 #define TESTS_ORACLE_15_DEFINITENESS_H
 
-#include "material.h"
+#include "material/material.h"
 
 static const struct {
     const char *name;

@@ -1,8 +1,8 @@
-/* bars.c - laws of common/bar_scene.h, bar_gsl.h, and of when Newton's method
+/* bars.c - laws of common/bar/bar_scene.h, bar_gsl.h, and of when Newton's method
  * of bar.h, bar_fast.h and bar_gsl.h stops and why. */
-#include "bar_fast.h"
-#include "bar_gsl.h"
-#include "bar_scene.h"
+#include "bar/bar_fast.h"
+#include "bar/bar_gsl.h"
+#include "bar/bar_scene.h"
 
 #include "../oracle/10_neohookean_bar.h"
 #include "unit.h"

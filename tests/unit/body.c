@@ -1,6 +1,6 @@
-/* body.c - laws of common/mesh.h, body.h and step.h. */
-#include "step.h"
-#include "study.h"
+/* body.c - laws of common/plane/mesh.h, body.h and step.h. */
+#include "plane/step.h"
+#include "base/study.h"
 
 #include "unit.h"
 

@@ -1,6 +1,6 @@
 /* crushed.c - laws that exist for every F, and what lets a crushed body go. */
-#include "circuit.h"
-#include "release.h"
+#include "plane/circuit.h"
+#include "plane/release.h"
 #include "unit.h"
 
 #include <gsl/gsl_math.h>

@@ -1,5 +1,5 @@
-/* fibre.c - laws of common/fibre.h, and of what a body adds (body.h). */
-#include "fibre.h"
+/* fibre.c - laws of common/plane/fibre.h, and of what a body adds (body.h). */
+#include "plane/fibre.h"
 
 #include "unit.h"
 

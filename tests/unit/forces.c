@@ -1,7 +1,7 @@
-/* forces.c - laws of common/particle_force.h: forces are slopes of the
+/* forces.c - laws of common/particles/particle_force.h: forces are slopes of the
  * energy, products slopes of the forces, and the numbers are the oracle's. */
-#include "particle_force.h"
-#include "particle_scene.h"
+#include "particles/particle_force.h"
+#include "particles/particle_scene.h"
 
 #include "../oracle/particle_force.h"
 #include "unit.h"

@@ -1,5 +1,5 @@
-/* history.c - laws of common/history.h. */
-#include "history.h"
+/* history.c - laws of common/plane/history.h. */
+#include "plane/history.h"
 
 #include "unit.h"
 

@@ -1,6 +1,6 @@
-/* integrate.c - laws of common/model.h, integrate.h and user.h. */
-#include "integrate.h"
-#include "user.h"
+/* integrate.c - laws of common/motion/model.h, integrate.h and user.h. */
+#include "motion/integrate.h"
+#include "motion/user.h"
 
 #include "unit.h"
 

@@ -12,7 +12,7 @@
 
 #include "../checks/judge.c"
 
-#include "status.h"
+#include "base/status.h"
 #include "unit.h"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-/* ladder.c - laws of common/ladder.h and common/estimate.h. */
-#include "estimate.h"
+/* ladder.c - laws of common/choice/ladder.h and common/choice/estimate.h. */
+#include "choice/estimate.h"
 
 #include "unit.h"
 

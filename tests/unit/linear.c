@@ -1,7 +1,7 @@
-/* linear.c - laws of common/bar_scene.h for the linear bar, and how wrong it
+/* linear.c - laws of common/bar/bar_scene.h for the linear bar, and how wrong it
  * is. */
-#include "bar_scene.h"
-#include "stretch.h"
+#include "bar/bar_scene.h"
+#include "figures/11_newton_failure/stretch.h"
 
 #include "unit.h"
 

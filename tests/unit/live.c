@@ -1,5 +1,5 @@
-/* live.c - laws of common/live.h and pointer.h. */
-#include "live.h"
+/* live.c - laws of common/motion/live.h and pointer.h. */
+#include "motion/live.h"
 
 #include "unit.h"
 

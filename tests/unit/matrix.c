@@ -1,6 +1,6 @@
-/* matrix.c - laws of common/matrix.h; GSL's LU is the judge. */
-#include "banded.h"
-#include "matrix.h"
+/* matrix.c - laws of common/linear/matrix.h; GSL's LU is the judge. */
+#include "linear/banded.h"
+#include "linear/matrix.h"
 
 #include "unit.h"
 

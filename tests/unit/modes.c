@@ -1,7 +1,7 @@
-/* modes.c - laws of common/modes.h, and of what Lecture 3 has in mesh.h,
+/* modes.c - laws of common/material/modes.h, and of what Lecture 3 has in mesh.h,
  * body.h, scene.h, step.h: the column, and balance that is no minimum. */
-#include "modes.h"
-#include "scene.h"
+#include "material/modes.h"
+#include "plane/scene.h"
 
 #include "unit.h"
 

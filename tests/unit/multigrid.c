@@ -1,7 +1,7 @@
-/* multigrid.c - laws of common/cg.h and common/multigrid.h. */
-#include "cg.h"
-#include "multigrid.h"
-#include "system.h"
+/* multigrid.c - laws of common/linear/cg.h and common/linear/multigrid.h. */
+#include "linear/cg.h"
+#include "linear/multigrid.h"
+#include "plane/system.h"
 
 #include "unit.h"
 

@@ -1,8 +1,8 @@
-/* options.c - laws of common/options.h, status.h and clock.h. */
-#include "options.h"
+/* options.c - laws of common/base/options.h, status.h and clock.h. */
+#include "base/options.h"
 
-#include "clock.h"
-#include "status.h"
+#include "base/clock.h"
+#include "base/status.h"
 #include "unit.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* particles.c - laws of common/particles.h: what kernels are, and what the way
+/* particles.c - laws of common/particles/particles.h: what kernels are, and what the way
  * to the grid and back keeps. */
-#include "particle_scene.h"
+#include "particles/particle_scene.h"
 
 #include "../oracle/particles.h"
 #include "unit.h"

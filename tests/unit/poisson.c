@@ -1,5 +1,5 @@
-/* poisson.c - laws of common/poisson.h; GSL's quadrature is the judge. */
-#include "poisson.h"
+/* poisson.c - laws of common/bar/poisson.h; GSL's quadrature is the judge. */
+#include "bar/poisson.h"
 
 #include "unit.h"
 

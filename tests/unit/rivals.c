@@ -1,7 +1,7 @@
-/* rivals.c - laws of common/particle_work.h: what particles cost and have wrong
+/* rivals.c - laws of figures/work_precision/particle_work.h: what particles cost and have wrong
  * beside finite elements. */
-#include "particle_work.h"
-#include "study.h"
+#include "figures/work_precision/particle_work.h"
+#include "base/study.h"
 
 #include "unit.h"
 

@@ -1,6 +1,6 @@
 /* robustness.c - laws of failure: where the step of step.h fails, and what
  * cures it. */
-#include "scene.h"
+#include "plane/scene.h"
 
 #include "../oracle/robustness.h"
 #include "unit.h"

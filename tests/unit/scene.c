@@ -1,6 +1,6 @@
-/* scene.c - laws of common/scene.h and of the doors of body.h. */
-#include "readable.h"
-#include "scene.h"
+/* scene.c - laws of common/plane/scene.h and of the doors of body.h. */
+#include "figures/speed/readable.h"
+#include "plane/scene.h"
 
 #include "unit.h"
 

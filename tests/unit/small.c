@@ -1,10 +1,10 @@
 /* small.c - laws of the small files of common/, and values that the laws of
  * the large ones leave open: norms, clocks, energies, the notes' scenes. */
-#include "bar_scene.h"
-#include "clock.h"
-#include "mesh.h"
-#include "scene.h"
-#include "tensor.h"
+#include "bar/bar_scene.h"
+#include "base/clock.h"
+#include "plane/mesh.h"
+#include "plane/scene.h"
+#include "material/tensor.h"
 #include "unit.h"
 
 #include <math.h>

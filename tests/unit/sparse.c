@@ -1,9 +1,9 @@
-/* sparse.c - laws of common/dissection.h, sparse.h and the sparse storage of
+/* sparse.c - laws of common/linear/dissection.h, sparse.h and the sparse storage of
  * matrix.h, body.h and step.h; dense storage and the band are the judges. */
-#include "matrix.h"
-#include "refine.h"
-#include "scene.h"
-#include "sparse.h"
+#include "linear/matrix.h"
+#include "linear/refine.h"
+#include "plane/scene.h"
+#include "linear/sparse.h"
 
 #include "unit.h"
 

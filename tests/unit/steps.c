@@ -1,8 +1,8 @@
-/* steps.c - laws of common/particle_step.h and common/particle_bodies.h. */
-#include "particle_bodies.h"
+/* steps.c - laws of common/particles/particle_step.h and common/particles/particle_bodies.h. */
+#include "particles/particle_bodies.h"
 
 #include "../oracle/particle_step.h"
-#include "table.h"
+#include "base/table.h"
 #include "unit.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
-/* stretch.c - laws of common/stretch.h. */
-#include "stretch.h"
+/* stretch.c - laws of figures/11_newton_failure/stretch.h. */
+#include "figures/11_newton_failure/stretch.h"
 
-#include "study.h"
+#include "base/study.h"
 #include "unit.h"
 
 #include "../oracle/11_newton_failure.h"

@@ -1,8 +1,8 @@
-/* study.c - laws of common/study.h. */
-#include "study.h"
+/* study.c - laws of common/base/study.h. */
+#include "base/study.h"
 
-#include "clock.h"
-#include "status.h"
+#include "base/clock.h"
+#include "base/status.h"
 #include "unit.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* system.c - laws of common/csr.h and common/system.h. */
-#include "sparse.h"
-#include "system.h"
+/* system.c - laws of common/linear/csr.h and common/plane/system.h. */
+#include "linear/sparse.h"
+#include "plane/system.h"
 
 #include "unit.h"
 

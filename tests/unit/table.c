@@ -1,5 +1,5 @@
-/* table.c - laws of common/table.h. */
-#include "table.h"
+/* table.c - laws of common/base/table.h. */
+#include "base/table.h"
 
 #include "unit.h"
 

@@ -9,7 +9,7 @@
 #ifndef TESTS_UNIT_UNIT_H
 #define TESTS_UNIT_UNIT_H
 
-#include "options.h" /* COUNT */
+#include "base/options.h" /* COUNT */
 
 #include <check.h>
 

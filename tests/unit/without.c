@@ -1,5 +1,5 @@
-/* without.c - laws of common/without.h. */
-#include "without.h"
+/* without.c - laws of figures/24_live/without.h. */
+#include "figures/24_live/without.h"
 
 #include "unit.h"
 

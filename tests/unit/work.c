@@ -1,6 +1,6 @@
-/* work.c - laws of common/work.h and sweep.h. */
-#include "study.h"
-#include "sweep.h"
+/* work.c - laws of figures/work_precision/work.h and sweep.h. */
+#include "base/study.h"
+#include "figures/work_precision/sweep.h"
 
 #include "unit.h"
 

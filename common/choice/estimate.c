@@ -1,0 +1,151 @@
+/* estimate.c - see estimate.h. */
+#include "choice/estimate.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+double estimate_geometry(const struct ladder_state *s)
+{
+    double forgotten = 0.0, most = 0.0;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(s->body, s->u, e);
+        const mat2 H = mat2_subtract(F, mat2_identity());
+        const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
+        forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
+        most = fmax(most, mat2_norm(H));
+    }
+    return most > 0.0 ? forgotten / most : 0.0;
+}
+
+double estimate_law(const struct ladder_state *s)
+{
+    struct material cubic = s->body->material, logarithm = cubic;
+    double J[2] = {1.0, 1.0}, worst = 0.0;
+    cubic.law = CUBIC;
+    logarithm.law = LOG;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const double here = mat2_det(body_deformation(s->body, s->u, e));
+        J[0] = fmin(J[0], here);
+        J[1] = fmax(J[1], here);
+    }
+    if (!(J[0] > 0.0)) return 1.0;
+    for (int k = 0; k < 2; k++) {
+        const double P = material1_pk1(&logarithm, J[k]);
+        const double off = material1_pk1(&cubic, J[k]) - P;
+        if (J[k] != 1.0) worst = fmax(worst, fabs(off / P));
+    }
+    return fmin(1.0, worst);
+}
+
+double estimate_dimension(const struct ladder_state *s)
+{
+    const struct material *m = &s->body->material;
+    const double length = 2.0, height = length / s->scene->slender;
+    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    double N = 0.0, moment = 0.0;
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        const double *X = &s->mesh->X[2 * a], *f = &s->f[2 * a];
+        N += f[0];
+        moment += (X[0] + 1.0) * f[1] - X[1] * f[0];
+    }
+    const double along = fabs(N) * length / height;
+    const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    const double missed = lateral * lateral * height / (2.0 * length);
+    return (across + missed * along) / (across + along);
+}
+
+double estimate_inertia(const struct ladder_state *s)
+{
+    double *Mu = ladder_momentum(s), work = 0.0, mass = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        work += s->f[r] * s->u[r];
+        mass += s->u[r] * Mu[r];
+    }
+    free(Mu);
+    return fmin(1.0, 1.0 / (sqrt(work / mass) * s->scene->T));
+}
+
+double estimate_mesh(const struct ladder_state *s)
+{
+    const struct mesh *mesh = s->mesh;
+    const double *area = s->body->area;
+    mat2 *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
+    double *share = allocate((size_t)mesh->n_vertex, sizeof *share);
+    const double p = 2.0 * material_corner(&s->body->material);
+    double off = 0.0, all = 0.0;
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int a = mesh->triangle[3 * e + k];
+            const mat2 G = mat2_scale(area[e], ladder_strain(s, e));
+            mean[a] = mat2_add(mean[a], G);
+            share[a] += area[e];
+        }
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        const mat2 G = ladder_strain(s, e);
+        mat2 sum = {{{0.0, 0.0}, {0.0, 0.0}}};
+        for (int k = 0; k < 3; k++) {
+            const int a = mesh->triangle[3 * e + k];
+            const mat2 d =
+                mat2_subtract(mat2_scale(1.0 / share[a], mean[a]), G);
+            off += area[e] / 12.0 * ladder_psi(s, d);
+            sum = mat2_add(sum, d);
+        }
+        off += area[e] / 12.0 * ladder_psi(s, sum);
+        all += area[e] * ladder_psi(s, G);
+    }
+    free(mean);
+    free(share);
+    return all > 0.0 ? off / all / (1.0 - pow(0.5, p)) : 0.0;
+}
+
+void estimate_parts(const struct ladder_state *s, double part[N_PART])
+{
+    part[GEOMETRY] = estimate_geometry(s);
+    part[LAW] = estimate_law(s);
+    part[DIMENSION] = estimate_dimension(s);
+    part[INERTIA] = estimate_inertia(s);
+    part[MESH] = estimate_mesh(s);
+}
+
+int estimate_verdict(struct ladder_model model, enum ladder_time time,
+                     int stable, double tolerance, double part[N_PART],
+                     double *estimate, enum part *add)
+{
+    if (model.rung != BAR) part[DIMENSION] = 0.0;
+    if (model.rung > LINEAR_PLANE) part[GEOMETRY] = 0.0;
+    if (model.rung != CUBIC_PLANE) part[LAW] = 0.0;
+    if (model.moving || time == STANDS) part[INERTIA] = 0.0;
+    if (model.rung == BAR) part[MESH] = 0.0;
+    *estimate = 0.0;
+    *add = GEOMETRY;
+    for (int k = 0; k < N_PART; k++) {
+        *estimate = hypot(*estimate, part[k]);
+        if (part[k] > part[*add]) *add = (enum part)k;
+    }
+    if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
+    return stable && *estimate <= tolerance;
+}
+
+int estimate_state(const struct ladder_state *s, double tolerance,
+                   double *estimate, enum part *add)
+{
+    double part[N_PART];
+    if (s->status != OK) die("a model ends with %s", status_name(s->status));
+    estimate_parts(s, part);
+    return estimate_verdict(s->model, s->scene->time, ladder_stable(s),
+                            tolerance, part, estimate, add);
+}
+
+struct ladder_state *estimate_climb(const struct ladder_scene *scene,
+                                    double tolerance, double *estimate,
+                                    int *enough)
+{
+    struct ladder_model model = {BAR, 0, 0};
+    for (;;) {
+        struct ladder_state *s = ladder_solve(scene, model);
+        enum part add;
+        *enough = estimate_state(s, tolerance, estimate, &add);
+        if (*enough || !ladder_add(scene, add, &model)) return s;
+        ladder_free(s);
+    }
+}

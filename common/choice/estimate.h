@@ -1,0 +1,66 @@
+/*
+ * estimate.h - what a model of ladder.h leaves out, estimated from what it
+ * gives, and what to add to it.
+ *
+ * Each part is relative to the displacement and costs less than the solve:
+ *
+ *     geometry   max |H^T H| / 2 over max |H|               [eq:left-geometry]
+ *     law        |P_cubic - P_log| over |P_log| at the extreme J
+ *                                                           [eq:left-law]
+ *     dimension  what bends, and what the held end keeps wide
+ *                                                           [eq:left-dimension]
+ *     inertia    1 / (omega T), omega of Rayleigh's quotient
+ *                                                           [eq:left-inertia]
+ *     mesh       recovered strain, energy of the difference [eq:left-mesh]
+ *
+ * Source: Zienkiewicz & Zhu, Int. J. Numer. Meth. Eng. 24 (1987), for the mesh;
+ * Bank & Smith, SIAM J. Numer. Anal. 30 (1993), for what it does not see.
+ */
+#ifndef COMMON_ESTIMATE_H
+#define COMMON_ESTIMATE_H
+
+#include "choice/ladder.h"
+
+/* max |H^T H| / 2 / max |H|, H = F - I, Frobenius norm; 0 for u = 0. */
+double estimate_geometry(const struct ladder_state *state);
+
+/* The larger |P_cubic - P_log| / |P_log| in uniaxial strain at the least and at
+ * the largest J, at most 1; 1 where some J <= 0. */
+double estimate_law(const struct ladder_state *state);
+
+/* What a bar of this length and height has no unknowns for, under f. */
+double estimate_dimension(const struct ladder_state *state);
+
+/* min(1, 1 / (omega T)), omega^2 = f.u / u.M u for the density 1. */
+double estimate_inertia(const struct ladder_state *state);
+
+/*
+ * The energy of G - G_recovered over that of G, G = (F^T F - I) / 2, over
+ * 1 - 2^-p: what is recovered is what cells of half the size would see, and
+ * these leave 2^-p of the error, p twice material_corner().
+ */
+double estimate_mesh(const struct ladder_state *state);
+
+/* All of them. */
+void estimate_parts(const struct ladder_state *state, double part[N_PART]);
+
+/*
+ * The verdict [alg:least-model]: parts that the model does not leave out become
+ * 0, *estimate is the root of the sum of the squares of the others, for their
+ * signs have nothing in common; *add is the largest; where the model is
+ * linear and K is not positive definite, GEOMETRY.  true: the model is enough.
+ */
+int estimate_verdict(struct ladder_model model, enum ladder_time time,
+                     int stable, double tolerance, double part[N_PART],
+                     double *estimate, enum part *add);
+
+/* The same for a solved model, whose parts are estimated here. */
+int estimate_state(const struct ladder_state *state, double tolerance,
+                   double *estimate, enum part *add);
+
+/* From the bar up, until a model is enough or there is none: the last one. */
+struct ladder_state *estimate_climb(const struct ladder_scene *scene,
+                                    double tolerance, double *estimate,
+                                    int *enough);
+
+#endif

@@ -1,0 +1,113 @@
+/*
+ * ladder.h - twelve scenes, the models that may do for them, and what each of
+ * them costs.
+ *
+ * A scene is a body (-1, 1) x (-1/slender, 1/slender), its left end held, with
+ * E = 1000 N/m^2 and a density of 1 kg/m^2, and its load: a constant body
+ * force, and on the right end a constant traction and a bending couple. The
+ * load stands still, rises in a straight line in the time T, or swings as
+ * sin(t / T). What is asked for is the displacement at rest under the full load
+ * or, where the load moves, at the moment when the load has done most work.
+ *
+ *     rung     unknowns                     law
+ *     BAR      one number per section       linear: u' = N / (E' A)
+ *     LINEAR   linear triangles             linear: one system
+ *     CUBIC    the same                     cubic Neo-Hookean: Newton's method
+ *     LOG      the same                     logarithmic Neo-Hookean
+ *
+ * each on a mesh that may be halved, at rest or in motion (implicit midpoint),
+ * all with the factors of a band, so that their counted work compares.
+ */
+#ifndef COMMON_LADDER_H
+#define COMMON_LADDER_H
+
+#include "plane/body.h"
+
+enum ladder_time { STANDS, RISES, SWINGS };
+struct ladder_scene {
+    const char *name; /* a word */
+    int slender;      /* length over height */
+    double nu;
+    double weight[2]; /* body force (N/m^2) */
+    double pull[2];   /* traction on the right end (N/m) */
+    double couple;    /* traction (couple Y, 0) there (N/m^2) */
+    enum ladder_time time;
+    double T;         /* (s) */
+    double dt;        /* of all models in motion (s) */
+    double end;       /* the motion is followed so long (s) */
+    int finest;       /* level of the finest mesh that a model may have */
+};
+enum { LADDER_SCENES = 12 };
+extern const struct ladder_scene ladder_scene[LADDER_SCENES];
+#define LADDER_WORDS                                                         \
+    "hanging cantilever small-twist large-twist below-buckling "             \
+    "above-buckling slow-pull fast-pull incompressible slender-column "      \
+    "stout-column shaken"
+
+/* One of them, its load multiplied. */
+struct ladder_scene ladder_loaded(int which, double load);
+
+enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
+struct ladder_model {
+    enum rung rung;
+    int moving;
+    int level; /* of the mesh: 4 rows of square cells at 0, and each level
+                * halves them; the estimates of a BAR are made on level 0 */
+};
+
+/* "bar", "linear", "cubic", "log". */
+const char *ladder_rung(enum rung rung);
+
+/* A scene on a mesh, and what a model makes of it; the pointers are owned. */
+struct ladder_state {
+    const struct ladder_scene *scene; /* borrowed */
+    struct ladder_model model;
+    struct mesh *mesh;
+    struct body *body;
+    double *f;          /* [2 n_vertex] nodal forces of the full load (N) */
+    double *u;          /* [2 n_vertex] the displacement asked for (m) */
+    enum status status; /* OK, or how it was not solved */
+    double flops;       /* counted: assembly, factors, solves */
+};
+
+/* The scene at rest, u = 0, not solved. */
+struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
+                                  struct ladder_model model);
+void ladder_free(struct ladder_state *state);
+
+/* ... and solved by the model. */
+struct ladder_state *ladder_solve(const struct ladder_scene *scene,
+                                  struct ladder_model model);
+
+/* The question of the lowest eigenvalue: whether K = d2Psi/du2 is positive
+ * definite at u.  A model in motion is not asked: true. */
+int ladder_stable(const struct ladder_state *state);
+
+/* What a model may leave out. */
+enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
+const char *ladder_part(enum part part);
+
+/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE
+ * for the law, motion for the inertia, cells of half the size for the mesh; a
+ * bar becomes LINEAR_PLANE with any of them.  false: it has that, or there is
+ * no finer mesh, and nothing changes. */
+int ladder_add(const struct ladder_scene *scene, enum part part,
+               struct ladder_model *model);
+
+/* What the estimates are made of: the Green strain G = (F^T F - I) / 2 of
+ * triangle e [eq:green-strain]; the linear law's energy of a strain
+ * [eq:psi-linear]; M u for the density 1, a new array for the caller to free.
+ */
+mat2 ladder_strain(const struct ladder_state *state, int e);
+double ladder_psi(const struct ladder_state *state, mat2 strain);
+double *ladder_momentum(const struct ladder_state *state);
+
+/* The richest model of a scene, on the mesh after its finest: the truth that
+ * the others are measured against. */
+struct ladder_model ladder_truth(const struct ladder_scene *scene);
+
+/* max |u - u_truth| / max |u_truth| over the vertices of the coarsest mesh. */
+double ladder_error(const struct ladder_state *state,
+                    const struct ladder_state *truth);
+
+#endif

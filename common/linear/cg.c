@@ -1,0 +1,112 @@
+/* cg.c - see cg.h. */
+#include "linear/cg.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double dot(int n, const double x[], const double y[])
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    return sum;
+}
+
+struct cg_report cg_solve(const struct csr *K, preconditioner *precondition,
+                          const void *context, double tolerance, int cap,
+                          const double b[], double x[])
+{
+    const int n = K->n;
+    struct cg_report report = {.status = MAX_ITERATIONS};
+    double *r = allocate(4 * (size_t)n, sizeof *r);
+    double *z = r + n, *p = z + n, *Kp = p + n, before = 1.0;
+    const double size = sqrt(dot(n, b, b));
+
+    memcpy(r, b, (size_t)n * sizeof *r);
+    memset(x, 0, (size_t)n * sizeof *x);
+    for (;;) {
+        report.residual = size == 0.0 ? 0.0 : sqrt(dot(n, r, r)) / size;
+        report.status = NONFINITE;
+        if (!isfinite(report.residual)) break;
+        report.status = OK;
+        if (report.residual <= tolerance) break;
+        report.status = MAX_ITERATIONS;
+        if (report.iterations == cap) break;
+
+        precondition(context, r, z);
+        const double rz = dot(n, r, z), beta = rz / before;
+        for (int i = 0; i < n; i++) p[i] = z[i] + beta * p[i];
+        csr_multiply(K, p, Kp);
+        const double pKp = dot(n, p, Kp), alpha = rz / pKp;
+        report.status = NONFINITE;
+        if (!isfinite(rz) || !isfinite(pKp)) break;
+        report.status = NOT_SPD;
+        if (rz <= 0.0 || pKp <= 0.0) break;
+        for (int i = 0; i < n; i++) {
+            x[i] += alpha * p[i];
+            r[i] -= alpha * Kp[i];
+        }
+        before = rz;
+        report.iterations++;
+    }
+    free(r);
+    return report;
+}
+
+void cg_jacobi(const void *csr, const double r[], double z[])
+{
+    const struct csr *K = csr;
+    for (int i = 0; i < K->n; i++)
+        for (int k = K->start[i]; k < K->start[i + 1]; k++)
+            if (K->index[k] == i) z[i] = r[i] / K->value[k];
+}
+
+void cg_incomplete(const void *factor, const double r[], double z[])
+{
+    const struct factor *L = factor;
+    memcpy(z, r, (size_t)L->n * sizeof *z);
+    factor_solve(L, z);
+}
+
+/* K's lower triangle, as columns: those of the rows, which are as long. */
+static struct factor *lower_triangle(const struct csr *K)
+{
+    int *count = allocate((size_t)K->n, sizeof *count);
+    for (int j = 0; j < K->n; j++)
+        for (int k = K->start[j]; k < K->start[j + 1]; k++)
+            count[j] += K->index[k] >= j;
+    struct factor *L = factor_alloc(K->n, count);
+    for (int j = 0; j < K->n; j++)
+        for (int k = K->start[j]; k < K->start[j + 1]; k++)
+            if (K->index[k] >= j) {
+                L->row[L->end[j]] = K->index[k];
+                L->value[L->end[j]++] = K->value[k];
+            }
+    free(count);
+    return L;
+}
+
+/* Column by column; an update that would fall beside the pattern is dropped. */
+struct factor *incomplete(const struct csr *K)
+{
+    struct factor *L = lower_triangle(K);
+    int *at = allocate((size_t)K->n, sizeof *at), j; /* 0, or a place in l */
+    for (j = 0; j < K->n; j++) {
+        double *l = &L->value[L->start[j]];
+        const int *row = &L->row[L->start[j]], m = L->end[j] - L->start[j];
+        if (!(l[0] > 0.0)) break;
+        l[0] = sqrt(l[0]);
+        for (int a = 1; a < m; a++) {
+            l[a] /= l[0];
+            at[row[a]] = a;
+        }
+        for (int a = 1; a < m; a++)
+            for (int q = L->start[row[a]]; q < L->end[row[a]]; q++)
+                if (at[L->row[q]]) L->value[q] -= l[a] * l[at[L->row[q]]];
+        for (int a = 1; a < m; a++) at[row[a]] = 0;
+    }
+    free(at);
+    if (j == K->n) return L;
+    factor_free(L);
+    return NULL;
+}

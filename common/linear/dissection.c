@@ -1,0 +1,126 @@
+/* dissection.c - see dissection.h. */
+#include "linear/dissection.h"
+
+#include "base/status.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NEIGHBOURS = 8 }; /* of a vertex of a square grid, however it is cut */
+
+/* What the recursion carries along. */
+struct state {
+    struct dissection *d;
+    const int *held;
+    int row, leaf; /* vertices in a row of the mesh; leaf of the caller */
+};
+
+struct box {
+    int from[2], to[2]; /* columns and rows of vertices, to exclusive */
+};
+
+static int count_free(const struct state *s, struct box b)
+{
+    int count = 0;
+    for (int j = b.from[1]; j < b.to[1]; j++)
+        for (int i = b.from[0]; i < b.to[0]; i++)
+            count += !s->held[j * s->row + i];
+    return count;
+}
+
+/* Number the free vertices of the box, row by row: a new piece. */
+static int number(const struct state *s, struct box b, int depth, int child0,
+                  int child1)
+{
+    struct dissection *d = s->d;
+    struct piece *piece = &d->piece[d->n_piece];
+    *piece = (struct piece){d->n_vertex, 0, depth, {child0, child1}};
+    for (int j = b.from[1]; j < b.to[1]; j++)
+        for (int i = b.from[0]; i < b.to[0]; i++)
+            if (!s->held[j * s->row + i])
+                d->place[j * s->row + i] = d->n_vertex++;
+    piece->count = d->n_vertex - piece->first;
+    return d->n_piece++;
+}
+
+/* Cut the box in two and a line between them, which is numbered last
+ * [alg:dissection].  Returns the last piece, -1: no vertex of it is free. */
+static int dissect(const struct state *s, struct box b, int depth)
+{
+    const int count = count_free(s, b);
+    if (count == 0) return -1;
+    if (count <= s->leaf) return number(s, b, depth, -1, -1);
+    for (int side = 0; side < 4; side++) /* a side that is held is no part */
+        for (;;) {
+            struct box edge = b, other = b;
+            const int k = side / 2;
+            if (side % 2) edge.from[k] = other.to[k] = b.to[k] - 1;
+            else edge.to[k] = other.from[k] = b.from[k] + 1;
+            if (count_free(s, edge) > 0) break;
+            b = other;
+        }
+    const int k = b.to[0] - b.from[0] < b.to[1] - b.from[1];
+    struct box before = b, line = b, after = b;
+    before.to[k] = line.from[k] = (b.from[k] + b.to[k]) / 2;
+    after.from[k] = line.to[k] = line.from[k] + 1;
+    const int child0 = dissect(s, before, depth + 1);
+    const int child1 = dissect(s, after, depth + 1);
+    return number(s, line, depth, child0, child1);
+}
+
+/* The later neighbours of every vertex, by the edges of the triangles. */
+static void find_neighbours(struct dissection *d, const struct mesh *mesh)
+{
+    int *list = allocate((size_t)(NEIGHBOURS + 1) * (size_t)d->n_vertex,
+                         sizeof *list);
+    int *count = list + NEIGHBOURS * d->n_vertex;
+    for (int t = 0; t < 3 * mesh->n_triangle; t++)
+        for (int k = 1; k < 3; k++) {
+            const int a = d->place[mesh->triangle[t]];
+            const int b = d->place[mesh->triangle[t / 3 * 3 + (t + k) % 3]];
+            int known = a < 0 || b < a;
+            for (int i = 0; i < (known ? 0 : count[a]); i++)
+                if (list[NEIGHBOURS * a + i] == b) known = 1;
+            if (known) continue;
+            assert(count[a] < NEIGHBOURS);
+            list[NEIGHBOURS * a + count[a]++] = b;
+        }
+    d->start = allocate((size_t)d->n_vertex + 1, sizeof(int));
+    for (int v = 0; v < d->n_vertex; v++)
+        d->start[v + 1] = d->start[v] + 1 + count[v];
+    d->row = allocate((size_t)d->start[d->n_vertex], sizeof(int));
+        for (int v = 0; v < d->n_vertex; v++) {
+        d->row[d->start[v]] = v;
+        memcpy(&d->row[d->start[v] + 1], &list[NEIGHBOURS * v],
+               (size_t)count[v] * sizeof(int));
+    }
+    free(list);
+}
+
+struct dissection *dissection_alloc(const struct mesh *mesh, const int held[],
+                                    int leaf)
+{
+    const int row = mesh->n + 1;
+    const struct box all = {{0, 0}, {row, mesh->rows + 1}};
+    struct dissection *d = allocate(1, sizeof *d);
+    const struct state state = {d, held, row, leaf};
+    d->place = allocate((size_t)mesh->n_vertex, sizeof *d->place);
+    for (int a = 0; a < mesh->n_vertex; a++) d->place[a] = -1;
+    d->piece = allocate((size_t)mesh->n_vertex, sizeof *d->piece);
+    assert(leaf > 0);
+    dissect(&state, all, 0);
+    assert(d->n_vertex > 0);
+    find_neighbours(d, mesh);
+    return d;
+}
+
+void dissection_free(struct dissection *d)
+{
+    if (!d) return;
+    free(d->place);
+    free(d->piece);
+    free(d->start);
+    free(d->row);
+    free(d);
+}

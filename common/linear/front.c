@@ -1,0 +1,164 @@
+/* front.c - see front.h. */
+#include "linear/front.h"
+
+#include "linear/vec.h"
+
+#include <string.h>
+
+static int blocks(int n)
+{
+    return (n + V - 1) / V;
+}
+
+/* Where panel K begins, when all before it are whole, in a triangle of `all`
+ * blocks. */
+INLINE ptrdiff_t panel(ptrdiff_t K, ptrdiff_t all)
+{
+    return V * V * (K * all - K * (K - 1) / 2);
+}
+
+int front_row(int pivots, int k)
+{
+    return blocks(pivots) * V + k;
+}
+
+size_t front_size(int pivots, int rest)
+{
+    const int K = pivots / V, all = blocks(pivots) + blocks(rest);
+    return (size_t)(panel(K, all) + V * (all - K) * (pivots % V));
+}
+
+/* Column j of a front: row i is column[i / V * *down + i % V]. */
+INLINE double *front_column(const struct front *f, int j, ptrdiff_t *down)
+{
+    const int first = blocks(f->pivots), rest = blocks(f->rest), K = j / V;
+    const int left = f->pivots - K * V;
+    *down = V * (0 < left && left < V ? left : V);
+    if (K < first) return &f->l[panel(K, first + rest) - K * *down + j % V * V];
+    /* panels of u count from 0 */
+    return &f->u[panel(K - first, rest) - K * *down + j % V * V];
+}
+
+int front_place(int pivots, int rest, int i, int j)
+{
+    const int K = j / V, w = pivots - K * V < V ? pivots - K * V : V;
+    return (int)panel(K, blocks(pivots) + blocks(rest)) +
+           (i / V - K) * V * w + j % V * V + i % V;
+}
+
+void front_fill(const struct front *f, int n, const int place[],
+                const double block[])
+{
+    memset(f->l, 0, front_size(f->pivots, f->rest) * sizeof *f->l);
+    for (int k = 0; k < n; k++, block += 4) {
+        TWO(f->l[place[k]]) = TWO(block[0]);
+        TWO(f->l[place[k] + V]) = TWO(block[2]);
+    }
+}
+
+void front_extend(const struct front *child, const int row[],
+                  const struct front *parent, int after)
+{
+    const unsigned n = (unsigned)child->rest / 2;
+    const int skip = front_row(child->pivots, 0);
+    unsigned J = 0, next, end = 0;
+    while (end < n && row[end] < parent->pivots) end++;
+    if (after) J = end, end = n;
+    for (; J < end; J = next) { /* columns of one panel of the child */
+        double *to[V / 2];
+        ptrdiff_t down[V / 2], of_child;
+        next = (2 * J / V + 1) * V / 2;
+        if (next > end) next = end;
+        for (unsigned j = J; j < next; j++)
+            to[j - J] = front_column(parent, row[j], &down[j - J]);
+        const double *from = front_column(child, skip + 2 * (int)J, &of_child);
+        from += skip * V;
+        for (unsigned i = J; i < n; i++) {
+            const unsigned at = (unsigned)row[i];
+            const double *add = &from[2 * i / V * V * V + 2 * i % V];
+            for (unsigned j = J; j < next && j <= i; j++, add += 2 * V) {
+                double *sum = &to[j - J][at / V * down[j - J] + at % V];
+                TWO(sum[0]) += TWO(add[0]);
+                TWO(sum[V]) += TWO(add[V]);
+            }
+        }
+    }
+}
+
+/* Numbers i .. i + V - 1 of what is kept. */
+INLINE vec numbers(const int single, const struct front *f, ptrdiff_t i)
+{
+    return single ? VEC_OF(&f->rounded[i]) : VEC(f->l[i]);
+}
+
+/* y[c] := the sum of all numbers of t[c]. */
+INLINE void add_up(vec t[W], double y[W])
+{
+    UNROLL for (int half = V / 2; half > 0; half /= 2)
+        UNROLL for (int c = 0; c < W; c++)
+            UNROLL for (int r = 0; r < half; r++) t[c][r] += t[c][r + half];
+    UNROLL for (int c = 0; c < W; c++) y[c] = t[c][0];
+}
+
+INLINE void forward(const int single, const struct front *f, double x[])
+{
+    const int all = blocks(f->pivots) + blocks(f->rest);
+    ptrdiff_t l = 0;
+    for (int J = 0; J < f->pivots; J += W) {
+        const int w = f->pivots - J < W ? f->pivots - J : W;
+        double *y = &x[J];
+        vec part[W] = {{0.0}};
+        for (int c = 0; c < w; c++, l += V)
+            part[c] = numbers(single, f, l) * VEC(x[J]);
+        add_up(part, y);
+        for (int i = J / V + 1; i < all; i++, l += V * w) {
+            vec t = VEC(x[i * V]);
+            if (w == W)
+                UNROLL for (int c = 0; c < W; c++)
+                    t -= numbers(single, f, l + c * V) * y[c];
+            else
+                for (int c = 0; c < w; c++)
+                    t -= numbers(single, f, l + c * V) * y[c];
+            VEC(x[i * V]) = t;
+        }
+    }
+}
+
+/* From the end of what is kept to its beginning. */
+INLINE void backward(const int single, const struct front *f, double x[])
+{
+    const int all = blocks(f->pivots) + blocks(f->rest);
+    ptrdiff_t l = (ptrdiff_t)front_size(f->pivots, f->rest);
+    for (int K = blocks(f->pivots) - 1; K >= 0; K--) {
+        const int w = f->pivots - K * W < W ? f->pivots - K * W : W;
+        double y[W];
+        vec part[W] = {{0.0}}, t = {0.0};
+        for (int i = all - 1; i > K; i--) {
+            l -= V * w;
+            if (w == W)
+                UNROLL for (int c = 0; c < W; c++)
+                    part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);
+            else
+                for (int c = 0; c < w; c++)
+                    part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);
+        }
+        add_up(part, y);
+        for (int c = w - 1; c >= 0; c--) {
+            l -= V;
+            t += numbers(single, f, l) * (x[K * V + c] - y[c]);
+        }
+        VEC(x[K * V]) = t;
+    }
+}
+
+void front_forward(const struct front *f, double x[])
+{
+    if (f->rounded) forward(1, f, x);
+    else forward(0, f, x);
+}
+
+void front_backward(const struct front *f, double x[])
+{
+    if (f->rounded) backward(1, f, x);
+    else backward(0, f, x);
+}

@@ -1,0 +1,420 @@
+/* matrix.c - see matrix.h.  GSL does what is dense, banded.h the wide bands,
+ * and sparse.h what is sparse. */
+#include "linear/matrix.h"
+
+#include "linear/banded.h"
+#include "linear/sparse.h"
+
+#include <assert.h>
+#include <float.h>
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_sort_vector.h>
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *storage_name(enum storage storage)
+{
+    static const char *const name[] = {"dense", "banded", "sparse", "plain"};
+    return name[storage];
+}
+
+/* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
+ * storage hold i >= j only. */
+static double *entry(const struct matrix *A, int i, int j)
+{
+    if (A->storage == SPARSE) {
+        const int block = sparse_block(A->pattern, i / 2, j / 2);
+        return block < 0 ? NULL : &A->a[4 * block + j % 2 * 2 + i % 2];
+    }
+    if (A->storage == DENSE) return &A->a[(size_t)i * A->stride + (size_t)j];
+    return &A->a[(size_t)j * A->stride + (size_t)(i - j)];
+}
+
+static int is_wide(const struct matrix *A) /* for banded.h */
+{
+    return A->storage == BANDED && A->p >= BAND_WIDE;
+}
+
+/* n zeros that start at a line of the cache: see banded.h. */
+static double *allocate_lines(size_t n)
+{
+    const size_t bytes = (n * sizeof(double) + 63) / 64 * 64;
+    double *a = n < SIZE_MAX / 16 ? aligned_alloc(64, bytes) : NULL;
+    if (!a) die("out of memory: %zu numbers", n);
+    return memset(a, 0, bytes);
+}
+
+struct matrix *matrix_alloc(enum storage storage, int n, int p)
+{
+    assert(n > 0 && storage != SPARSE);
+    struct matrix *A = allocate(1, sizeof *A);
+    A->storage = storage;
+    A->n = n;
+    A->p = storage == DENSE || p >= n ? n - 1 : p;
+    A->stride = is_wide(A) ? band_stride(A->p) : (size_t)A->p + 1;
+    A->size = (size_t)n * A->stride;
+    A->a = allocate_lines(A->size);
+    return A;
+}
+
+struct matrix *matrix_alloc_sparse(const struct sparse *pattern)
+{
+    struct matrix *A = allocate(1, sizeof *A);
+    const int n = 2 * pattern->n_vertex;
+    const size_t size = 4 * (size_t)pattern->start[pattern->n_vertex];
+    *A = (struct matrix){.storage = SPARSE, .n = n, .p = n - 1, .stride = 3,
+                         .size = size, .a = allocate_lines(size),
+                         .pattern = pattern};
+    return A;
+}
+
+struct matrix *matrix_copy(const struct matrix *A)
+{
+    struct matrix *copy = A->storage == SPARSE
+                              ? matrix_alloc_sparse(A->pattern)
+                              : matrix_alloc(A->storage, A->n, A->p);
+    memcpy(copy->a, A->a, A->size * sizeof *A->a);
+    return copy;
+}
+
+struct matrix *matrix_block(const struct matrix *A, int first, int n)
+{
+    assert(0 <= first && first + n <= A->n);
+    struct matrix *block = matrix_alloc(A->storage, n, A->p);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            if (abs(i - j) <= block->p)
+                matrix_add(block, i, j, matrix_get(A, first + i, first + j));
+    return block;
+}
+
+void matrix_free(struct matrix *A)
+{
+    if (!A) return;
+    free(A->a), free(A->factor), free(A);
+}
+
+void matrix_zero(struct matrix *A)
+{
+    memset(A->a, 0, A->size * sizeof *A->a);
+}
+
+void matrix_add(struct matrix *A, int i, int j, double value)
+{
+    assert(0 <= i && i < A->n && 0 <= j && j < A->n && abs(i - j) <= A->p);
+    if (A->storage != DENSE && i < j) return;
+    double *A_ij = entry(A, i, j);
+    assert(A_ij);
+    *A_ij += value;
+}
+
+double matrix_get(const struct matrix *A, int i, int j)
+{
+    assert(0 <= i && i < A->n && 0 <= j && j < A->n);
+    if (abs(i - j) > A->p) return 0.0;
+    const double *A_ij = A->storage != DENSE && i < j ? entry(A, j, i)
+                                                      : entry(A, i, j);
+    return A_ij ? *A_ij : 0.0;
+}
+
+int matrix_place(const struct matrix *A, int i, int j)
+{
+    const double *A_ij = entry(A, i, j);
+    assert(i >= j && A_ij && A_ij - A->a < INT_MAX);
+    return (int)(A_ij - A->a);
+}
+
+static void set(struct matrix *A, int i, int j, double value)
+{
+    if (A->storage == DENSE || i >= j) *entry(A, i, j) = value;
+}
+
+void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
+                      const int node[], const double value[],
+                      enum diagonal diagonal)
+{
+    assert(A->storage != SPARSE);
+    for (int f = 0; f < n_fixed; f++) {
+        const int k = node[f];
+        const int first = k - A->p > 0 ? k - A->p : 0;
+        const int last = k + A->p < A->n - 1 ? k + A->p : A->n - 1;
+        const double d = diagonal == KEEP_DIAGONAL ? matrix_get(A, k, k) : 1.0;
+
+        for (int i = first; i <= last; i++) {
+            b[i] -= matrix_get(A, i, k) * value[f];
+            set(A, i, k, 0.0);
+            set(A, k, i, 0.0);
+        }
+        set(A, k, k, d);
+        b[k] = d * value[f];
+    }
+}
+
+static enum status dense_factor(struct matrix *A)
+{
+    const size_t n = (size_t)A->n;
+    gsl_matrix_view view = gsl_matrix_view_array(A->a, n, n);
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    const int failed = gsl_linalg_cholesky_decomp1(&view.matrix);
+    gsl_set_error_handler(old);
+    if (failed) return NOT_SPD;
+    for (int k = 0; k < A->n; k++) { /* A_kk = sum_j L_kj^2 */
+        const double pivot = *entry(A, k, k) * *entry(A, k, k);
+        double A_kk = 0.0;
+        for (int j = 0; j <= k; j++) A_kk += *entry(A, k, j) * *entry(A, k, j);
+        if (!(pivot > A->n * DBL_EPSILON * A_kk)) return NOT_SPD; /* NaN too */
+    }
+    return OK;
+}
+
+/* The textbook's three loops: what column k contributes to a later column j. */
+static enum status narrow_factor(struct matrix *A)
+{
+    const int n = A->n, p = A->p;
+    for (int j = 0; j < n; j++) {
+        double *column = entry(A, j, j);
+        const double A_jj = column[0];
+        for (int k = j > p ? j - p : 0; k < j; k++) {
+            const double *L_k = entry(A, j, k);
+            for (int d = 0; d <= p - (j - k); d++) column[d] -= L_k[0] * L_k[d];
+        }
+        if (!(column[0] > n * DBL_EPSILON * A_jj)) return NOT_SPD; /* NaN too */
+        const double inverse = 1.0 / (column[0] = sqrt(column[0]));
+        for (int d = 1; d <= p; d++) column[d] *= inverse;
+    }
+    return OK;
+}
+
+static void narrow_solve(const struct matrix *L, double b[])
+{
+    const int n = L->n, p = L->p;
+    for (int j = 0; j < n; j++) {
+        const double *column = entry(L, j, j);
+        const int last = n - 1 - j < p ? n - 1 - j : p;
+        b[j] /= column[0];
+        for (int d = 1; d <= last; d++) b[j + d] -= column[d] * b[j];
+    }
+    for (int j = n - 1; j >= 0; j--) {
+        const double *column = entry(L, j, j);
+        const int last = n - 1 - j < p ? n - 1 - j : p;
+        for (int d = 1; d <= last; d++) b[j] -= column[d] * b[j + d];
+        b[j] /= column[0];
+    }
+}
+
+void matrix_keep_single(struct matrix *A, int single)
+{
+    assert(A->storage == SPARSE);
+    if (A->single != single) free(A->factor), A->factor = NULL;
+    A->single = single;
+}
+
+enum status matrix_factor(struct matrix *A)
+{
+    if (A->storage == DENSE) return dense_factor(A);
+    if (is_wide(A)) return band_factor(A->n, A->p, A->stride, A->a);
+    if (A->storage != SPARSE) return narrow_factor(A);
+    if (!A->factor)
+        A->factor = allocate_lines(sparse_size(A->pattern, A->single));
+    return sparse_factor(A->pattern, A->a, A->single, A->factor);
+}
+
+void matrix_solve(const struct matrix *L, double b[])
+{
+    if (L->storage == SPARSE) {
+        sparse_solve(L->pattern, L->single, L->factor, b);
+    } else if (is_wide(L)) {
+        band_solve(L->n, L->p, L->stride, L->a, b);
+    } else if (L->storage != DENSE) {
+        narrow_solve(L, b);
+    } else {
+        const size_t n = (size_t)L->n;
+        gsl_matrix_view view = gsl_matrix_view_array(L->a, n, n);
+        gsl_vector_view x = gsl_vector_view_array(b, n);
+        gsl_linalg_cholesky_svx(&view.matrix, &x.vector);
+    }
+}
+
+/* For a sparse A: its vertices, as the mesh numbers them, make a band. */
+static enum status solve_in_a_band(const struct matrix *A, double b[],
+                                   int *negative)
+{
+    const struct sparse *s = A->pattern;
+    int *rank = allocate((size_t)s->n_vertex, sizeof *rank), next = 0, p = 1;
+    double *x = allocate((size_t)A->n, sizeof *x);
+    for (int a = 0; next < s->n_vertex; a++)
+        if (s->place[a] >= 0) rank[s->place[a]] = next++;
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = s->start[v]; k < s->start[v + 1]; k++)
+            if (2 * abs(rank[s->row[k]] - rank[v]) + 1 > p)
+                p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
+    struct matrix *band = matrix_alloc(BANDED, A->n, p);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = 4 * s->start[v]; k < 4 * s->start[v + 1]; k++) {
+            const int i = 2 * rank[s->row[k / 4]] + k % 2;
+            const int j = 2 * rank[v] + k / 2 % 2;
+            if (A->a[k] != 0.0)
+                matrix_add(band, i > j ? i : j, i > j ? j : i, A->a[k]);
+        }
+    for (int i = 0; i < A->n; i++) x[2 * rank[i / 2] + i % 2] = b[i];
+    const enum status status = matrix_solve_indefinite(band, x, negative);
+    for (int i = 0; i < A->n; i++) b[i] = x[2 * rank[i / 2] + i % 2];
+    matrix_free(band);
+    free(rank);
+    free(x);
+    return status;
+}
+
+enum status matrix_solve_indefinite(const struct matrix *A, double b[],
+                                    int *negative)
+{
+    if (A->storage == SPARSE) return solve_in_a_band(A, b, negative);
+    /* GSL wants rows of p + 1 numbers, without room behind them */
+    const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
+    double *copy = allocate(n * row, sizeof *copy);
+    gsl_matrix_view view = gsl_matrix_view_array(copy, n, row);
+    gsl_vector_view x = gsl_vector_view_array(b, n);
+    assert(A->storage != DENSE);
+    for (size_t j = 0; j < n; j++)
+        memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
+                 gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
+    gsl_set_error_handler(old);
+    if (negative) *negative = 0;
+    for (size_t j = 0; j < n; j++) {
+        const double D_jj = copy[j * row], A_jj = A->a[j * A->stride];
+        if (!(fabs(D_jj) > DBL_EPSILON * fabs(A_jj))) failed = 1;
+        if (negative) *negative += D_jj < 0.0;
+    }
+    free(copy);
+    return failed ? NOT_SPD : OK;
+}
+
+void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
+                    struct matrix *C)
+{
+    assert(A->storage == B->storage && A->n == B->n && A->p == B->p);
+    assert(A->storage == C->storage && A->n == C->n && A->p == C->p);
+    assert(A->pattern == B->pattern && A->pattern == C->pattern);
+    for (size_t i = 0; i < A->size; i++)
+        C->a[i] = A->a[i] + s * B->a[i];
+}
+
+enum status matrix_eigenvalues(const struct matrix *A, double value[])
+{
+    const size_t n = (size_t)A->n;
+    gsl_matrix *copy = gsl_matrix_alloc(n, n);
+    gsl_vector_view values = gsl_vector_view_array(value, n);
+    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(n);
+    enum status status = OK;
+    if (!copy || !work) die("out of memory");
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            const double A_ij = matrix_get(A, (int)i, (int)j);
+            if (!isfinite(A_ij)) status = NONFINITE; /* GSL would not end */
+            gsl_matrix_set(copy, i, j, A_ij);
+        }
+    if (status == OK) {
+        gsl_eigen_symm(copy, &values.vector, work);
+        gsl_sort_vector(&values.vector);
+    }
+    gsl_eigen_symm_free(work), gsl_matrix_free(copy);
+    return status;
+}
+
+/* Of every block and of its mirror image; a block of the diagonal is one. */
+static void multiply_blocks(const struct matrix *A, const double x[],
+                            double y[])
+{
+    const struct sparse *s = A->pattern;
+    memset(y, 0, (size_t)A->n * sizeof *y);
+    for (int j = 0; j < s->n_vertex; j++) {
+        const double *x_j = &x[2 * j], *a = &A->a[4 * s->start[j]];
+        y[2 * j] += a[0] * x_j[0] + a[1] * x_j[1];
+        y[2 * j + 1] += a[1] * x_j[0] + a[3] * x_j[1];
+        for (int b = s->start[j] + 1; b < s->start[j + 1]; b++) {
+            const double *x_i = &x[2 * s->row[b]];
+            double *y_i = &y[2 * s->row[b]];
+            a += 4;
+            y_i[0] += a[0] * x_j[0] + a[2] * x_j[1];
+            y_i[1] += a[1] * x_j[0] + a[3] * x_j[1];
+            y[2 * j] += a[0] * x_i[0] + a[1] * x_i[1];
+            y[2 * j + 1] += a[2] * x_i[0] + a[3] * x_i[1];
+        }
+    }
+}
+
+void matrix_multiply(const struct matrix *A, const double x[], double y[])
+{
+    if (A->storage == SPARSE) {
+        multiply_blocks(A, x, y);
+        return;
+    }
+    for (int i = 0; i < A->n; i++) {
+        const int first = i - A->p > 0 ? i - A->p : 0;
+        const int last = i + A->p < A->n - 1 ? i + A->p : A->n - 1;
+        y[i] = 0.0;
+        for (int j = first; j <= last; j++) y[i] += matrix_get(A, i, j) * x[j];
+    }
+}
+
+double matrix_residual(const struct matrix *A, const double x[],
+                       const double b[])
+{
+    double *r = allocate((size_t)A->n, sizeof *r);
+    double largest = 0.0;
+    matrix_multiply(A, x, r);
+    for (int i = 0; i < A->n; i++) {
+        const double size = fabs(b[i] - r[i]);
+        if (isnan(size) || size > largest) largest = size; /* NaN stays */
+    }
+    free(r);
+    return largest;
+}
+
+double matrix_backward_error(const struct matrix *A, const double u[],
+                             const double b[])
+{
+    double norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
+    for (int i = 0; i < A->n; i++) {
+        const int last = i + A->p < A->n ? i + A->p : A->n - 1;
+        double sum = 0.0;
+        for (int j = i > A->p ? i - A->p : 0; j <= last; j++)
+            sum += fabs(matrix_get(A, i, j));
+        norm_A = fmax(norm_A, sum);
+        norm_u = fmax(norm_u, fabs(u[i]));
+        norm_b = fmax(norm_b, fabs(b[i]));
+    }
+    return matrix_residual(A, u, b) /
+           (DBL_EPSILON * (norm_A * norm_u + norm_b));
+}
+
+size_t matrix_bytes(const struct matrix *A)
+{
+    const size_t more = A->factor ? sparse_size(A->pattern, A->single) : 0;
+    return (A->size + more) * sizeof *A->a;
+}
+
+double matrix_max_diagonal(const struct matrix *A)
+{
+    double largest = 0.0;
+    for (int r = 0; r < A->n; r++)
+        largest = fmax(largest, matrix_get(A, r, r));
+    return largest;
+}
+
+struct matrix_cost matrix_cost(enum storage storage, int n, int p)
+{
+    const double order = n, q = storage == DENSE ? n - 1 : p;
+    const struct matrix_cost cost = {
+        order * (q + 1.0), /* n - q full columns, then q, q - 1, ... below */
+        (order - q) * (q + 1.0) * (q + 1.0) +
+            q * (q + 1.0) * (2.0 * q + 1.0) / 6.0,
+        4.0 * (order * q - q * (q + 1.0) / 2.0) + 2.0 * order};
+    return cost;
+}

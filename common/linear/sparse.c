@@ -1,0 +1,234 @@
+/*
+ * sparse.c - see sparse.h.
+ *
+ * A front is assembled from the matrix and from what its two children leave,
+ * then its pivots are eliminated: the multifrontal method.  What a front leaves
+ * waits on one of two stacks, that of even or that of odd depth, until its
+ * parent has taken it.
+ */
+#include "linear/sparse.h"
+
+#include "linear/banded.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct sparse_front {
+    struct piece piece; /* of the dissection: its vertices are the pivots */
+    int rest, at;       /* how many vertices of the rest, where in s->rest */
+    size_t l, u;        /* where in the factor, in the work */
+};
+
+static int compare(const void *a, const void *b)
+{
+    return *(const int *)a - *(const int *)b;
+}
+
+/* The row of a place in a front. */
+static int row_of(const struct sparse *s, const struct sparse_front *f,
+                  int place)
+{
+    const int after = place - f->piece.first;
+    if (after < f->piece.count) return 2 * after;
+    const int *list = &s->rest[f->at];
+    const int *found = bsearch(&place, list, (size_t)f->rest, sizeof(int),
+                               compare);
+    assert(found);
+    return front_row(2 * f->piece.count, 2 * (int)(found - list));
+}
+
+/* Add those of the n places that come after front f, and are new, to its rest;
+ * seen[v] is the last front that has found v. */
+static void add_rest(struct sparse *s, int f, int n, const int place[],
+                     int seen[])
+{
+    struct sparse_front *front = &s->front[f];
+    for (int k = 0; k < n; k++) {
+        const int v = place[k];
+        if (v < front->piece.first + front->piece.count) continue;
+        if (seen[v] != f) s->rest[front->at + front->rest++] = v;
+        seen[v] = f;
+    }
+}
+
+/* The rest of front f, which begins at s->rest[at]: the later neighbours of its
+ * pivots, and what its children have left [eq:fill].  Returns its end. */
+static int find_rest(struct sparse *s, int f, int at, int seen[])
+{
+    struct sparse_front *front = &s->front[f];
+    const struct piece piece = front->piece;
+    const int first = s->start[piece.first];
+    const int own = s->start[piece.first + piece.count] - first;
+    int room = at + own + 1;
+    for (int c = 0; c < 2; c++)
+        if (piece.child[c] >= 0) room += s->front[piece.child[c]].rest;
+    s->rest = realloc(s->rest, (size_t)room * sizeof *s->rest);
+    if (!s->rest) die("out of memory: %d rows", room);
+    front->at = at;
+    add_rest(s, f, own, &s->row[first], seen);
+    for (int c = 0; c < 2; c++) {
+        if (piece.child[c] < 0) continue;
+        const struct sparse_front *child = &s->front[piece.child[c]];
+        add_rest(s, f, child->rest, &s->rest[child->at], seen);
+    }
+    qsort(&s->rest[at], (size_t)front->rest, sizeof(int), compare);
+    return at + front->rest;
+}
+
+/* Where the numbers of every front are, and what they cost.  Two stacks: what
+ * the children leave is on top of the other one. */
+static void lay_out(struct sparse *s)
+{
+    size_t top[2] = {0, 0}, most[2] = {0, 0}, largest = 0;
+    for (int i = 0; i < s->order->n_piece; i++) {
+        struct sparse_front *f = &s->front[i];
+        const int p = 2 * f->piece.count, rest = 2 * f->rest;
+        const int odd = f->piece.depth % 2, *child = f->piece.child;
+        const size_t size = front_size(p, rest);
+        f->l = s->factor;
+        s->factor += size;
+        f->u = top[odd];
+        top[odd] += front_size(front_row(rest, 0), 0);
+        if (top[odd] > most[odd]) most[odd] = top[odd];
+        for (int c = 1; c >= 0; c--)
+            if (child[c] >= 0) top[!odd] = s->front[child[c]].u;
+        if (size > largest) largest = size;
+        for (int m = p + rest - 1; m >= rest; m--) {
+            s->numbers += m + 1.0;
+            s->flops += (m + 1.0) * (m + 1.0);
+            s->solve += 2.0 * (2.0 * m + 1.0);
+        }
+    }
+    for (int i = 0; i < s->order->n_piece; i++)
+        if (s->front[i].piece.depth % 2) s->front[i].u += most[0];
+    s->vector = most[0] + most[1];
+    s->l = s->vector; /* of a front's rows: two parts, filled up */
+    s->l += (size_t)(front_row(2 * s->n_vertex, 0) + front_row(1, 0));
+    s->work = s->l + largest;
+}
+
+/* Where the blocks of a front are in it; the rows of its rest in its parent. */
+static void find_rows(struct sparse *s, int n_rest)
+{
+    s->up = allocate((size_t)n_rest + 1, sizeof *s->up);
+    for (int i = 0; i < s->order->n_piece; i++) {
+        const struct sparse_front *f = &s->front[i];
+        const struct piece p = f->piece;
+        const int *start = &s->start[p.first];
+        for (int v = 0; v < p.count; v++)
+            for (int b = start[v]; b < start[v + 1]; b++)
+                s->local[b] = front_place(2 * p.count, 2 * f->rest,
+                                          row_of(s, f, s->row[b]), 2 * v);
+        for (int c = 0; c < 2; c++) {
+            if (p.child[c] < 0) continue;
+            const struct sparse_front *child = &s->front[p.child[c]];
+            for (int k = child->at; k < child->at + child->rest; k++)
+                s->up[k] = row_of(s, f, s->rest[k]);
+        }
+    }
+}
+
+struct sparse *sparse_alloc(const struct mesh *mesh, const int held[],
+                            int leaf)
+{
+    struct sparse *s = allocate(1, sizeof *s);
+    struct dissection *d = s->order = dissection_alloc(mesh, held, leaf);
+    int *seen = allocate((size_t)d->n_vertex, sizeof *seen), n_rest = 0;
+    s->n_vertex = d->n_vertex;
+    s->place = d->place, s->start = d->start, s->row = d->row;
+    s->front = allocate((size_t)d->n_piece, sizeof *s->front);
+    s->local = allocate((size_t)s->start[s->n_vertex], sizeof *s->local);
+    for (int v = 0; v < s->n_vertex; v++) seen[v] = -1;
+    for (int f = 0; f < d->n_piece; f++) {
+        s->front[f].piece = d->piece[f];
+        n_rest = find_rest(s, f, n_rest, seen);
+    }
+    free(seen);
+    find_rows(s, n_rest);
+    lay_out(s);
+    return s;
+}
+
+void sparse_free(struct sparse *s)
+{
+    if (!s) return;
+    dissection_free(s->order);
+    free(s->local);
+    free(s->front);
+    free(s->rest);
+    free(s->up);
+    free(s);
+}
+
+int sparse_block(const struct sparse *s, int i, int j)
+{
+    for (int b = s->start[j]; b < s->start[j + 1]; b++)
+        if (s->row[b] == i) return b;
+    return -1;
+}
+
+size_t sparse_size(const struct sparse *s, int single)
+{
+    return s->work + (single ? (s->factor + 1) / 2 : s->factor);
+}
+
+/* Front i, with its part of the memory. */
+static struct front front_of(const struct sparse *s, int i, int single,
+                             double memory[])
+{
+    const struct sparse_front *f = &s->front[i];
+    double *l = single ? &memory[s->l] : &memory[s->work + f->l];
+    float *rounded = single ? (float *)&memory[s->work] + f->l : NULL;
+    return (struct front){2 * f->piece.count, 2 * f->rest, l, &memory[f->u],
+                          rounded};
+}
+
+enum status sparse_factor(const struct sparse *s, const double a[], int single,
+                          double memory[])
+{
+    double *diagonal = &memory[s->vector];
+    enum status status = OK;
+    for (int i = 0; i < s->order->n_piece && status == OK; i++) {
+        const struct piece *piece = &s->front[i].piece;
+        const struct front front = front_of(s, i, single, memory);
+        const int *start = &s->start[piece->first];
+        front_fill(&front, start[piece->count] - start[0], &s->local[start[0]],
+                   &a[4 * start[0]]);
+        for (int k = 0; k < front.pivots; k++)
+            diagonal[k] = a[4 * start[k / 2] + k % 2 * 3];
+        for (int c = 0; c < 4; c++) { /* both children, before and after */
+            const int k = piece->child[c % 2];
+            if (c == 2)
+                status = front_factor(&front, 2 * s->n_vertex, diagonal);
+            if (k < 0) continue;
+            const struct front child = front_of(s, k, single, memory);
+            front_extend(&child, &s->up[s->front[k].at], &front, c / 2);
+        }
+    }
+    return status;
+}
+
+void sparse_solve(const struct sparse *s, int single, double memory[],
+                  double b[])
+{
+    double *x = &memory[s->vector];
+    for (int turn = 0; turn < 2 * s->order->n_piece; turn++) {
+        const int back = turn >= s->order->n_piece;
+        const int i = back ? 2 * s->order->n_piece - 1 - turn : turn;
+        const struct sparse_front *f = &s->front[i];
+        const struct front front = front_of(s, i, single, memory);
+        const int p = front.pivots, *place = &s->rest[f->at];
+        const int rows = front_row(p, front_row(front.rest, 0));
+        double *pivot = &b[2 * f->piece.first], *rest = &x[front_row(p, 0)];
+        memset(x, 0, (size_t)rows * sizeof *x);
+        memcpy(x, pivot, (size_t)p * sizeof *x);
+        for (int k = 0; back && k < f->rest; k++)
+            memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
+        if (back) front_backward(&front, x);
+        else front_forward(&front, x);
+        memcpy(pivot, x, (size_t)p * sizeof *x);
+        for (int k = 0; !back && k < front.rest; k++)
+            b[2 * place[k / 2] + k % 2] += rest[k];
+    }
+}

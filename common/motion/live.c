@@ -1,0 +1,404 @@
+/* live.c - see live.h. */
+#include "motion/live.h"
+
+#include <float.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int on_left_side(const struct mesh *mesh, int a)
+{
+    return mesh->X[2 * a] == -1.0;
+}
+
+/* A new body, in which the left side is held, and all that `take` names; in
+ * PLAIN storage when the one before was. */
+static void hold(struct live *live, const int take[])
+{
+    const struct mesh *mesh = live->mesh;
+    const int plain = live->body && live->body->K->storage == PLAIN;
+    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
+    for (int a = 0; a < mesh->n_vertex; a++)
+        held[a] = on_left_side(mesh, a) || (take && take[a]);
+    body_free(live->body);
+    live->body = body_alloc(mesh, material_notes(live->set.law), 1.0,
+                            CONSISTENT, held);
+    if (plain) body_store(live->body, PLAIN);
+    free(held);
+}
+
+static void begin(struct live *live)
+{
+    live->mesh = mesh_square(live->set.n);
+    live->n_dof = 2 * live->mesh->n_vertex;
+    live->now = state_make(live->n_dof);
+    live->grip = allocate((size_t)live->n_dof, sizeof *live->grip);
+    live->g = allocate((size_t)live->n_dof, sizeof *live->g);
+    live->trouble = live->holding = 0;
+    hold(live, NULL);
+}
+
+/* All but the body, whose storage the next one takes over. */
+static void end(struct live *live)
+{
+    mesh_free(live->mesh);
+    state_free(&live->now);
+    free(live->grip);
+    free(live->g);
+}
+
+struct live *live_alloc(const struct live_setting *set)
+{
+    struct live *live = allocate(1, sizeof *live);
+    live->set = *set;
+    live->dt = 1.0 / 30.0;
+    begin(live);
+    return live;
+}
+
+void live_free(struct live *live)
+{
+    if (!live) return;
+    end(live);
+    body_free(live->body);
+    free(live);
+}
+
+/* Where the pointer is, or would be if it had stayed within LIVE_FAR. */
+static void within_reach(const struct pointer *pointer, double at[2])
+{
+    at[0] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x));
+    at[1] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y));
+}
+
+/* The hand takes what is near the pointer; false: there is nothing. */
+static int grab(struct live *live, const struct pointer *pointer)
+{
+    const struct mesh *mesh = live->mesh;
+    int *take = allocate((size_t)mesh->n_vertex, sizeof *take), taken = 0;
+    within_reach(pointer, live->hand);
+    for (int a = 0; a < mesh->n_vertex; a++) {
+        for (int r = 2 * a; r < 2 * a + 2; r++)
+            live->grip[r] = mesh->X[r] + live->now.u[r] - live->hand[r % 2];
+        const int near = live->set.grab == SIDE
+                             ? mesh->X[2 * a] == 1.0
+                             : hypot(live->grip[2 * a],
+                                     live->grip[2 * a + 1]) <= LIVE_RADIUS;
+        take[a] = near && !on_left_side(mesh, a);
+        taken += take[a];
+    }
+    if (taken) hold(live, take);
+    free(take);
+    return taken > 0;
+}
+
+void live_input(struct live *live, const struct pointer *pointer)
+{
+    struct live_setting *set = &live->set;
+    const struct live_setting before = *set;
+    switch (pointer->key) {
+    case 'l': set->law = set->law == LOG ? CUBIC : LOG; break;
+    case 'i':
+        set->method = set->method == BACKWARD_EULER ? IMPLICIT_MIDPOINT
+                                                    : BACKWARD_EULER;
+        break;
+    case 's':
+        set->start = set->start == LAST_STATE ? ELASTIC
+                                              : (enum start)(set->start + 1);
+        break;
+    case 'p': set->ladder = !set->ladder; break;
+    case 'g': set->grab = set->grab == PATCH ? SIDE : PATCH; break;
+    case '+': set->n = set->n <= 32 ? 2 * set->n : 64; break;
+    case '-': set->n = set->n >= 4 ? set->n / 2 : 2; break;
+    default: break;
+    }
+    if (set->law == LOG && body_min_J(live->body, live->now.u) <= 0.0)
+        set->law = CUBIC; /* LOG cannot take over what is inverted */
+    live->body->material = material_notes(set->law);
+    if (set->n != before.n || pointer->key == 'r') {
+        end(live);
+        begin(live);
+    }
+    if (live->holding && (!pointer->down || set->grab != before.grab)) {
+        live->holding = 0;
+        hold(live, NULL);
+    }
+    if (!live->holding && pointer->down) live->holding = grab(live, pointer);
+}
+
+void live_hand(const double from[2], const struct pointer *pointer,
+               double to[2])
+{
+    double target[2];
+    within_reach(pointer, target);
+    const double way = hypot(target[0] - from[0], target[1] - from[1]);
+    const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
+    for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);
+}
+
+void live_carry(struct live *live, const double to[2])
+{
+    const double *X = live->mesh->X;
+    for (int a = 0; a < live->mesh->n_vertex; a++)
+        for (int i = 0; i < 2; i++) {
+            const int r = 2 * a + i;
+            live->g[r] = live->body->equation[r] >= 0 ||
+                                 on_left_side(live->mesh, a)
+                             ? 0.0
+                             : live->grip[r] + to[i] - X[r];
+        }
+}
+
+/* ---- a frame ------------------------------------------------------------- */
+
+/* The jump by which K_fh (g - u0) is a difference quotient (m): the error of
+ * the quotient and its round-off are then both about 1e-11 of it. */
+static const double PROBE = 1e-6;
+
+enum status live_lift_within(struct body *body, double dt, const double w[],
+                             const double u0[], const double g[],
+                             enum tangent tangent, double leap, double u[])
+{
+    const int n = 2 * body->mesh->n_vertex;
+    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
+    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    enum status status;
+    for (int r = 0; r < n; r++) {
+        move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
+        size = fmax(size, fabs(move[r]));
+    }
+    const double e = size > 0.0 ? PROBE / size : 0.0;
+    for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
+    status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
+    for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
+    if (status == OK)
+        status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
+    if (status == OK)
+        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
+    for (int r = 0; r < n && status == OK && e > 0.0; r++)
+        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+    if (status == OK) status = body_increment(body, body->K, q, u);
+    for (int r = 0; r < n && status == OK; r++) {
+        u[r] += move[r];
+        if (!(fabs(u[r]) <= leap)) status = NONFINITE;
+        u[r] += u0[r];
+    }
+    free(move);
+    return status;
+}
+
+enum status live_lift(struct body *body, double dt, const double w[],
+                      const double u0[], const double g[],
+                      enum tangent tangent, double u[])
+{
+    return live_lift_within(body, dt, w, u0, g, tangent, LIVE_LEAP, u);
+}
+
+/* Where no rung comes after it, `fast` may take its time. */
+static const struct step_control
+    LIVE_FAST = {LIVE_TOLERANCE, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER},
+    LIVE_ALONE = {LIVE_TOLERANCE, 40, FROM_LAST, 0, 1, 0, NEVER};
+const struct step_control LIVE_DOWNHILL = {
+    LIVE_TOLERANCE, FRAME_SYSTEMS, FROM_LAST, 0, 0, 1, ON_DEMAND};
+
+/* u, v := the end of the frame by the method of the setting, if the status is
+ * OK. */
+static enum status fast(struct live *live, live_lifter *lift, double u[],
+                        double v[], struct live_report *report)
+{
+    const struct state *now = &live->now;
+    const int n = live->n_dof;
+    const int midpoint = live->set.method == IMPLICIT_MIDPOINT;
+    const double d = midpoint ? 0.5 * live->dt : live->dt;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    enum status status = OK;
+    for (int r = 0; r < n; r++) {
+        w[r] = now->u[r] + d * now->v[r];
+        u[r] = now->u[r];
+        g[r] = midpoint ? 0.5 * (now->u[r] + live->g[r]) : live->g[r];
+    }
+    if (live->set.start == ELASTIC) {
+        report->systems++;
+        status = lift(live->body, d, w, now->u, g, EXACT, u);
+    } else {
+        step_boundary(live->body, g, live->set.start == ROWS, u);
+    }
+    if (status == OK) {
+        const struct step_report newton =
+            step_solve(live->body, live->set.ladder ? &LIVE_FAST : &LIVE_ALONE,
+                       d, w, NULL, u);
+        report->systems += newton.iterations;
+        status = newton.indefinite ? NOT_SPD : newton.status;
+    }
+    for (int r = 0; r < n; r++) {
+        v[r] = (u[r] - now->u[r]) / d;
+        if (midpoint) {
+            u[r] = 2.0 * u[r] - now->u[r];
+            v[r] = 2.0 * v[r] - now->v[r];
+        }
+    }
+    free(w);
+    double unused; /* the doubled state may be one that there is not */
+    if (status == OK) status = body_energy(live->body, u, &unused);
+    return status;
+}
+
+enum status live_start(const struct live *live, const double w[],
+                       const double g[], const double u[])
+{
+    const struct body *body = live->body;
+    const int n = live->n_dof;
+    double *left = allocate(3 * (size_t)n, sizeof *left), *work = left + n;
+    double lifted, phi, noise;
+    for (int r = 0; r < n; r++)
+        left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
+    enum status status =
+        step_potential(body, live->dt, w, NULL, u, work, &lifted, &noise);
+    if (status == OK && step_potential(body, live->dt, w, NULL, left, work,
+                                       &phi, &noise) == OK &&
+        lifted > phi + 16.0 * DBL_EPSILON * noise)
+        status = STALLED;
+    free(left);
+    return status;
+}
+
+enum status live_downhill_by(struct live *live, live_lifter *lift,
+                             enum tangent tangent, int tries,
+                             const struct step_control *control, double u[],
+                             double v[], struct live_report *report)
+{
+    const struct state *now = &live->now;
+    const int n = live->n_dof;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    struct step_control rest = *control;
+    enum status status = INVERTED;
+    for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
+    report->part = 1.0;
+    for (int k = 0; k < tries && status != OK; k++) {
+        if (report->systems == FRAME_SYSTEMS - 1) break;
+        if (k > 0) report->part *= 0.5;
+        for (int r = 0; r < n; r++)
+            g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
+        report->systems++;
+        status = lift(live->body, live->dt, w, now->u, g, tangent, u);
+        if (status == OK) status = live_start(live, w, g, u);
+    }
+    if (status != OK) {
+        report->part = 0.0;
+        memcpy(u, now->u, (size_t)n * sizeof *u);
+    }
+    rest.max_iterations = FRAME_SYSTEMS - report->systems;
+    const struct step_report newton =
+        step_solve(live->body, &rest, live->dt, w, NULL, u);
+    report->systems += newton.iterations;
+    const int whole = newton.status == OK && report->part == 1.0;
+    for (int r = 0; r < n; r++)
+        v[r] = whole ? (u[r] - now->u[r]) / live->dt : 0.0;
+    free(w);
+    return newton.status;
+}
+
+enum status live_downhill(struct live *live, double u[], double v[],
+                          struct live_report *report)
+{
+    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
+                            &LIVE_DOWNHILL, u, v, report);
+}
+
+struct live_report live_frame_by(struct live *live, live_lifter *lift,
+                                 live_rung *downhill, const double to[2])
+{
+    struct live_report report = {.rung = "fast", .first = "untried",
+                                 .part = 1.0};
+    double *u = allocate(2 * (size_t)live->n_dof, sizeof *u);
+    double *v = u + live->n_dof, unused;
+    enum status accept = NOT_SPD; /* or anything but OK: untried */
+    if (!(live->trouble && live->set.ladder)) {
+        accept = report.status = fast(live, lift, u, v, &report);
+        report.first = status_name(accept);
+    }
+    if (accept != OK && live->set.ladder) {
+        report.rung = "downhill";
+        report.status = downhill(live, u, v, &report);
+        accept = body_energy(live->body, u, &unused);
+        live->trouble = report.systems > CALM_SYSTEMS;
+    }
+    if (accept == OK) accept = state_accept(&live->now, u, v);
+    if (accept != OK) report.rung = "lost"; /* and the hand goes on */
+    for (int i = 0; i < 2; i++)
+        live->hand[i] += report.part * (to[i] - live->hand[i]);
+    free(u);
+    return report;
+}
+
+struct live_report live_frame(struct live *live, const double to[2])
+{
+    return live_frame_by(live, live_lift, live_downhill, to);
+}
+
+struct live_report live_frame_in_parts(struct live *live, const double to[2])
+{
+    const struct frame frame = integrate_frame(live->body, live->dt, live->g,
+                                               NULL, &live->now);
+    const int lost = frame.status != OK;
+    if (!lost) memcpy(live->hand, to, sizeof live->hand);
+    return (struct live_report){status_name(frame.status), frame.status,
+                                lost ? "lost" : "parts", frame.iterations,
+                                lost ? 0.0 : 1.0};
+}
+
+/* ---- what is looked at --------------------------------------------------- */
+
+/* The angles that the triangles have at each vertex, added up; of an inverted
+ * triangle they are negative. */
+static void add_angles(const struct mesh *mesh, const double u[],
+                       double angle[])
+{
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        const int *t = &mesh->triangle[3 * e];
+        for (int k = 0; k < 3; k++) {
+            double side[2][2];
+            for (int s = 0; s < 2; s++)
+                for (int i = 0; i < 2; i++) {
+                    const int to = 2 * t[(k + 1 + s) % 3] + i;
+                    const int from = 2 * t[k] + i;
+                    side[s][i] = mesh->X[to] + (u ? u[to] : 0.0) -
+                                 mesh->X[from] - (u ? u[from] : 0.0);
+                }
+            angle[t[k]] += atan2(side[0][0] * side[1][1] -
+                                     side[0][1] * side[1][0],
+                                 side[0][0] * side[1][0] +
+                                     side[0][1] * side[1][1]);
+        }
+    }
+}
+
+int live_knots(const struct mesh *mesh, const double u[], int knot[])
+{
+    const size_t n = (size_t)mesh->n_vertex;
+    double *rest = allocate(2 * n, sizeof *rest), *angle = rest + n;
+    int knots = 0;
+    add_angles(mesh, NULL, rest);
+    add_angles(mesh, u, angle);
+    for (size_t a = 0; a < n; a++) {
+        const int is_one = fabs(rest[a] - 2.0 * M_PI) < 1e-6 &&
+                           fabs(angle[a] - 2.0 * M_PI) > M_PI;
+        if (knot) knot[a] = is_one;
+        knots += is_one;
+    }
+    free(rest);
+    return knots;
+}
+
+double live_energy(const struct live *live)
+{
+    double *momentum = allocate((size_t)live->n_dof, sizeof *momentum);
+    double energy = NAN;
+    if (body_energy(live->body, live->now.u, &energy) != OK) energy = NAN;
+    body_mass(live->body, live->now.v, momentum);
+    for (int r = 0; r < live->n_dof; r++)
+        energy += 0.5 * live->now.v[r] * momentum[r];
+    free(momentum);
+    return energy;
+}

@@ -1,0 +1,175 @@
+/* particle_bodies.c - see particle_bodies.h. */
+#include "particles/particle_bodies.h"
+
+#include "base/table.h"
+
+#include <math.h>
+
+/* A bar from `first` to first + 1 and a grid of -2 h to `room`. */
+static struct cloud bar(int order, double h, double first, int count,
+                        double room)
+{
+    const double low[2] = {-2.0 * h, -0.5};
+    const double ends[2][2] = {{first, -0.5}, {first + 1.0, 0.5}};
+    const int nodes[2] = {(int)lround(room / h) + 3, 1};
+    return (struct cloud){
+        grid_alloc(order, low, h, nodes),
+        particles_box(ends[0], ends[1], (int[]){count, 1}, 1.0)};
+}
+
+struct cloud cloud_hanging(int order, int cells, int ppc)
+{
+    return bar(order, 1.0 / cells, 0.0, cells * ppc, 1.75);
+}
+
+/* F with P(F) = p >= 0: P is monotone there, and Newton's method converges from
+ * the first step on. */
+static double stretch_of(const struct material *material, double p)
+{
+    double F = 1.0;
+    for (int k = 0; k < 60; k++) {
+        const double dF = (material1_pk1(material, F) - p) /
+                          material1_dpk1(material, F);
+        F -= dF;
+        if (fabs(dF) <= 1e-15) break;
+    }
+    return F;
+}
+
+double hanging_place(const struct material *material, double c, double X,
+                     double *F)
+{
+    const double base = stretch_of(material, c);
+    *F = stretch_of(material, c * (1.0 - X));
+    return (base * c - material1_psi(material, base) -
+            *F * c * (1.0 - X) + material1_psi(material, *F)) / c;
+}
+
+struct hanging_error hanging_error(const struct particles *p,
+                                   const struct material *material, double c)
+{
+    struct hanging_error worst = {0.0, 0.0};
+    for (int q = 0; q < p->n; q++) {
+        const double X = (q + 0.5) / p->n;
+        double F;
+        const double x = hanging_place(material, c, X, &F);
+        const double P = material1_pk1(material, p->F[q].m[0][0]);
+        worst.place = fmax(worst.place, fabs(p->x[2 * q] - x));
+        worst.stress = fmax(worst.stress, fabs(P - c * (1.0 - X)));
+    }
+    return worst;
+}
+
+struct cloud cloud_strained(int order)
+{
+    const double h = 0.125, low[2] = {-2.0 * h, -0.5};
+    const int nodes[2] = {12, 1};
+    struct cloud c = {grid_alloc(order, low, h, nodes), particles_alloc(10)};
+    for (int q = 0; q < c.p->n; q++) {
+        const double x = 0.16775 + 0.0613 * q + 0.004 * (2 * q % 5);
+        c.p->x[2 * q] = x;
+        c.p->v[2 * q] = 0.381275 - 1.9 * (x - 0.16775) + 0.3 * (3 * q % 4);
+        c.p->F[q].m[0][0] = 0.93 + 0.021 * (5 * q % 7);
+        c.p->mass[q] = c.p->volume[q] = 0.0613;
+    }
+    return c;
+}
+
+struct cloud cloud_block(int order)
+{
+    const double h = 0.25, low[2] = {-3.0 * h, -3.0 * h};
+    const double box[2][2] = {{0.137, 0.091}, {0.637, 0.591}};
+    const int nodes[2] = {10, 10}, count[2] = {4, 4};
+    struct cloud c = {grid_alloc(order, low, h, nodes),
+                      particles_box(box[0], box[1], count, 1.0)};
+    for (int q = 0; q < c.p->n; q++) {
+        const double x = c.p->x[2 * q] - 0.1995, y = c.p->x[2 * q + 1] - 0.1535;
+        c.p->v[2 * q] = 0.73895 - 2.3 * y;
+        c.p->v[2 * q + 1] = -0.54675 + 2.3 * x + 0.4 * y;
+        c.p->F[q] = (mat2){{{1.04 + 0.01 * (3 * q % 5),
+                             0.02 + 0.02 * ((q + 2) % 3)},
+                            {-0.05 + 0.01 * (q % 4),
+                             0.925 + 0.015 * ((q + 3) % 4)}}};
+    }
+    return c;
+}
+
+struct cloud cloud_stepping(enum stepping which, int order, double g[2])
+{
+    g[0] = which == BAR ? 9.81 : which == STRAINED ? -9.81 : 0.0;
+    g[1] = 0.0;
+    if (which == BAR) return cloud_hanging(order, 8, 2);
+    return which == STRAINED ? cloud_strained(order) : cloud_block(order);
+}
+
+struct cloud cloud_ringing(int order, int cells, double a,
+                           enum transfer transfer)
+{
+    const double first = 0.5003;
+    struct cloud c = bar(order, 1.0 / cells, first, 2 * cells, 2.0);
+    const double pi = acos(-1.0);
+    for (int q = 0; q < c.p->n; q++) {
+        const double X = c.p->x[2 * q] - first;
+        c.p->v[2 * q] = a * cos(pi * X);
+        if (transfer == APIC)
+            c.p->B[q].m[0][0] = -a * pi * sin(pi * X) *
+                                kernel_inertia(order, 1.0 / cells, first + X);
+    }
+    return c;
+}
+
+struct cloud cloud_outlying(int order, double eps)
+{
+    const double h = 0.125, last = (9.0 + eps) * h;
+    struct cloud c = bar(order, h, last - 1.0 + 0.25 * h, 16, 1.5);
+    /* counted from the last one, so that eps h is not lost in round-off */
+    for (int q = 0; q < c.p->n; q++)
+        c.p->x[2 * q] = last - 0.5 * h * (c.p->n - 1 - q);
+    return c;
+}
+
+double particles_elastic(const struct particles *p,
+                         const struct material *material)
+{
+    double sum = 0.0;
+    for (int q = 0; q < p->n; q++)
+        sum += p->volume[q] * material2_psi(material, p->F[q]);
+    return sum;
+}
+
+void cloud_energies(struct cloud c, const struct material *material, double t,
+                    const struct particle_report *report)
+{
+    const struct moments of = particles_moments(c.p);
+    table_row(t, report->iterations, particles_elastic(c.p, material),
+              of.kinetic, grid_moments(c.grid, c.grid->v).kinetic,
+              grid_moments(c.grid, c.grid->next).kinetic,
+              potential_sum(report->E), of.momentum[0], of.momentum[1],
+              of.angular);
+}
+
+void cloud_tables(struct cloud c, const struct particle_report *report)
+{
+    const double *x = c.p->x, *v = c.grid->v, *next = c.grid->next;
+    table_begin("newton", "k residual increment part");
+    for (int k = 0; k < report->iterations; k++)
+        table_row(k, report->residual[k], report->increment[k],
+                  report->part[k]);
+    table_end();
+    table_begin("step", "node x y mass v_x v_y next_x next_y");
+    for (int a = 0, i = 0, k = 1; a < c.grid->n_node; a++, i += 2, k += 2) {
+        double at[2];
+        grid_place(c.grid, a, at);
+        if (c.grid->mass[a] > 0.0)
+            table_row(a, at[0], at[1], c.grid->mass[a], v[i], v[k], next[i],
+                      next[k]);
+    }
+    table_end();
+    table_begin("particles", "x y v_x v_y F11 F12 F21 F22");
+    for (int q = 0, i = 0, k = 1; q < c.p->n; q++, i += 2, k += 2) {
+        const mat2 F = c.p->F[q];
+        table_row(x[i], x[k], c.p->v[i], c.p->v[k], F.m[0][0], F.m[0][1],
+                  F.m[1][0], F.m[1][1]);
+    }
+    table_end();
+}

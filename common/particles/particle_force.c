@@ -1,0 +1,243 @@
+/* particle_force.c - see particle_force.h. */
+#include "particles/particle_force.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void support_pull_back(struct support *s, mat2 F)
+{
+    for (int i = 0; i < s->n; i++) {
+        const double g0 = s->gradient[i][0], g1 = s->gradient[i][1];
+        for (int k = 0; k < 2; k++)
+            s->gradient[i][k] = F.m[0][k] * g0 + F.m[1][k] * g1;
+    }
+}
+
+/* Support of particle p with pulled back gradients, and F at the nodes x + u.
+ */
+static enum status at_particle(const struct particle_body *body, int p,
+                               const double u[], struct support *s, mat2 *F)
+{
+    const struct particles *all = body->particles;
+    const enum status status = grid_support(body->grid, &all->x[2 * p], s);
+    if (status != OK) return status;
+    support_pull_back(s, all->F[p]);
+    *F = mat2_add(all->F[p], support_gradient(s, u));
+    const double J = mat2_det(*F);
+    if (!isfinite(J)) return NONFINITE;
+    return material_defined(&body->material, J) ? OK : INVERTED;
+}
+
+/* out_a += scale P q_a. */
+static void add_to_nodes(const struct support *s, double scale, mat2 P,
+                         double out[])
+{
+    for (int i = 0; i < s->n; i++)
+        for (int k = 0; k < 2; k++)
+            out[2 * s->node[i] + k] += scale * (P.m[k][0] * s->gradient[i][0] +
+                                                P.m[k][1] * s->gradient[i][1]);
+}
+
+static enum status finite(const double v[], int n)
+{
+    for (int r = 0; r < n; r++)
+        if (!isfinite(v[r])) return NONFINITE;
+    return OK;
+}
+
+static mat2 dpk1(const struct particle_body *body, mat2 F, mat2 dF)
+{
+    dpk1_function *const d = body->dpk1 ? body->dpk1 : material2_dpk1;
+    return d(&body->material, F, dF);
+}
+
+enum status particle_energy(const struct particle_body *body, const double u[],
+                            double *energy)
+{
+    *energy = 0.0;
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support s;
+        mat2 F;
+        const enum status status = at_particle(body, p, u, &s, &F);
+        if (status != OK) return status;
+        *energy +=
+            body->particles->volume[p] * material2_psi(&body->material, F);
+    }
+    return finite(energy, 1);
+}
+
+enum status particle_force(const struct particle_body *body, const double u[],
+                           double f[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    memset(f, 0, (size_t)n_dof * sizeof *f);
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support s;
+        mat2 F;
+        const enum status status = at_particle(body, p, u, &s, &F);
+        if (status != OK) return status;
+        add_to_nodes(&s, -body->particles->volume[p],
+                     material2_pk1(&body->material, F), f);
+    }
+    return finite(f, n_dof);
+}
+
+enum status particle_cauchy_force(const struct particle_body *body,
+                                  const double u[], double f[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    memset(f, 0, (size_t)n_dof * sizeof *f);
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support now;
+        mat2 F;
+        const enum status status = at_particle(body, p, u, &now, &F);
+        if (status != OK) return status;
+        grid_support(body->grid, &body->particles->x[2 * p], &now);
+        const mat2 hat = mat2_add(mat2_identity(), support_gradient(&now, u));
+        const double J = mat2_det(F);
+        const mat2 sigma =
+            mat2_scale(1.0 / J, mat2_multiply(material2_pk1(&body->material, F),
+                                              mat2_transpose(F)));
+        /* gradient := F_hat^-T gradient */
+        support_pull_back(&now, mat2_scale(1.0 / mat2_det(hat),
+                                           mat2_transpose(mat2_cofactor(hat))));
+        add_to_nodes(&now, -J * body->particles->volume[p], sigma, f);
+    }
+    return finite(f, n_dof);
+}
+
+enum status particle_difference_force(const struct particle_body *body,
+                                      const double u[], double step, double f[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    double *at = allocate((size_t)n_dof, sizeof *at), more, less;
+    enum status status = OK;
+    memcpy(at, u, (size_t)n_dof * sizeof *at);
+    for (int r = 0; r < n_dof && status == OK; r++) {
+        at[r] = u[r] + step;
+        status = particle_energy(body, at, &more);
+        at[r] = u[r] - step;
+        if (status == OK) status = particle_energy(body, at, &less);
+        at[r] = u[r];
+        if (status == OK) f[r] = -(more - less) / (2.0 * step);
+    }
+    free(at);
+    return status;
+}
+
+struct balance grid_balance(const struct grid *grid, const double u[],
+                            const double f[])
+{
+    struct balance sum = {{0.0, 0.0}, 0.0};
+    for (int a = 0; a < grid->n_node; a++) {
+        double x[2];
+        grid_place(grid, a, x);
+        for (int k = 0; k < 2; k++) {
+            x[k] += u ? u[2 * a + k] : 0.0;
+            sum.force[k] += f[2 * a + k];
+        }
+        sum.torque += x[0] * f[2 * a + 1] - x[1] * f[2 * a];
+    }
+    return sum;
+}
+
+enum status particle_product(const struct particle_body *body, const double u[],
+                             const double w[], double out[])
+{
+    const int n_dof = 2 * body->grid->n_node;
+    memset(out, 0, (size_t)n_dof * sizeof *out);
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support s;
+        mat2 F;
+        const enum status status = at_particle(body, p, u, &s, &F);
+        if (status != OK) return status;
+        add_to_nodes(&s, body->particles->volume[p],
+                     dpk1(body, F, support_gradient(&s, w)), out);
+    }
+    return finite(out, n_dof);
+}
+
+enum status particle_taylor(const struct particle_body *body, const double u[],
+                            const double w[], double t, const double f[],
+                            const double Kw[], struct taylor *error)
+{
+    const int n_dof = 2 * body->grid->n_node;
+    double *at = allocate(2 * (size_t)n_dof, sizeof *at), *g = at + n_dof;
+    double here = 0.0, there = 0.0, slope = 0.0;
+    for (int r = 0; r < n_dof; r++) {
+        at[r] = u[r] + t * w[r];
+        slope -= f[r] * w[r];
+    }
+    enum status status = particle_energy(body, u, &here);
+    if (status == OK) status = particle_energy(body, at, &there);
+    if (status == OK) status = particle_force(body, at, g);
+    *error = (struct taylor){fabs(there - here - t * slope), 0.0};
+    for (int r = 0; r < n_dof; r++)
+        error->force = fmax(error->force, fabs(g[r] - f[r] + t * Kw[r]));
+    free(at);
+    return status;
+}
+
+int particle_band(const struct particle_body *body, const int equation[])
+{
+    int band = 0;
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support s;
+        int low = INT_MAX, high = 0;
+        if (grid_support(body->grid, &body->particles->x[2 * p], &s) != OK)
+            return INT_MAX;
+        for (int r = 0; r < 2 * s.n; r++) {
+            const int e = equation[2 * s.node[r / 2] + r % 2];
+            if (e < 0) continue;
+            low = e < low ? e : low;
+            high = e > high ? e : high;
+        }
+        band = high - low > band ? high - low : band;
+    }
+    return band;
+}
+
+/* K += T^T (V q_a D q_b) T, T what the unknowns do to the nodes. */
+static void add_particle(const struct support *s, double volume,
+                         const mat2 D[4], const int equation[],
+                         const double sign[], struct matrix *K)
+{
+    for (int c = 0; c < 2 * s->n; c++) {
+        const int column = 2 * s->node[c / 2] + c % 2;
+        const double *q = s->gradient[c / 2];
+        if (equation[column] < 0) continue;
+        /* dP for a unit displacement of this component: dF = e_(c%2) (x) q */
+        const mat2 dP = mat2_add(mat2_scale(q[0], D[c % 2 * 2]),
+                                 mat2_scale(q[1], D[c % 2 * 2 + 1]));
+        for (int r = 0; r < 2 * s->n; r++) {
+            const int row = 2 * s->node[r / 2] + r % 2;
+            if (equation[row] < 0) continue;
+            const double both = sign ? sign[row] * sign[column] : 1.0;
+            matrix_add(K, equation[row], equation[column],
+                       both * volume *
+                           (dP.m[r % 2][0] * s->gradient[r / 2][0] +
+                            dP.m[r % 2][1] * s->gradient[r / 2][1]));
+        }
+    }
+}
+
+enum status particle_stiffness(const struct particle_body *body,
+                               const double u[], const int equation[],
+                               const double sign[], struct matrix *K)
+{
+    for (int p = 0; p < body->particles->n; p++) {
+        struct support s;
+        mat2 F, D[4]; /* D[2k + L] = dP for dF = e_k (x) e_L */
+        const enum status status = at_particle(body, p, u, &s, &F);
+        if (status != OK) return status;
+        for (int m = 0; m < 4; m++) {
+            mat2 unit = {{{0.0}}};
+            unit.m[m / 2][m % 2] = 1.0;
+            D[m] = dpk1(body, F, unit);
+        }
+        add_particle(&s, body->particles->volume[p], D, equation, sign, K);
+    }
+    return OK;
+}

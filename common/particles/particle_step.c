@@ -1,0 +1,356 @@
+/* particle_step.c - see particle_step.h. */
+#include "particles/particle_step.h"
+
+#include "material/modes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *wall_name(enum wall wall)
+{
+    static const char *const name[] = {"none", "held", "mirror"};
+    return name[wall];
+}
+
+/* ---- unknowns ------------------------------------------------------------ */
+
+struct unknowns *unknowns_alloc(const struct grid *grid)
+{
+    struct unknowns *map = allocate(1, sizeof *map);
+    map->n_dof = 2 * grid->n_node;
+    map->equation = allocate((size_t)map->n_dof, sizeof *map->equation);
+    map->sign = allocate((size_t)map->n_dof, sizeof *map->sign);
+    for (int r = 0; r < map->n_dof; r++) {
+        map->equation[r] = -1;
+        map->sign[r] = 1.0;
+    }
+    return map;
+}
+
+void unknowns_free(struct unknowns *map)
+{
+    if (!map) return;
+    free(map->equation);
+    free(map->sign);
+    free(map);
+}
+
+void unknowns_number(const struct grid *grid, enum wall wall,
+                     struct unknowns *map)
+{
+    const int column = (int)lround(-grid->origin[0] / grid->h); /* of x_1 = 0 */
+    const int n = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
+    map->n = 0;
+    for (int r = 0; r < map->n_dof; r++) {
+        const int free = wall == NO_WALL || r / 2 % n > column;
+        const int moves = free && r % 2 < axes && grid->mass[r / 2] > 0.0;
+        map->equation[r] = moves ? map->n++ : -1;
+        map->sign[r] = 1.0;
+    }
+    for (int r = 0; r < map->n_dof && wall == MIRROR; r++) {
+        const int beyond = column - r / 2 % n; /* columns beyond the wall */
+        if (beyond <= 0 || column + beyond >= n) continue;
+        map->equation[r] = map->equation[r + 4 * beyond];
+        map->sign[r] = -1.0;
+    }
+}
+
+void unknowns_gather(const struct unknowns *map, const double r[], double y[])
+{
+    for (int e = 0; e < map->n; e++) y[e] = 0.0;
+    for (int s = 0; s < map->n_dof; s++)
+        if (map->equation[s] >= 0) y[map->equation[s]] += map->sign[s] * r[s];
+}
+
+void unknowns_scatter(const struct unknowns *map, const double y[], double u[])
+{
+    for (int s = 0; s < map->n_dof; s++) {
+        const int e = map->equation[s];
+        u[s] = e >= 0 ? map->sign[s] * y[e] : 0.0;
+    }
+}
+
+struct matrix *unknowns_matrix(const struct particle_body *body,
+                               const struct unknowns *map)
+{
+    const int band = particle_band(body, map->equation);
+    return matrix_alloc(BANDED, map->n, band < map->n ? band : map->n - 1);
+}
+
+double unknowns_largest(const struct unknowns *map, const double y[])
+{
+    double most = 0.0;
+    for (int e = 0; e < map->n && !isnan(most); e++)
+        if (!(fabs(y[e]) <= most)) most = fabs(y[e]);
+    return most;
+}
+
+double matrix_weight(const struct matrix *A)
+{
+    double most = 0.0;
+    for (int e = 0; e < A->n; e++) most = fmax(most, matrix_get(A, e, e));
+    return most;
+}
+
+/* ---- mass ---------------------------------------------------------------- */
+
+enum status particle_mass(const struct particle_body *body, int consistent,
+                          const double w[], double out[])
+{
+    const struct particles *all = body->particles;
+    for (int r = 0; r < 2 * body->grid->n_node; r++)
+        out[r] = consistent ? 0.0 : body->grid->mass[r / 2] * w[r];
+    for (int p = 0; p < all->n && consistent; p++) {
+        struct support s;
+        double at[2];
+        const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
+        if (status != OK) return status;
+        support_value(&s, w, at);
+        for (int i = 0; i < s.n; i++)
+            for (int k = 0; k < 2; k++)
+                out[2 * s.node[i] + k] += all->mass[p] * s.w[i] * at[k];
+    }
+    return OK;
+}
+
+enum status particle_mass_matrix(const struct particle_body *body,
+                                 int consistent, double scale,
+                                 const struct unknowns *map, struct matrix *A)
+{
+    const struct particles *all = body->particles;
+    for (int r = 0; r < map->n_dof && !consistent; r++)
+        if (map->equation[r] >= 0)
+            matrix_add(A, map->equation[r], map->equation[r],
+                       scale * body->grid->mass[r / 2]);
+    for (int p = 0; p < all->n && consistent; p++) {
+        struct support s;
+        const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
+        if (status != OK) return status;
+        for (int i = 0; i < 2 * s.n; i++)
+            for (int j = i % 2; j < 2 * s.n; j += 2) {
+                const int r = 2 * s.node[i / 2] + i % 2;
+                const int c = 2 * s.node[j / 2] + j % 2;
+                if (map->equation[r] < 0 || map->equation[c] < 0) continue;
+                matrix_add(A, map->equation[r], map->equation[c],
+                           scale * all->mass[p] * s.w[i / 2] * s.w[j / 2] *
+                               map->sign[r] * map->sign[c]);
+            }
+    }
+    return OK;
+}
+
+/* ---- potential ----------------------------------------------------------- */
+
+double potential_sum(struct potential E)
+{
+    return E.inertia + E.elastic + E.load;
+}
+
+int potential_falls(struct potential here, struct potential there)
+{
+    const double size =
+        fabs(here.inertia) + fabs(here.elastic) + fabs(here.load);
+    return potential_sum(there) <= potential_sum(here) + 1e-12 * size;
+}
+
+enum status particle_potential(const struct particle_body *body,
+                               const struct particle_step *step,
+                               const double u[], struct potential *E,
+                               double r[])
+{
+    const struct grid *grid = body->grid;
+    const int n_dof = 2 * grid->n_node;
+    double *w = allocate(2 * (size_t)n_dof, sizeof *w), *Mw = w + n_dof;
+    *E = (struct potential){0.0, 0.0, 0.0};
+    enum status status = particle_energy(body, u, &E->elastic);
+    if (status == OK) status = particle_force(body, u, r);
+    for (int s = 0; s < n_dof; s++) w[s] = step->rate * u[s] - grid->v[s];
+    if (status == OK) status = particle_mass(body, step->consistent, w, Mw);
+    for (int s = 0; s < n_dof && status == OK; s++) {
+        const double weight = grid->mass[s / 2] * step->g[s % 2];
+        E->inertia += 0.5 * w[s] * Mw[s];
+        E->load -= weight * u[s];
+        r[s] = step->rate * Mw[s] - r[s] - weight;
+    }
+    if (status == OK && !isfinite(potential_sum(*E))) status = NONFINITE;
+    free(w);
+    return status;
+}
+
+/* omega^2 is the largest eigenvalue of M^-1/2 K M^-1/2. */
+double particle_frequency(const struct particle_body *body)
+{
+    struct unknowns *map = unknowns_alloc(body->grid);
+    double *u = allocate(3 * (size_t)map->n_dof, sizeof *u), omega = NAN;
+    double *m = u + map->n_dof, *value = m + map->n_dof;
+    unknowns_number(body->grid, NO_WALL, map);
+    struct matrix *K = matrix_alloc(DENSE, map->n, 0), *A = matrix_copy(K);
+    for (int r = 0; r < map->n_dof; r++)
+        if (map->equation[r] >= 0)
+            m[map->equation[r]] = body->grid->mass[r / 2];
+    if (particle_stiffness(body, u, map->equation, map->sign, K) == OK) {
+        for (int i = 0; i < map->n; i++)
+            for (int j = 0; j < map->n; j++)
+                matrix_add(A, i, j, matrix_get(K, i, j) / sqrt(m[i] * m[j]));
+        if (matrix_eigenvalues(A, value) == OK)
+            omega = sqrt(value[map->n - 1]);
+    }
+    matrix_free(K);
+    matrix_free(A);
+    unknowns_free(map);
+    free(u);
+    return omega;
+}
+
+/* ---- Newton -------------------------------------------------------------- */
+
+struct work {
+    double *r, *du, *trial, *y;
+};
+
+/* u -= part du with the first part of 1, 1/2, 1/4, ... at which E falls. */
+static enum status search(const struct particle_body *body,
+                          const struct particle_step *step,
+                          const struct work *work, struct potential here,
+                          double u[], double *part)
+{
+    const int n_dof = 2 * body->grid->n_node;
+    for (*part = 1.0; *part > 1e-12; *part *= 0.5) {
+        struct potential there;
+        for (int s = 0; s < n_dof; s++)
+            work->trial[s] = u[s] - *part * work->du[s];
+        if (particle_potential(body, step, work->trial, &there, work->r) ==
+                OK && potential_falls(here, there)) {
+            memcpy(u, work->trial, (size_t)n_dof * sizeof *u);
+            return OK;
+        }
+    }
+    return STALLED;
+}
+
+mat2 particle_projected(const struct material *material, mat2 F, mat2 dF)
+{
+    if (material->law == LINEAR) return material2_dpk1(material, F, dF);
+    const struct modes modes = modes_at(material, F);
+    return modes_dpk1(&modes, 0.0, dF);
+}
+
+/* A := K + M / dt^2, factored; *weight := its largest diagonal entry. */
+static enum status factor(const struct particle_body *body,
+                          const struct particle_step *step,
+                          const struct unknowns *map, const double u[],
+                          struct matrix *A, double *weight)
+{
+    matrix_zero(A);
+    enum status status =
+        particle_stiffness(body, u, map->equation, map->sign, A);
+    if (status == OK)
+        status = particle_mass_matrix(body, step->consistent,
+                                      step->rate * step->rate, map, A);
+    if (status != OK) return status;
+    *weight = matrix_weight(A);
+    return matrix_factor(A);
+}
+
+struct particle_report particle_newton(const struct particle_body *body,
+                                       const struct particle_step *step,
+                                       double tolerance, double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->grid->n_node;
+    const struct particle_body convex = {body->grid, body->particles,
+                                         body->material, particle_projected};
+    struct particle_report report = {.status = OK};
+    struct unknowns *map = unknowns_alloc(body->grid);
+    struct work work;
+    double weight = 0.0;
+    tolerance *= body->grid->h;
+    work.r = allocate(4 * n_dof, sizeof *work.r);
+    work.du = work.r + n_dof;
+    work.trial = work.du + n_dof;
+    work.y = work.trial + n_dof;
+    memset(u, 0, n_dof * sizeof *u);
+    unknowns_number(body->grid, step->wall, map);
+    struct matrix *A = map->n > 0 ? unknowns_matrix(body, map) : NULL;
+    for (int k = 0; A; k = ++report.iterations) {
+        report.status = particle_potential(body, step, u, &report.E, work.r);
+        if (report.status != OK) break;
+        unknowns_gather(map, work.r, work.y);
+        report.residual[k] = unknowns_largest(map, work.y);
+        if (k > 0 && report.increment[k - 1] <= tolerance &&
+            report.residual[k] <= tolerance * weight)
+            break;
+        report.status = MAX_ITERATIONS;
+        if (k == STEP_CAP) break;
+        report.status = factor(body, step, map, u, A, &weight);
+        if (report.status == NOT_SPD) {
+            report.status = factor(&convex, step, map, u, A, &weight);
+            report.projections++;
+        }
+        if (report.status != OK) break;
+        matrix_solve(A, work.y);
+        unknowns_scatter(map, work.y, work.du);
+        report.increment[k] = unknowns_largest(map, work.y);
+        report.status =
+            isfinite(report.increment[k])
+                ? search(body, step, &work, report.E, u, &report.part[k])
+                : NONFINITE;
+        if (report.status != OK) break;
+    }
+    matrix_free(A);
+    unknowns_free(map);
+    free(work.r);
+    return report;
+}
+
+/* ---- the step ------------------------------------------------------------ */
+
+struct particle_report particles_step(struct grid *grid, struct particles *p,
+                                      struct material material,
+                                      const struct particle_step *step)
+{
+    const struct particle_body body = {grid, p, material, NULL};
+    const int n_dof = 2 * grid->n_node;
+    double *u = allocate((size_t)n_dof, sizeof *u);
+    struct particle_report report = {.status = grid_p2g(grid, p)};
+    if (report.status == OK) report = particle_newton(&body, step, 1e-10, u);
+    if (report.status == OK) {
+        /* an endless step: the displacement takes the place of v dt */
+        const double rate = step->rate > 0.0 ? step->rate : 1.0;
+        for (int s = 0; s < n_dof; s++) grid->next[s] = rate * u[s];
+        report.status = grid_g2p(grid, step->transfer, 1.0 / rate, p);
+        for (int s = 0; s < 2 * p->n && step->rate == 0.0; s++) p->v[s] = 0.0;
+    }
+    free(u);
+    return report;
+}
+
+enum status particles_step_explicit(struct grid *grid, struct particles *p,
+                                    struct material material,
+                                    const struct particle_step *step)
+{
+    const struct particle_body body = {grid, p, material, NULL};
+    const int n_dof = 2 * grid->n_node;
+    const double dt = 1.0 / step->rate;
+    struct unknowns *map = unknowns_alloc(grid);
+    double *f = allocate(4 * (size_t)n_dof, sizeof *f), *momentum = f + n_dof;
+    double *mass = momentum + n_dof, *zero = mass + n_dof;
+    enum status status = grid_p2g(grid, p);
+    if (status == OK) status = particle_force(&body, zero, f);
+    if (status == OK) {
+        for (int s = 0; s < n_dof; s++)
+            f[s] = grid->mass[s / 2] * (grid->v[s] + dt * step->g[s % 2]) +
+                   dt * f[s];
+        unknowns_number(grid, step->wall, map);
+        unknowns_gather(map, f, momentum);
+        for (int s = 0; s < n_dof; s++)
+            if (map->equation[s] >= 0)
+                mass[map->equation[s]] += grid->mass[s / 2];
+        for (int e = 0; e < map->n; e++) momentum[e] /= mass[e];
+        unknowns_scatter(map, momentum, grid->next);
+        status = grid_g2p(grid, step->transfer, dt, p);
+    }
+    unknowns_free(map);
+    free(f);
+    return status;
+}

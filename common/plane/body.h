@@ -1,0 +1,141 @@
+/*
+ * body.h - a two-dimensional elastic body: energy, residual, tangent, fast.
+ *
+ * Linear triangles on a rectangle of mesh.h; u and v are flat, component i of
+ * vertex a at [2a + i].  With f the nodal forces (body force and tractions
+ * integrated against N_a), rho the density, F_e = I + sum_a u_a (x) grad N_a:
+ *
+ *     Psi(u) = sum_e area_e psi(F_e)                          [eq:body-energy]
+ *     M_ab   = int rho N_a N_b (CONSISTENT), or its row sums on the diagonal
+ *              (LUMPED)                                              [eq:mass]
+ *     Phi(u) = 1/2 (u - w).M(u - w) + dt^2 (Psi(u) - f.u)
+ *                                                  [eq:incremental-potential]
+ *     q      = dPhi/du = M (u - w) + dt^2 (dPsi/du - f)          [eq:body-q]
+ *     K      = dq/du                                        [eq:body-tangent]
+ *
+ * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; with dt = 1 and
+ * rho = 0 it is quasistatics.
+ *
+ * Only free vertices have equations.  In a band they are numbered row by row
+ * from right to left, so that the diagonals of the mesh do not widen the band:
+ * half bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer
+ * than the columns it is by columns from the top down: 2 rows + 3.  In sparse
+ * storage they are numbered as sparse.h eliminates them.
+ *
+ * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
+ * dpsi = mu (F:dF) + G' (cof F:dF), G', G'' of
+ * material_volume()
+ *
+ *     dPsi/du_a = area (mu F g_a + G' c_a)                  [eq:element-force]
+ *     K_ab      = area ((mu g_a.g_b) I + G'' c_a c_b^T
+ *                       + G' (g_a x g_b) (0 1; -1 0))     [eq:element-tangent]
+ */
+#ifndef COMMON_BODY_H
+#define COMMON_BODY_H
+
+#include "material/material.h"
+#include "linear/matrix.h"
+#include "plane/mesh.h"
+
+enum mass { CONSISTENT, LUMPED };
+enum tangent { NO_TANGENT, EXACT, PROJECTED };
+
+/*
+ * What a body has besides its material, fibres for example (fibre.h), adds its
+ * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
+ * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.
+ */
+struct body;
+typedef void body_addition(const struct body *body, double dt,
+                           const double u[], enum tangent tangent,
+                           double *energy, double q[]);
+
+struct body {
+    const struct mesh *mesh;  /* borrowed */
+    struct material material; /* not LINEAR */
+    double rho;               /* density (kg/m^2) */
+    enum mass mass;
+    int n_equation;
+    int *equation;    /* [2 n_vertex] number of the unknown, -1: prescribed */
+    int *vertex;      /* [3 n_triangle] vertices of a triangle, by equation */
+    double *area;     /* [n_triangle] (m^2) */
+    double *gradient; /* [6 n_triangle] dN_a / dX_j of these vertices */
+    int *place;       /* [6 n_triangle] scatter map: where in K->a the 2x2
+                       * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
+                       * element begin; -1: a vertex is prescribed */
+    struct sparse *pattern; /* of K when it is sparse, NULL when banded */
+    struct matrix *K; /* tangent of the free unknowns */
+    body_addition *add; /* NULL, from body_alloc(): nothing besides */
+    const void *added;  /* what add needs; borrowed */
+};
+
+/* From so many cells across the shorter side on, dissection is faster than the
+ * band, and body_alloc() makes K sparse; measured, then fixed. */
+enum { BODY_SPARSE_FROM = 36 };
+
+/*
+ * held[a] != 0: both components of vertex a are prescribed; not all may be.
+ * Every triangle must be counter-clockwise (asserted: see mesh_clockwise()).
+ */
+struct body *body_alloc(const struct mesh *mesh, struct material material,
+                        double rho, enum mass mass, const int held[]);
+void body_free(struct body *body);
+
+/* Number the equations anew, for a zero K in this storage: not DENSE.
+ * Matrices of body_matrix() that were made before are of no use any more. */
+void body_store(struct body *body, enum storage storage);
+
+/* Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
+enum status body_energy(const struct body *body, const double u[],
+                        double *energy);
+
+/* out := M v, for all vertices, the prescribed ones as well. */
+void body_mass(const struct body *body, const double v[], double out[]);
+
+/* F of triangle e; the least det F of all triangles. */
+mat2 body_deformation(const struct body *body, const double u[], int e);
+double body_min_J(const struct body *body, const double u[]);
+
+/* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as
+ * body_energy(), q is then incomplete. */
+enum status body_force(const struct body *body, const double u[], double q[]);
+
+/*
+ * Matrices of the free unknowns, numbered by body->equation: a zero one for the
+ * caller to free; K := d2Psi/du2 at u [eq:element-tangent], statuses as
+ * body_energy(); M := the mass matrix [eq:mass].
+ */
+struct matrix *body_matrix(const struct body *body);
+enum status body_stiffness(const struct body *body, const double u[],
+                           struct matrix *K);
+void body_mass_matrix(const struct body *body, struct matrix *M);
+
+/* Between vectors over all vertices and over the free unknowns: some := the
+ * entries of all that are free; all := some, and 0 where a vertex is held. */
+void body_gather(const struct body *body, const double all[], double some[]);
+void body_scatter(const struct body *body, const double some[], double all[]);
+
+/* max|v| of the free unknowns, v over all vertices; INFINITY if one of them is
+ * not finite. */
+double body_max_free(const struct body *body, const double v[]);
+
+/*
+ * The increment of Newton's method [eq:newton]: A du = -q for the free
+ * unknowns, du = 0 at the held vertices.  A is of body_matrix() and is factored
+ * in place; q and du are over all vertices.  NOT_SPD: du is not set.
+ */
+enum status body_increment(const struct body *body, struct matrix *A,
+                           const double q[], double du[]);
+
+/*
+ * q at u, of all vertices (at prescribed ones it is what holds them), and K of
+ * the free ones into body->K unless NO_TANGENT.  PROJECTED clamps the negative
+ * eigenvalues of every dP/dF to 0 [eq:projection]; K is then positive definite
+ * where M is.  f may be NULL: no forces.  Statuses as body_energy(); q and K
+ * are incomplete after them.
+ */
+enum status body_assemble(struct body *body, double dt, const double w[],
+                          const double f[], const double u[],
+                          enum tangent tangent, double q[]);
+
+#endif

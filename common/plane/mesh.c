@@ -1,0 +1,80 @@
+/* mesh.c - see mesh.h. */
+#include "plane/mesh.h"
+
+#include "base/status.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct mesh *mesh_square(int n)
+{
+    return mesh_rectangle(n, n, 1.0, 1.0);
+}
+
+struct mesh *mesh_rectangle(int n, int rows, double a, double b)
+{
+    assert(n > 0 && rows > 0);
+    struct mesh *mesh = allocate(1, sizeof *mesh);
+    mesh->n = n;
+    mesh->rows = rows;
+    mesh->n_vertex = (n + 1) * (rows + 1);
+    mesh->n_triangle = 2 * n * rows;
+    mesh->X = allocate(2 * (size_t)mesh->n_vertex, sizeof *mesh->X);
+    mesh->triangle = allocate(3 * (size_t)mesh->n_triangle, sizeof(int));
+    for (int v = 0; v < mesh->n_vertex; v++) {
+        mesh->X[2 * v] = a * (-1.0 + 2.0 * (v % (n + 1)) / n);
+        mesh->X[2 * v + 1] = b * (-1.0 + 2.0 * (v / (n + 1)) / rows);
+    }
+    int *t = mesh->triangle;
+    for (int j = 0; j < rows; j++)
+        for (int i = 0; i < n; i++) {
+            const int low = j * (n + 1) + i, up = low + n + 1; /* on the left */
+            *t++ = low, *t++ = low + 1, *t++ = up + 1;
+            *t++ = low, *t++ = up + 1, *t++ = up;
+        }
+    return mesh;
+}
+
+/* For body.c: a row of three vertices, and no cells above it. */
+struct mesh *mesh_triangle(const double X[6])
+{
+    struct mesh *mesh = allocate(1, sizeof *mesh);
+    *mesh = (struct mesh){.n = 2, .rows = 0, .n_vertex = 3, .n_triangle = 1};
+    mesh->X = allocate(6, sizeof *mesh->X);
+    mesh->triangle = allocate(3, sizeof *mesh->triangle);
+    memcpy(mesh->X, X, 6 * sizeof *X);
+    for (int a = 0; a < 3; a++) mesh->triangle[a] = a;
+    return mesh;
+}
+
+void mesh_free(struct mesh *mesh)
+{
+    if (!mesh) return;
+    free(mesh->X);
+    free(mesh->triangle);
+    free(mesh);
+}
+
+double mesh_gradients(const struct mesh *mesh, int e, double gradient[6])
+{
+    const int *t = &mesh->triangle[3 * e];
+    const double *X[3] = {&mesh->X[2 * t[0]], &mesh->X[2 * t[1]],
+                          &mesh->X[2 * t[2]]};
+    const double twice = (X[1][0] - X[0][0]) * (X[2][1] - X[0][1]) -
+                         (X[2][0] - X[0][0]) * (X[1][1] - X[0][1]);
+    for (int a = 0; a < 3; a++) { /* the opposite edge, turned by 90 degrees */
+        const double *from = X[(a + 1) % 3], *to = X[(a + 2) % 3];
+        gradient[2 * a] = -(to[1] - from[1]) / twice;
+        gradient[2 * a + 1] = (to[0] - from[0]) / twice;
+    }
+    return 0.5 * twice;
+}
+
+int mesh_clockwise(const struct mesh *mesh)
+{
+    double gradient[6];
+    for (int e = 0; e < mesh->n_triangle; e++)
+        if (!(mesh_gradients(mesh, e, gradient) > 0.0)) return e;
+    return -1;
+}

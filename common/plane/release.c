@@ -1,0 +1,138 @@
+/* release.c - see release.h. */
+#include "plane/release.h"
+
+#include <float.h>
+#include <gsl/gsl_math.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum status release_search(const struct body *body, const double q[],
+                           const double du[], double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *trial = allocate(n_dof, sizeof *trial);
+    double start, energy, slope = 0.0, area = 0.0;
+    enum status status = body_energy(body, u, &start);
+    for (size_t r = 0; r < n_dof; r++) slope += q[r] * du[r];
+    for (int e = 0; e < body->mesh->n_triangle; e++) area += body->area[e];
+    /* round-off of Psi, whose terms have the size of the modulus */
+    const double noise = 16.0 * DBL_EPSILON *
+                         (start + area * material_modulus(&body->material));
+
+    for (double length = 1.0; status == OK; length *= 0.5) {
+        if (length < 1e-12) status = STALLED;
+        for (size_t r = 0; r < n_dof; r++) trial[r] = u[r] + length * du[r];
+        if (status == OK && body_energy(body, trial, &energy) == OK &&
+            energy <= start + 1e-4 * length * slope + noise) {
+            memcpy(u, trial, n_dof * sizeof *u);
+            break;
+        }
+    }
+    free(trial);
+    return status;
+}
+
+double release_winding(const struct body *body, const double u[])
+{
+    const struct mesh *mesh = body->mesh;
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle), most = 0.0;
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int a = 0; a < 3; a++) {
+            const int *t = &mesh->triangle[3 * e];
+            double edge[4]; /* to the next corner, to the one after it */
+            for (int r = 0; r < 4; r++) {
+                const int to = 2 * t[(a + 1 + r / 2) % 3] + r % 2;
+                const int from = 2 * t[a] + r % 2;
+                edge[r] = mesh->X[to] + u[to] - mesh->X[from] - u[from];
+            }
+            angle[t[a]] += atan2(edge[0] * edge[3] - edge[1] * edge[2],
+                                 edge[0] * edge[2] + edge[1] * edge[3]);
+        }
+    for (int a = 0; a < mesh->n_vertex; a++)
+        most = fmax(most, angle[a] / (2.0 * M_PI));
+    free(angle);
+    return most;
+}
+
+const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {
+    {"line", {{{1.0, 0.0}, {0.0, 0.0}}}},
+    {"oblique", {{{0.36, 0.48}, {0.48, 0.64}}}},
+    {"inside_out", {{{1.0, 0.0}, {0.0, -1.0}}}},
+    {"near_point", {{{1e-3, 2e-3}, {-1e-3, 5e-4}}}},
+    {"point", {{{0.0, 0.0}, {0.0, 0.0}}}}};
+
+void release_place(const struct body *body, mat2 F, double u[])
+{
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
+        const double *X = &body->mesh->X[r / 2 * 2], *row = F.m[r % 2];
+        if (body->equation[r] >= 0)
+            u[r] = row[0] * X[0] + row[1] * X[1] - X[r % 2];
+    }
+}
+
+void release_shift(struct body *body)
+{
+    const double modulus = material_modulus(&body->material);
+    for (int r = 0; r < body->n_equation; r++)
+        matrix_add(body->K, r, r, RELEASE_SHIFT * modulus);
+}
+
+/* One iteration; *done: the forces are small, and u is as it was. */
+static enum status descend(struct body *body, double q[], double du[],
+                           double u[], int *done)
+{
+    enum status status = body_assemble(body, 1.0, u, NULL, u, PROJECTED, q);
+    if (status != OK) return status;
+    *done = body_max_free(body, q) <=
+            RELEASE_TOLERANCE * material_modulus(&body->material);
+    if (*done) return OK;
+    release_shift(body);
+    status = body_increment(body, body->K, q, du);
+    return status == OK ? release_search(body, q, du, u) : status;
+}
+
+struct release_report release_solve(struct body *body, int max_iterations,
+                                    double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *q = allocate(2 * n_dof, sizeof *q), *du = q + n_dof;
+    struct release_report report = {0};
+    int done = 0;
+    for (;;) {
+        report.status = descend(body, q, du, u, &done);
+        if (report.status != OK || done) break;
+        report.iterations++;
+        report.status = MAX_ITERATIONS;
+        if (report.iterations == max_iterations) break;
+    }
+    if (report.status == OK) {
+        body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+        release_shift(body);
+        if (matrix_factor(body->K) != OK) report.status = SADDLE;
+    }
+    report.min_J = body_min_J(body, u);
+    body_energy(body, u, &report.energy);
+    report.recovered = report.status == OK && report.min_J > 0.0 &&
+                       report.energy <= RELEASE_ENERGY;
+    free(q);
+    return report;
+}
+
+/* A number in [-1, 1) from the state of the generator, 64 bits. */
+static double draw(unsigned long long *state)
+{
+    unsigned long long z = *state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    z ^= z >> 31;
+    return 2.0 * (double)(z >> 11) * 0x1p-53 - 1.0;
+}
+
+void release_scramble(const struct body *body, unsigned seed, double u[])
+{
+    unsigned long long state = seed;
+    for (int a = 0; a < body->mesh->n_vertex; a++)
+        for (int i = 0; i < 2 && body->equation[2 * a] >= 0; i++)
+            u[2 * a + i] = draw(&state) - body->mesh->X[2 * a + i];
+}

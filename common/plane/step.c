@@ -1,0 +1,273 @@
+/* step.c - see step.h. */
+#include "plane/step.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct step_control step_method(const char *name)
+{
+    static const struct {
+        const char *name;
+        struct step_control control;
+    } method[] = {
+        {"notes", {1e-10, 40, FROM_LAST, 0, 0, 0, NEVER}},
+        {"search", {1e-10, 40, FROM_LAST, 0, 0, 1, NEVER}},
+        {"demand", {1e-10, 100, FROM_LAST, 0, 0, 0, ON_DEMAND}},
+        {"demand+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ON_DEMAND}},
+        {"always+search", {1e-10, 2000, FROM_LAST, 0, 0, 1, ALWAYS}},
+        {"lift", {1e-10, 40, EXTRAPOLATED, 1, 0, 0, NEVER}},
+        {"lift+search", {1e-10, 40, EXTRAPOLATED, 1, 0, 1, NEVER}},
+        {"all", {1e-10, 300, EXTRAPOLATED, 1, 0, 1, ON_DEMAND}},
+    };
+    for (size_t k = 0; k < sizeof method / sizeof *method; k++)
+        if (strcmp(name, method[k].name) == 0) return method[k].control;
+    die("there is no method %s", name);
+}
+
+const char *step_reason(const struct step_control *control,
+                        enum status status)
+{
+    const int blown_up = status == NOT_SPD || status == NONFINITE ||
+                         status == STALLED || status == MAX_ITERATIONS;
+    return blown_up && !control->line_search ? "fails" : status_name(status);
+}
+
+enum status step_potential(const struct body *body, double dt,
+                           const double w[], const double f[],
+                           const double u[], double work[], double *phi,
+                           double *noise)
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    double *move = work, *momentum = work + n_dof, kinetic = 0.0, power = 0.0;
+    double elastic;
+    const enum status status = body_energy(body, u, &elastic);
+    if (status != OK) return status;
+    for (int r = 0; r < n_dof; r++) {
+        move[r] = u[r] - w[r];
+        if (f) power += f[r] * u[r];
+    }
+    body_mass(body, move, momentum);
+    for (int r = 0; r < n_dof; r++) kinetic += 0.5 * move[r] * momentum[r];
+    *phi = kinetic + dt * dt * (elastic - power);
+    *noise = kinetic + dt * dt * (fabs(elastic) + fabs(power));
+    return isfinite(*phi) ? OK : NONFINITE;
+}
+
+/* The memory of one solve, in vectors over all vertices. */
+struct work {
+    double *q, *du, *trial, *twice; /* twice: [4 n_vertex] */
+};
+
+/* u := u + length du with the first length 1, 1/2, 1/4, ... at which Phi is
+ * defined and decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search];
+ * *halved says whether it is not 1. */
+static enum status line_search(const struct body *body, double dt,
+                               const double w[], const double f[],
+                               struct work work, double u[], int *halved)
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    double slope = 0.0, start, noise, phi, unused;
+    enum status status =
+        step_potential(body, dt, w, f, u, work.twice, &start, &noise);
+    if (status != OK) return status;
+    for (int r = 0; r < n_dof; r++) slope += work.q[r] * work.du[r];
+    for (double length = 1.0; length > 1e-12; length *= 0.5) {
+        for (int r = 0; r < n_dof; r++)
+            work.trial[r] = u[r] + length * work.du[r];
+        *halved = length < 1.0;
+        status = step_potential(body, dt, w, f, work.trial, work.twice, &phi,
+                           &unused);
+        /* close to the minimum Phi has no digits left to compare */
+        if (status == OK && phi <= start + 1e-4 * length * slope +
+                                       16.0 * DBL_EPSILON * noise) {
+            memcpy(u, work.trial, (size_t)n_dof * sizeof *u);
+            return OK;
+        }
+    }
+    return STALLED;
+}
+
+enum status step_search(const struct body *body, double dt, const double w[],
+                        const double f[], const double q[], const double du[],
+                        double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *memory = allocate(5 * n_dof, sizeof *memory);
+    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+                              memory + 3 * n_dof};
+    int halved;
+    memcpy(work.q, q, n_dof * sizeof *q);
+    memcpy(work.du, du, n_dof * sizeof *du);
+    const enum status status =
+        line_search(body, dt, w, f, work, u, &halved);
+    free(memory);
+    return status;
+}
+
+/*
+ * Factor K, which has been assembled at u.  When it is not SPD: project it, or
+ * (*as_it_is) leave it assembled for matrix_solve_indefinite(), or give up.
+ */
+static enum status factor(struct body *body, const struct step_control *control,
+                          double dt, const double w[], const double f[],
+                          const double u[], double q[],
+                          struct step_report *report, int *as_it_is)
+{
+    *as_it_is = 0;
+    report->factorisations++;
+    report->projections += control->projection == ALWAYS;
+    if (matrix_factor(body->K) == OK) return OK;
+    if (control->projection == ON_DEMAND) {
+        report->factorisations++;
+        report->projections++;
+        body_assemble(body, dt, w, f, u, PROJECTED, q);
+        return matrix_factor(body->K);
+    }
+    if (control->projection == ALWAYS || control->line_search) return NOT_SPD;
+    report->indefinite++;
+    *as_it_is = 1;
+    return body_assemble(body, dt, w, f, u, EXACT, q);
+}
+
+/* du := -K^-1 q, 0 at prescribed vertices. */
+static enum status increment(struct body *body, const double q[], int as_it_is,
+                             double b[], double du[])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    enum status status = OK;
+    for (int r = 0; r < n_dof; r++)
+        if (body->equation[r] >= 0) b[body->equation[r]] = -q[r];
+    if (as_it_is)
+        status = matrix_solve_indefinite(body->K, b, NULL);
+    else
+        matrix_solve(body->K, b);
+    for (int r = 0; r < n_dof; r++) {
+        du[r] = body->equation[r] >= 0 ? b[body->equation[r]] : 0.0;
+        if (status == OK && !isfinite(du[r])) status = NONFINITE;
+    }
+    return status;
+}
+
+static struct step_report newton(struct body *body,
+                                 const struct step_control *control, double dt,
+                                 const double w[], const double f[],
+                                 struct work work, double u[])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
+    struct step_report report = {.increment = INFINITY,
+                                 .storage = body->K->storage};
+    double scale = 0.0;
+    int fresh = 1, as_it_is = 0, halved = 0;
+
+    for (;;) {
+        const int small = report.increment <= control->tolerance;
+        const int with_K = fresh && !small;
+        report.status = body_assemble(body, dt, w, f, u,
+                                      with_K ? kind : NO_TANGENT, work.q);
+        if (report.status != OK) break;
+        if (with_K) scale = matrix_max_diagonal(body->K);
+        report.residual = body_max_free(body, work.q) / scale;
+        if (small && report.residual <= control->tolerance) break;
+        /* |du| cannot change u any more, and still q is not small */
+        report.status = STALLED;
+        if (report.increment <= DBL_EPSILON) break;
+        report.status = MAX_ITERATIONS;
+        if (report.iterations == control->max_iterations) break;
+
+        if (fresh && small)
+            body_assemble(body, dt, w, f, u, kind, work.q);
+        report.status = fresh ? factor(body, control, dt, w, f, u, work.q,
+                                       &report, &as_it_is)
+                              : OK;
+        if (report.status == OK)
+            report.status =
+                increment(body, work.q, as_it_is, work.trial, work.du);
+        if (report.status != OK) break;
+        report.iterations++;
+        const double before = report.increment;
+        report.increment = body_max_free(body, work.du);
+        if (control->line_search)
+            report.status = line_search(body, dt, w, f, work, u, &halved);
+        else
+            for (int r = 0; r < n_dof; r++) u[r] += work.du[r];
+        if (report.status != OK) break;
+        fresh = !control->chord || halved || as_it_is ||
+                report.increment > 0.3 * before;
+    }
+    return report;
+}
+
+struct step_report step_solve(struct body *body,
+                              const struct step_control *control, double dt,
+                              const double w[], const double f[], double u[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *memory = allocate(5 * n_dof, sizeof *memory);
+    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+                              memory + 3 * n_dof};
+    const struct step_report report =
+        newton(body, control, dt, w, f, work, u);
+    free(memory);
+    return report;
+}
+
+enum status step_certify(struct body *body, double dt, const double u[])
+{
+    double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
+    enum status status = body_assemble(body, dt, u, NULL, u, EXACT, q);
+    if (status == OK && matrix_factor(body->K) != OK) status = SADDLE;
+    free(q);
+    return status;
+}
+
+void step_boundary(const struct body *body, const double g[], int lift,
+                   double u[])
+{
+    const int n = body->mesh->n;
+    for (int j = 0; j <= body->mesh->rows; j++)
+        for (int k = 0; k < 2; k++) {
+            const int left = 2 * j * (n + 1) + k, right = left + 2 * n;
+            const int held[2] = {body->equation[left] < 0,
+                                 body->equation[right] < 0};
+            const double jump[2] = {held[0] ? g[left] - u[left] : 0.0,
+                                    held[1] ? g[right] - u[right] : 0.0};
+            for (int i = 0; i <= n; i++) {
+                const int r = left + 2 * i;
+                const double s =
+                    held[0] && held[1] ? (double)i / n : (double)held[1];
+                if (body->equation[r] < 0)
+                    u[r] = g[r];
+                else if (lift)
+                    u[r] += (1.0 - s) * jump[0] + s * jump[1];
+            }
+        }
+}
+
+struct step_report step_backward_euler(struct body *body,
+                                       const struct step_control *control,
+                                       double dt, const double g[],
+                                       const double f[], double u[],
+                                       double v[], double v_before[])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    const enum guess guess = control->guess;
+    double *w = allocate(2 * (size_t)n_dof, sizeof *w), *next = w + n_dof;
+    for (int r = 0; r < n_dof; r++) {
+        w[r] = next[r] = u[r] + dt * v[r];
+        if (guess == FROM_LAST) next[r] = u[r];
+        if (guess == EXTRAPOLATED) next[r] += dt * (v[r] - v_before[r]);
+    }
+    step_boundary(body, g, control->lift, next);
+    const struct step_report report =
+        step_solve(body, control, dt, w, f, next);
+    for (int r = 0; r < n_dof && report.status == OK; r++) {
+        if (v_before) v_before[r] = v[r];
+        v[r] = (next[r] - u[r]) / dt;
+        u[r] = next[r];
+    }
+    free(w);
+    return report;
+}

@@ -1,0 +1,123 @@
+/* system.c - see system.h. */
+#include "plane/system.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+void system_store(struct system *system, enum storage storage)
+{
+    struct scene *s = system->scene;
+    if (s->body->K->storage != storage) body_store(s->body, storage);
+    if (body_assemble(s->body, s->set.dt, system->w, NULL, system->guess, EXACT,
+                      system->b) != OK)
+        die("the guess is not defined");
+    for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
+}
+
+void system_press(struct system *system, double squeeze)
+{
+    struct scene *s = system->scene;
+    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *u = q + s->n_dof;
+    for (int r = 0; r < s->n_dof; r += 2) u[r] = -squeeze * s->mesh->X[r];
+    if (body_assemble(s->body, s->set.dt, u, NULL, u, EXACT, q) != OK)
+        die("the pressed body is not defined");
+    free(q);
+}
+
+struct system *system_alloc(int n)
+{
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+    struct step_control control = step_method("lift");
+    struct system *system = allocate(1, sizeof *system);
+    assert(n >= 2);
+    set.reach = 0.5;
+    control.chord = 1;
+    struct scene *s = system->scene = scene_alloc(&set);
+    for (int k = 0; k < 2; k++)
+        if (scene_step(s, &control).status != OK) die("the stretch fails");
+    system->b = allocate(3 * (size_t)s->n_dof, sizeof *system->b);
+    double *w = system->w = system->b + s->n_dof;
+    double *guess = system->guess = w + s->n_dof;
+    for (int r = 0; r < s->n_dof; r++) {
+        w[r] = s->u[r] + set.dt * s->v[r];
+        guess[r] = w[r] + set.dt * (s->v[r] - s->v_before[r]);
+    }
+    scene_hold(s, 3 * set.dt);
+    step_boundary(s->body, s->g, 1, guess);
+    system_store(system, s->body->K->storage);
+    system->vertex = allocate((size_t)s->mesh->n_vertex, sizeof(int));
+    for (int a = 0; a < s->mesh->n_vertex; a++)
+        if (!s->held[a]) system->vertex[system->n_vertex++] = a;
+    return system;
+}
+
+void system_free(struct system *system)
+{
+    if (!system) return;
+    scene_free(system->scene);
+    free(system->vertex);
+    free(system->b); /* and w, guess */
+    free(system);
+}
+
+static int place_of(const int place[], int v)
+{
+    return place ? place[v] : v;
+}
+
+/* Entries k - 1, k - 2, ... back to first ascend; put entry k in its place. */
+static void insert(struct csr *A, int first, int k)
+{
+    for (; k > first && A->index[k - 1] > A->index[k]; k--) {
+        const int column = A->index[k];
+        const double value = A->value[k];
+        A->index[k] = A->index[k - 1], A->index[k - 1] = column;
+        A->value[k] = A->value[k - 1], A->value[k - 1] = value;
+    }
+}
+
+struct csr *system_matrix(const struct system *system, const int place[])
+{
+    enum { NEXT = 7 }; /* a vertex and its neighbours */
+    static const int step[NEXT][2] = {{-1, -1}, {0, -1}, {-1, 0}, {0, 0},
+                                      {1, 0},   {0, 1},  {1, 1}};
+    const struct body *body = system->scene->body;
+    const int width = body->mesh->n - 1, height = body->mesh->n + 1;
+    const int n = system->n_vertex;
+    struct csr *A = csr_alloc(2 * n, 4 * NEXT * n);
+    int *at = allocate((size_t)n, sizeof *at), k = 0;
+    for (int v = 0; v < n; v++) at[place_of(place, v)] = v;
+    for (int row = 0; row < 2 * n; row++) {
+        const int v = at[row / 2];
+        for (int s = 0; s < 2 * NEXT; s++) {
+            const int i = v % width + step[s / 2][0];
+            const int j = v / width + step[s / 2][1], b = j * width + i;
+            if (i < 0 || i >= width || j < 0 || j >= height) continue;
+            A->index[k] = 2 * place_of(place, b) + s % 2;
+            A->value[k] = matrix_get(
+                body->K, body->equation[2 * system->vertex[v] + row % 2],
+                body->equation[2 * system->vertex[b] + s % 2]);
+            insert(A, A->start[row], k++);
+        }
+        A->start[row + 1] = k;
+    }
+    free(at);
+    return A;
+}
+
+void system_right_side(const struct system *system, const int place[],
+                       double b[])
+{
+    for (int v = 0; v < system->n_vertex; v++)
+        for (int k = 0; k < 2; k++)
+            b[2 * place_of(place, v) + k] =
+                system->b[2 * system->vertex[v] + k];
+}
+
+void system_back(const struct system *system, const int place[],
+                 const double x[], double du[])
+{
+    for (int v = 0; v < system->n_vertex; v++)
+        for (int k = 0; k < 2; k++)
+            du[2 * v + k] = x[2 * place_of(place, v) + k];
+}

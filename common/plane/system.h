@@ -1,0 +1,49 @@
+/*
+ * system.h - the linear system on which solvers are compared.
+ *
+ * The stretch of scene.h, reach 1/2, cubic law: the third time step, Newton's
+ * first iteration from the extrapolated and lifted guess; K du = -q, positive
+ * definite.  Its free vertices are the columns i = 0, ..., n - 2 between the
+ * held ends and the rows j = 0, ..., n:
+ *
+ *     |  9 10 11 |     vertex j (n - 1) + i; with place[] some order of them,
+ *     |  6  7  8 |     unknown 2 place + k is component k
+ *     |  3  4  5 |
+ *     |  0  1  2 |     n = 4, but for its upper row
+ */
+#ifndef COMMON_SYSTEM_H
+#define COMMON_SYSTEM_H
+
+#include "linear/csr.h"
+#include "plane/scene.h"
+
+struct system {
+    struct scene *scene; /* owned; K of its body is assembled */
+    int n_vertex;        /* free ones, (n - 1) (n + 1) */
+    int *vertex;         /* [n_vertex] which one of the mesh; owned */
+    double *b;           /* -q of all vertices of the mesh; owned */
+    double *w, *guess;   /* of the step, all vertices; owned */
+};
+
+/* n >= 2 squares per side.  The caller frees it. */
+struct system *system_alloc(int n);
+
+/* K in this storage, BANDED or SPARSE, assembled anew. */
+void system_store(struct system *system, enum storage storage);
+void system_free(struct system *system);
+
+/* K, in the storage that it has, of the body that is pressed evenly, u =
+ * (-squeeze X1, 0), squeeze < 1; b stays. */
+void system_press(struct system *system, double squeeze);
+
+/* K in an order, NULL: that of the vertices.  The caller frees it. */
+struct csr *system_matrix(const struct system *system, const int place[]);
+
+/* b, [2 n_vertex], in that order; and x, of that order, back into the order of
+ * the vertices. */
+void system_right_side(const struct system *system, const int place[],
+                       double b[]);
+void system_back(const struct system *system, const int place[],
+                 const double x[], double du[]);
+
+#endif

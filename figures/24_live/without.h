@@ -1,0 +1,40 @@
+/*
+ * without.h - the ladder of live.h with one rung taken away: what each is for.
+ */
+#ifndef COMMON_WITHOUT_H
+#define COMMON_WITHOUT_H
+
+#include "motion/live.h"
+
+enum without {
+    NOTHING,     /* the whole ladder */
+    FIRST_RUNG,  /* each frame begins downhill */
+    LIFT,        /* the first rung starts from the last state */
+    SECOND_RUNG, /* the first rung alone; a frame is lost when it fails */
+    PROJECTION,  /* the lift of the second rung is by the exact K */
+    SEARCH,      /* the second rung has no line search */
+    ACCEPTING,   /* an unfinished frame is lost */
+    STOPPING,    /* v stays what it is after an unfinished frame */
+    HALVING,     /* the hand goes all of its way or none */
+    BOUND,       /* the hand goes all the way to the pointer */
+    LEAPING,     /* a lift may go any way that is finite */
+    TROUBLE,     /* each frame begins with the first rung */
+    N_WITHOUT
+};
+const char *without_word(enum without without);
+
+struct without_result {
+    int lost, freeze;      /* frames lost, and in a row at most */
+    int stands;            /* frames in which a hand that holds goes nowhere */
+    int unfinished;        /* frames accepted although not converged */
+    double p50, p99, most; /* systems per frame */
+    double energy, speed;  /* the largest (J), (m/s) */
+    double last;           /* largest |u| at the end (m) */
+};
+
+/* The square of n x n, a patch in the hand, through the whole script. */
+struct without_result without_play(enum without without, int n, enum law law,
+                                   enum method method,
+                                   const struct pointers *script);
+
+#endif
