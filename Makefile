@@ -42,7 +42,7 @@ WHOLE   = trap 'rm -f $(PART)' 0; trap 'exit 130' 1 2 15;
 MOVED   = mv -f $(PART) $@
 COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
 OBJECT  = -c -o $(PART) && $(MOVED)
-PLACED  = -o $(PART) $(LINK) && $(MOVED)
+PLACED  = -o $(PART) $(filter %.o %.a,$^) $(LDFLAGS) $(GSL_LIBS) && $(MOVED)
 LINK    = $(LIB) $(LDFLAGS) $(GSL_LIBS)
 BUILD   ?= build
 Q       := $(if $(V),,@)
@@ -54,8 +54,11 @@ LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # Studies are named as NN_slug/what; speed/what are measured by `make bench`,
 # many/many, which needs PETSc, by `make many`.
-STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(wildcard \
-               figures/*/*.c))))
+# A file there with a header of its name is what several studies share.
+SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
+                         $(wildcard figures/*/*.c))
+STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
+               $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c)))))
 SPEED   := $(filter speed/%,$(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
@@ -120,9 +123,19 @@ deps:
 
 # ---- library and programs ---------------------------------------------------
 
-# window.c needs SDL2 and is for `make live` only.
-OBJECTS := $(patsubst common/%.c,$(BUILD)/common/%.o,$(filter-out \
-               common/motion/window.c,$(wildcard common/*.c)))
+# A program is linked with the objects whose headers it reaches, so that the
+# first lesson does not wait for all; tests are linked with the library, which
+# has all but window_sdl.c, which needs SDL2 and is for `make live` only.
+NEEDS := $(shell grep -H '^\#include "' $(wildcard common/*/*.[ch] \
+             figures/*/*.[ch] solutions/*.c lessons/*.c tests/*/*.[ch]) | \
+             awk -f tests/tools/needs.awk)
+comma := ,
+needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
+            $1=%,$(NEEDS)))))
+.SECONDEXPANSION:
+
+OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
+               common/motion/window_sdl.c,$(wildcard common/*/*.c)))
 $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
@@ -130,20 +143,21 @@ $(LIB): $(OBJECTS)
 native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
              $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)) \
                  -fno-tree-slp-vectorize)
-$(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
+$(OBJECTS): $(BUILD)/%.o: %.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(call native_for,$*) $< $(OBJECT)
+	    $(call native_for,$(notdir $*)) $< $(OBJECT)
 
-$(BUILD)/solutions/%: solutions/%.c $(LIB)
+$(BUILD)/solutions/%: solutions/%.c $$(call needs,solutions/$$*.c)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
-$(BUILD)/mine/%: lessons/%.c $(LIB)
+$(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
-$(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
+$(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
+        $$(call needs,figures/$$*.c)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
@@ -166,8 +180,7 @@ NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
 NAMING = tests/tools/names.sh tests/tools/names.awk
 build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
-              tests/checks/$2.c $(JUDGE) \
-              $(PLACED)
+              tests/checks/$2.c $(PLACED)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB) \
                             $(NAMING)
@@ -180,7 +193,8 @@ $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB) \
 alone:
 	$(Q)$(PLAIN) -fsyntax-only $(FILE)
 ifneq ($(INTO),)
-$(INTO): $(JUDGE) $(LIB)
+$(INTO): $(JUDGE) $(if $(filter lessons/%,$(FILE)),$(call needs,$(FILE)) \
+         $(call needs,tests/checks/$(SLUG).c),$(LIB))
 	$(Q)$(call build_judge,$(FILE),$(SLUG))
 endif
 
@@ -237,13 +251,14 @@ CHOLMOD = $(shell for f in "$$(pkg-config --cflags --libs cholmod \
               echo 'int main(void) { return !cholmod_start; }' | $(CC) -w \
               -include cholmod.h -x c - -o /dev/null $$f 2>/dev/null && \
               echo $$f && break; done)
-$(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
+$(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
+        $$(call needs,figures/$$*.c)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && \
 	    rival='$(if $(filter %/solvers,$*),$(CHOLMOD))' && $(COMPILE) \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
-	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) $(LINK) \
-	    $$rival $$lapack && $(MOVED)
+	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \
+	    $(filter %.o,$^) $(LDFLAGS) $(GSL_LIBS) $$rival $$lapack && $(MOVED)
 # One after the other, each time anew, and the pictures with seconds in them in
 # their place in the tree.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
@@ -286,7 +301,7 @@ live: $(LIB)
 	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \
 	    'apt install libsdl2-dev, or brew install sdl2' >&2; exit 2; }
 	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) \
-	    $(if $(FORCE),solutions,lessons)/24_live.c common/motion/window.c \
+	    $(if $(FORCE),solutions,lessons)/24_live.c common/motion/window_sdl.c \
 	    -o $(BUILD)/live $(LINK) $$(pkg-config --libs sdl2)
 	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
 	@echo 'The frames are in $(BUILD)/live.tsv'
@@ -302,5 +317,4 @@ clean:
 	    */progress|*/saved) ;; *) rm -rf "$$f" ;; esac; done
 
 include tests/tests.mk
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/figures/*/*.d \
-                    $(BUILD)/mistakes/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

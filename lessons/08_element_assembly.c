@@ -185,7 +185,7 @@ int main(int argc, char *argv[])
     };
     options_parse("08_element_assembly", options, COUNT(options), argc, argv);
     struct system s = system_make(DENSE, n, grading, rules[rule], reversed);
-    if (n <= 12) table_matrix("A", s.A);
+    if (n <= 12) matrix_table("A", s.A);
     table_vector("b", n + 1, s.b);
     const struct point point = system_solve(&s);
     if (!point.valid)

@@ -60,7 +60,7 @@ struct solution {
 
 static void print_solution(const struct solution *s)
 {
-    if (s->n <= 12) table_matrix("A", s->A);
+    if (s->n <= 12) matrix_table("A", s->A);
     table_vector("b", s->n + 1, s->b);
     table_begin("nodes", "x u exact");
     for (int j = 0; j <= s->n; j++)

@@ -154,7 +154,7 @@ static void print_stages(const struct bar_scene *scene)
     for (int i = 0; i < N; i++) s->u[i] = 0.5 * s->bar.h * sin(2.385 * i);
     table_vector("b", N, s->b);
     if (residual(&s->bar, s->u, q) == OK) table_vector("q", N, q);
-    if (tangent(&s->bar, s->u, K) == OK) table_matrix("K", K);
+    if (tangent(&s->bar, s->u, K) == OK) matrix_table("K", K);
     if (increment(&s->bar, K, q, du) == OK) table_vector("du", N, du);
     matrix_free(K);
     free(q);

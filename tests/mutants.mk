@@ -31,7 +31,7 @@ mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
 $(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
 	$(Q)mkdir -p $(@D) && for flags in -fsanitize=address,undefined ''; do \
 	    $(COMPILE) $(UNIT_FLAGS) $$flags -c $< -o $@ && break; done
-MUTANT_FILES = $(wildcard common/*.c)
+MUTANT_FILES = $(OBJECTS:$(BUILD)/%.o=%.c)
 MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
     UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
     NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \

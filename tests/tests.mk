@@ -59,7 +59,6 @@ caught := $(shell awk '/^mistake: / { name = $$2 } /^caught-by: / { \
     slug = FILENAME; sub(/.*\//, "", slug); sub(/\.txt$$/, "", slug); \
     print slug "/" name "," $$2 }' /dev/null $(LESSONS:%=tests/mistakes/%.txt))
 by_check = $(foreach c,$(CAUGHT_BY),$(filter %$(comma)$c,$(caught)))
-comma := ,
 define mistakes_rule
 mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
         $(CAUGHT_BY),$(foreach m,$(filter $1/%,$(by_check)),$(firstword \
@@ -130,7 +129,7 @@ UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
              $(wildcard tests/unit/*.c)))
 CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
-UNIT_FLAGS = -Itests/unit $(CHECK_CFLAGS)
+UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
 $(BUILD)/unit/%.o: tests/unit/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
@@ -154,7 +153,7 @@ $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
 	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w \
-	        $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
+	        -I$(dir $2) $(if $(filter %/banded.c %/front.c,$2),$$(NATIVE)) \
 	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
 	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
@@ -174,7 +173,7 @@ studies: $(COUNTED:%=$(BUILD)/figures/%)
 
 # Does another compiler warn?  LOOK says how far it goes; nothing is linked.
 LOOK = -fsyntax-only
-HEADERS := $(wildcard common/*.h tests/*/*.h)
+HEADERS := $(wildcard common/*/*.h figures/*/*.h tests/*/*.h)
 LOOKED := $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
           $(STUDIES:%=figures/%) $(UNITS:%=tests/unit/%) tests/unit/unit \
           $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%) \
@@ -193,14 +192,14 @@ $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
 look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
-EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/* solutions/*.c \
+EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/*/* solutions/*.c \
               lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
 $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
-                      common/*.c
+                      common/*/*.c
 	$(call say,test,the book is in step with the programs)
 	$(Q)mkdir -p $(@D) && if said=$$(BUILD='$(BUILD)' sh \
 	        tests/tools/workbook.sh check); \

@@ -87,15 +87,6 @@ void table_end(void)
     fputs("\n\n", stdout);
 }
 
-void table_matrix(const char *name, const struct matrix *A)
-{
-    table_begin(name, "i j value");
-    for (int i = 0; i < A->n; i++)
-        for (int j = 0; j < A->n; j++)
-            if (abs(i - j) <= A->p) table_row(i, j, matrix_get(A, i, j));
-    table_end();
-}
-
 void table_vector(const char *name, int n, const double v[])
 {
     table_begin(name, "i value");

@@ -17,8 +17,6 @@
 #ifndef COMMON_TABLE_H
 #define COMMON_TABLE_H
 
-#include "linear/matrix.h"
-
 struct cell {
     const char *word; /* borrowed; NULL: the cell is the number */
     double number;
@@ -80,9 +78,6 @@ void table_numbers(int n, const double row[]);
 
 /* End the table. */
 void table_end(void);
-
-/* A whole table of the entries of A within its band: columns i j value. */
-void table_matrix(const char *name, const struct matrix *A);
 
 /* A whole table of a vector: columns i value. */
 void table_vector(const char *name, int n, const double v[]);

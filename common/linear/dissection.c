@@ -70,15 +70,16 @@ static int dissect(const struct state *s, struct box b, int depth)
 }
 
 /* The later neighbours of every vertex, by the edges of the triangles. */
-static void find_neighbours(struct dissection *d, const struct mesh *mesh)
+static void find_neighbours(struct dissection *d, int n_triangle,
+                            const int triangle[])
 {
     int *list = allocate((size_t)(NEIGHBOURS + 1) * (size_t)d->n_vertex,
                          sizeof *list);
     int *count = list + NEIGHBOURS * d->n_vertex;
-    for (int t = 0; t < 3 * mesh->n_triangle; t++)
+    for (int t = 0; t < 3 * n_triangle; t++)
         for (int k = 1; k < 3; k++) {
-            const int a = d->place[mesh->triangle[t]];
-            const int b = d->place[mesh->triangle[t / 3 * 3 + (t + k) % 3]];
+            const int a = d->place[triangle[t]];
+            const int b = d->place[triangle[t / 3 * 3 + (t + k) % 3]];
             int known = a < 0 || b < a;
             for (int i = 0; i < (known ? 0 : count[a]); i++)
                 if (list[NEIGHBOURS * a + i] == b) known = 1;
@@ -90,7 +91,7 @@ static void find_neighbours(struct dissection *d, const struct mesh *mesh)
     for (int v = 0; v < d->n_vertex; v++)
         d->start[v + 1] = d->start[v] + 1 + count[v];
     d->row = allocate((size_t)d->start[d->n_vertex], sizeof(int));
-        for (int v = 0; v < d->n_vertex; v++) {
+    for (int v = 0; v < d->n_vertex; v++) {
         d->row[d->start[v]] = v;
         memcpy(&d->row[d->start[v] + 1], &list[NEIGHBOURS * v],
                (size_t)count[v] * sizeof(int));
@@ -98,20 +99,21 @@ static void find_neighbours(struct dissection *d, const struct mesh *mesh)
     free(list);
 }
 
-struct dissection *dissection_alloc(const struct mesh *mesh, const int held[],
+struct dissection *dissection_alloc(int columns, int rows, int n_triangle,
+                                    const int triangle[], const int held[],
                                     int leaf)
 {
-    const int row = mesh->n + 1;
-    const struct box all = {{0, 0}, {row, mesh->rows + 1}};
+    const struct box all = {{0, 0}, {columns, rows}};
+    const int n_vertex = columns * rows;
     struct dissection *d = allocate(1, sizeof *d);
-    const struct state state = {d, held, row, leaf};
-    d->place = allocate((size_t)mesh->n_vertex, sizeof *d->place);
-    for (int a = 0; a < mesh->n_vertex; a++) d->place[a] = -1;
-    d->piece = allocate((size_t)mesh->n_vertex, sizeof *d->piece);
+    const struct state state = {d, held, columns, leaf};
+    d->place = allocate((size_t)n_vertex, sizeof *d->place);
+    for (int a = 0; a < n_vertex; a++) d->place[a] = -1;
+    d->piece = allocate((size_t)n_vertex, sizeof *d->piece);
     assert(leaf > 0);
     dissect(&state, all, 0);
     assert(d->n_vertex > 0);
-    find_neighbours(d, mesh);
+    find_neighbours(d, n_triangle, triangle);
     return d;
 }
 

@@ -1,7 +1,7 @@
 /*
  * dissection.h - nested dissection: an order in which elimination fills little.
  *
- * A line of vertices cuts a mesh of mesh.h in two that have no edge in
+ * A line of vertices cuts a mesh of triangles in two that have no edge in
  * common.  They are numbered first, each cut in its turn, and the line last
  * [alg:dissection]:
  *
@@ -18,8 +18,6 @@
 #ifndef COMMON_DISSECTION_H
 #define COMMON_DISSECTION_H
 
-#include "plane/mesh.h"
-
 struct piece {
     int first, count; /* its vertices have places first .. first + count - 1 */
     int depth;        /* so many lines cut it off */
@@ -35,9 +33,11 @@ struct dissection {
                           * come its later neighbours, in no order */
 };
 
-/* held[a] != 0: vertex a is left out; not all may be.  At most `leaf` >= 1
- * vertices are not cut.  The caller frees it. */
-struct dissection *dissection_alloc(const struct mesh *mesh, const int held[],
+/* Of a mesh whose vertex a = j columns + i is the i-th of row j.  held[a] != 0:
+ * vertex a is left out; not all may be.  At most `leaf` >= 1 vertices are not
+ * cut.  The caller frees it. */
+struct dissection *dissection_alloc(int columns, int rows, int n_triangle,
+                                    const int triangle[], const int held[],
                                     int leaf);
 void dissection_free(struct dissection *dissection);
 

@@ -2,6 +2,7 @@
  * and sparse.h what is sparse. */
 #include "linear/matrix.h"
 
+#include "base/table.h"
 #include "linear/banded.h"
 #include "linear/sparse.h"
 
@@ -406,6 +407,15 @@ double matrix_max_diagonal(const struct matrix *A)
     for (int r = 0; r < A->n; r++)
         largest = fmax(largest, matrix_get(A, r, r));
     return largest;
+}
+
+void matrix_table(const char *name, const struct matrix *A)
+{
+    table_begin(name, "i j value");
+    for (int i = 0; i < A->n; i++)
+        for (int j = 0; j < A->n; j++)
+            if (abs(i - j) <= A->p) table_row(i, j, matrix_get(A, i, j));
+    table_end();
 }
 
 struct matrix_cost matrix_cost(enum storage storage, int n, int p)

@@ -172,6 +172,9 @@ size_t matrix_bytes(const struct matrix *A);
 /* The largest entry of the diagonal, or 0; NaN is not looked at. */
 double matrix_max_diagonal(const struct matrix *A);
 
+/* Print a table of the entries within the band: columns i j value. */
+void matrix_table(const char *name, const struct matrix *A);
+
 /*
  * What order n and half bandwidth p cost, without a matrix [eq:band-cost]; p is
  * ignored when dense.  Each + - * / and square root of the textbook's

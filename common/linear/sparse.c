@@ -129,11 +129,12 @@ static void find_rows(struct sparse *s, int n_rest)
     }
 }
 
-struct sparse *sparse_alloc(const struct mesh *mesh, const int held[],
-                            int leaf)
+struct sparse *sparse_alloc(int columns, int rows, int n_triangle,
+                            const int triangle[], const int held[], int leaf)
 {
     struct sparse *s = allocate(1, sizeof *s);
-    struct dissection *d = s->order = dissection_alloc(mesh, held, leaf);
+    struct dissection *d = s->order =
+        dissection_alloc(columns, rows, n_triangle, triangle, held, leaf);
     int *seen = allocate((size_t)d->n_vertex, sizeof *seen), n_rest = 0;
     s->n_vertex = d->n_vertex;
     s->place = d->place, s->start = d->start, s->row = d->row;

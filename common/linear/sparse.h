@@ -44,8 +44,8 @@ struct sparse {
 };
 
 /* As dissection_alloc(), with a leaf of SPARSE_LEAF unless it is measured. */
-struct sparse *sparse_alloc(const struct mesh *mesh, const int held[],
-                            int leaf);
+struct sparse *sparse_alloc(int columns, int rows, int n_triangle,
+                            const int triangle[], const int held[], int leaf);
 void sparse_free(struct sparse *s);
 
 /* The block of places i >= j, -1: it is zero. */

@@ -78,19 +78,22 @@ static void scatter_map(const struct body *body, int place[])
 
 void body_store(struct body *body, enum storage storage)
 {
-    const int vertices = body->mesh->n_vertex;
+    const struct mesh *mesh = body->mesh;
     assert(storage != DENSE);
     matrix_free(body->K);
     sparse_free(body->pattern);
     body->pattern = NULL;
     if (storage == SPARSE) {
-        int *held = allocate((size_t)vertices, sizeof *held);
-        for (int a = 0; a < vertices; a++) held[a] = body->equation[2 * a] < 0;
-        body->pattern = sparse_alloc(body->mesh, held, SPARSE_LEAF);
+        int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
+        for (int a = 0; a < mesh->n_vertex; a++)
+            held[a] = body->equation[2 * a] < 0;
+        body->pattern = sparse_alloc(mesh->n + 1, mesh->rows + 1,
+                                     mesh->n_triangle, mesh->triangle, held,
+                                     SPARSE_LEAF);
         free(held);
     }
     body->n_equation = number_equations(body);
-    for (int e = 0; e < body->mesh->n_triangle; e++) sort_vertices(body, e);
+    for (int e = 0; e < mesh->n_triangle; e++) sort_vertices(body, e);
     body->K = body->pattern ? matrix_alloc_sparse(body->pattern)
                             : matrix_alloc(storage, body->n_equation,
                                            half_bandwidth(body));

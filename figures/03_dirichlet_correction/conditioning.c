@@ -57,8 +57,8 @@ int main(void)
     struct matrix *after = corrected(6, 3, nodes, KEEP_DIAGONAL);
     double kept = 0.0, one = 0.0, least = INFINITY, growth = 0.0;
 
-    table_matrix("A", before);
-    table_matrix("A_corrected", after);
+    matrix_table("A", before);
+    matrix_table("A_corrected", after);
     table_begin("condition", "n kept one");
     for (int n = 4; n <= 64; n *= 2) {
         growth = kept > 0.0 ? condition_number(n, KEEP_DIAGONAL) / kept : 0.0;

@@ -29,7 +29,7 @@ int main(void)
         off = fmax(off, fabs(K[0][1] - matrix_get(A, e, e + 1)));
     }
     table_end();
-    table_matrix("A", A);
+    matrix_table("A", A);
     table_begin("nodes", "x");
     for (int i = 0; i <= n; i++) table_row(x[i]);
     table_end();

@@ -12,6 +12,7 @@
  */
 #include "linear/matrix.h"
 #include "linear/sparse.h"
+#include "plane/mesh.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -28,7 +29,8 @@ static struct matrix_cost dissected(int n, double kept[2])
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
     for (int a = 0; a < mesh->n_vertex; a++)
         held[a] = a % (n + 1) == 0 || a % (n + 1) == n;
-    struct sparse *s = sparse_alloc(mesh, held, SPARSE_LEAF);
+    struct sparse *s = sparse_alloc(n + 1, n + 1, mesh->n_triangle,
+                                    mesh->triangle, held, SPARSE_LEAF);
     const struct matrix_cost cost = {s->numbers, s->flops, s->solve};
     for (int k = 0; kept && k < 2; k++) /* K and L; with room to work */
         kept[k] = 4.0 * s->start[s->n_vertex] +

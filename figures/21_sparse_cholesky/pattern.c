@@ -7,6 +7,7 @@
  * many lines cut off their piece; rows and dissection, the blocks; and counts.
  */
 #include "linear/sparse.h"
+#include "plane/mesh.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -50,7 +51,9 @@ int main(void)
     int rows[ALL], same[ALL], depth[ALL], count[2][2];
     for (int a = 0; a < mesh->n_vertex; a++)
         held[a] = a % (N + 1) == 0 || a % (N + 1) == N;
-    struct dissection *d = dissection_alloc(mesh, held, LEAF);
+    struct dissection *d = dissection_alloc(
+        mesh->n + 1, mesh->rows + 1, mesh->n_triangle, mesh->triangle, held,
+        LEAF);
     for (int p = 0; p < d->n_piece; p++)
         for (int v = 0; v < d->piece[p].count; v++)
             depth[d->piece[p].first + v] = d->piece[p].depth;

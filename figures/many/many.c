@@ -1,8 +1,7 @@
 /*
  * many.c - the square dealt out to many processes, by PETSc and MPI.
  *
- * A step of backward Euler is that of common/plane/step.c (guess, lift, chord rule,
- * stop); PETSc deals out the vertices (DMDA), sends what neighbours need, and
+ * A step of backward Euler is that of step.c (guess, lift, chord rule, stop); PETSc deals out the vertices (DMDA), sends what neighbours need, and
  * has Newton's method (SNES), conjugate gradients (KSP) and their
  * preconditioner (PC).
  *

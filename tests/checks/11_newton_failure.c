@@ -363,8 +363,7 @@ static void map_and_prediction_agree(void)
     }
 }
 
-/* figures/11_newton_failure/stretch.h holds what the studies use, and is bar_newton() on one
- * element. */
+/* The studies' stretch.h, which is bar_newton() on one element. */
 static void same_as_common_stretch(void)
 {
     static const double p[] = {-37140.0, -1347.0, -100.0, 0.0, 613.7};
@@ -383,8 +382,8 @@ static void same_as_common_stretch(void)
                 stretch_stepping(&m, load, 1.0 - F, &control)};
             for (int w = 0; w < 2; w++) {
                 expect(got[w].status == want[w].status,
-                       "%s law, p = %g, F0 = %g, %s: %s, figures/11_newton_failure/stretch.h "
-                       "says %s", material_law(m.law), load, F,
+                       "%s law, p = %g, F0 = %g, %s: %s, the studies' "
+                       "stretch.h says %s", material_law(m.law), load, F,
                        w ? "load stepping" : "solve",
                        status_name(got[w].status), status_name(want[w].status));
                 if (got[w].status != OK) continue;

@@ -223,9 +223,9 @@ tools() {
 
     cp "solutions/$slug.c" "lessons/$slug.c"
     CC=no-such-compiler none 126 'a missing compiler' 'make deps'
-    mv common/linear/matrix.h common/moved.h
+    mv common/linear/matrix.h common/linear/moved.h
     none 127 'a missing header' 'make deps'
-    mv common/moved.h common/linear/matrix.h
+    mv common/linear/moved.h common/linear/matrix.h
     echo 'this is not C' >>"tests/checks/$slug.c"
     none 128 'an error in a check' 'your file is not the reason'
     sed '$d' "tests/checks/$slug.c" >whole && mv whole "tests/checks/$slug.c"

@@ -9,31 +9,35 @@ rule() { # rule NAME OFFENDERS
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
 many=$(ls figures/many/*.[ch]) # alone on PETSc, and a program with options
-studies=$(ls figures/*/*.c | grep -v '^figures/many/')
-sources=$(ls common/*.[ch] solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
+# a C file with a header of its name is what several studies share
+studies=$(ls figures/*/*.c | grep -v '^figures/many/' | while read -r f; do
+    [ -f "${f%c}h" ] || echo "$f"; done)
+sources=$(ls common/*/*.[ch] solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
 lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
 
 # ---- who may include whom ----------------------------------------------------
-# Layers of common/, lowest first; a file includes its own layer or lower ones.
-layers='status circuit clock tensor particles particle_scene material modes vec front banded mesh dissection sparse csr cg matrix refine multigrid particle_force particle_step machine poisson bar stretch bar_fast bar_gsl bar_scene body fibre release step ladder estimate readable scene system user model integrate pointer live window work sweep study without options table history particle_bodies particle_work'
-bad=$(for file in common/*.[ch]; do
-    name=$(basename "$file" | sed 's/\..$//')
-    below=$(echo " $layers " | sed "s/ $name .*/ $name/")
-    sed -n 's/^#include "\(.*\)\.h".*/\1/p' "$file" | while read -r used; do
-        case "$below " in *" $used "*) ;; *) echo "$file includes $used.h" ;; esac
-    done
-done)
-rule 'common/ includes downwards only' "$bad"
-rule 'every header of common/ has its layer' "$(for f in common/*.h; do
-    n=$(basename "$f" .h)
-    case " $layers " in *" $n "*) ;; *) echo "$f" ;; esac
-done)"
+# Rooms of common/, the floor before each: a file includes its own room or one
+# on a lower floor, and no header reaches itself.
+floors='1 base 1 material 2 linear 3 bar 3 plane 3 particles 4 motion 4 choice'
+rule 'common/ has its eight rooms' "$(ls common | while read -r room; do
+    case " $floors " in *" $room "*) ;; *) echo "common/$room" ;; esac; done)"
+included() { # included FILES: "file header" of each header of common/
+    grep -H '^#include "' "$@" | sed 's/:[^"]*"/ /; s/".*//'
+}
+rule 'common/ includes its own room, or downwards' \
+    "$(included common/*/*.[ch] | awk -v floors="$floors" '
+        BEGIN { n = split(floors, f); for (k = 1; k < n; k += 2) floor[f[k + 1]] = f[k] }
+        { split($1, from, "/"); split($2, to, "/")
+          if (from[2] != to[1] && !(floor[to[1]] < floor[from[2]])) print $1 " includes " $2 }')"
+rule 'no header of common/ reaches itself' \
+    "$(included common/*/*.h | sed 's|^common/||' | tsort 2>&1 >/dev/null)"
 rule 'common/ knows no lesson' \
-    "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*.c common/*.h)"
-rule 'solutions and studies include libc, GSL and common/ only' \
-    "$(grep -nH '^#include "' solutions/*.c $studies | while IFS=: read -r file line text; do
-        header=$(echo "$text" | sed 's/.*"\(.*\)".*/\1/')
-        [ -f "common/$header" ] || echo "$file:$line"
+    "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*/*.[ch])"
+rule 'solutions include libc, GSL and common/; studies also their own folder' \
+    "$(included solutions/*.c $studies | while read -r file header; do
+        [ -f "common/$header" ] || { case $header in */*) false ;; esac &&
+            [ -f "${file%/*}/$header" ] && [ "${file%%/*}" = figures ]; } ||
+            echo "$file includes $header"
     done)"
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
@@ -153,7 +157,7 @@ labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | so
 undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 defined=$(sed -n 's/^| \(<a [^>]*><.a>\)*\[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\2/p' "$equations")
-cited=$(cat common/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
+cited=$(cat common/*/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule "every label cited by code is defined in $equations" \
     "$(echo "$cited" | undefined)"

@@ -51,9 +51,16 @@ lines $(ls solutions/*.c | grep -v 24_live) |
 lines solutions/24_live.c | row 'lines of the live solution' - 275
 starters | row 'lines of a starter' 180 220
 shares | row 'per cent after the last slot' - 35
-lines $(ls figures/*/*.c | grep -vE '^figures/(speed|many)/') |
+shared() { # shared yes|no FILES: those that several studies share, or the others
+    want=$1; shift
+    for f in "$@"; do
+        if [ -f "${f%c}h" ]; then [ "$want" = yes ] && echo "$f"
+        else [ "$want" = no ] && echo "$f"; fi
+    done
+}
+lines $(shared no figures/*/*.c | grep -vE '^figures/(speed|many)/') |
     row 'lines of a study' - 120
-lines figures/speed/*.c | row 'lines of a study of speed' - 170
+lines $(shared no figures/speed/*.c) | row 'lines of a study of speed' - 170
 lines figures/many/*.[ch] | row 'lines of the study with PETSc' - 250
-lines common/*.[ch] | row 'lines of a file of common/' - 420
+lines common/*/*.[ch] $(shared yes figures/*/*.c) | row 'lines of a file of common/' - 420
 lines workbook.md | row 'lines of workbook.md' - 500

@@ -107,7 +107,7 @@ included() {
 
 # Every file that a judgement rests on, with its sum.
 fingerprint() {
-    cksum Makefile common/* solutions/*.c tests/*/* \
+    cksum Makefile common/*/* solutions/*.c tests/*/* \
         "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" 2>&1
 }
 

@@ -1,5 +1,4 @@
-/* linear.c - laws of common/bar/bar_scene.h for the linear bar, and how wrong it
- * is. */
+/* linear.c - laws of bar_scene.h for the linear bar, and how wrong it is. */
 #include "bar/bar_scene.h"
 #include "figures/11_newton_failure/stretch.h"
 

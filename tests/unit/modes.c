@@ -1,5 +1,5 @@
-/* modes.c - laws of common/material/modes.h, and of what Lecture 3 has in mesh.h,
- * body.h, scene.h, step.h: the column, and balance that is no minimum. */
+/* modes.c - laws of modes.h, and of what Lecture 3 has in mesh.h, body.h,
+ * scene.h, step.h: the column, and balance that is no minimum. */
 #include "material/modes.h"
 #include "plane/scene.h"
 

@@ -1,5 +1,5 @@
-/* particles.c - laws of common/particles/particles.h: what kernels are, and what the way
- * to the grid and back keeps. */
+/* particles.c - laws of particles.h: what kernels are, and what the way to the
+ * grid and back keeps. */
 #include "particles/particle_scene.h"
 
 #include "../oracle/particles.h"

@@ -1,5 +1,5 @@
-/* sparse.c - laws of common/linear/dissection.h, sparse.h and the sparse storage of
- * matrix.h, body.h and step.h; dense storage and the band are the judges. */
+/* sparse.c - laws of dissection.h, sparse.h and the sparse storage of matrix.h,
+ * body.h and step.h; dense storage and the band are the judges. */
 #include "linear/matrix.h"
 #include "linear/refine.h"
 #include "plane/scene.h"
@@ -38,7 +38,9 @@ static struct pattern pattern_alloc(int n, int hold, unsigned long seed,
                                       (right && hold == ENDS && n > 1);
     }
     p.held[0] = hold != NONE && hold != ANY;
-    p.sparse = sparse_alloc(p.mesh, p.held, leaf);
+    p.sparse = sparse_alloc(p.mesh->n + 1, p.mesh->rows + 1,
+                            p.mesh->n_triangle, p.mesh->triangle, p.held,
+                            leaf);
     p.n = 2 * p.sparse->n_vertex;
     gsl_rng_free(rng);
     return p;

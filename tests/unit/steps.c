@@ -1,4 +1,4 @@
-/* steps.c - laws of common/particles/particle_step.h and common/particles/particle_bodies.h. */
+/* steps.c - laws of particle_step.h and particle_bodies.h. */
 #include "particles/particle_bodies.h"
 
 #include "../oracle/particle_step.h"

@@ -75,7 +75,10 @@ static void matrix_is_K_in_any_order(void)
 {
     for (int n = 2; n <= 9; n++) {
         struct system *s = system_alloc(n);
-        struct sparse *o = sparse_alloc(s->scene->mesh, s->scene->held, 3);
+        const struct mesh *mesh = s->scene->mesh;
+        struct sparse *o = sparse_alloc(mesh->n + 1, mesh->rows + 1,
+                                        mesh->n_triangle, mesh->triangle,
+                                        s->scene->held, 3);
         const int unknowns = 2 * s->n_vertex;
         int *place = calloc((size_t)s->n_vertex, sizeof *place);
         double *x = calloc(5 * (size_t)s->scene->n_dof, sizeof *x);

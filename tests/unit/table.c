@@ -1,5 +1,6 @@
 /* table.c - laws of common/base/table.h. */
 #include "base/table.h"
+#include "linear/matrix.h"
 
 #include "unit.h"
 
@@ -208,7 +209,7 @@ static void print_whole_tables(void)
     struct matrix *A = matrix_alloc(BANDED, 3, 1);
     for (int i = 0; i < 3; i++) matrix_add(A, i, i, i + 0.5);
     matrix_add(A, 2, 1, -4);
-    table_matrix("A", A);
+    matrix_table("A", A);
     table_vector("v", 2, v);
     matrix_free(A);
 }
