@@ -23,8 +23,8 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for common/linear/banded.c, front.c, readable.c and body.c, where they count: of
-# the list that the compiler takes; body.c goes without the last, so that its
+# Flags for tiles.c, front.c, readable.c and body.c, where they count: of the
+# list that the compiler takes; body.c goes without the last, so that its
 # digits are the same everywhere, and without pairs made of lines that stand one
 # after the other, which gcc 12 contracts all the same.  They make the build one
 # for this machine; `make clean` and NATIVE= give one for any.
@@ -140,7 +140,7 @@ $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
 
-native_for = $(if $(filter banded front readable,$1),$(NATIVE)) \
+native_for = $(if $(filter tiles front readable,$1),$(NATIVE)) \
              $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)) \
                  -fno-tree-slp-vectorize)
 $(OBJECTS): $(BUILD)/%.o: %.c Makefile | $(DEPS)

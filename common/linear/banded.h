@@ -1,41 +1,40 @@
 /*
- * banded.h - Cholesky factorisation of a wide band or a front, when seconds
- * count.
+ * banded.h - Cholesky factorisation in a band: the banded solver of the notes.
  *
- * The lower triangle by columns, every column with room to spare:
+ * Number the nodes along the bar and A[i][j] = 0 whenever |i - j| > p.  L has
+ * the same band, so nothing outside of it is ever touched [eq:band-cost].  The
+ * lower triangle is kept by columns:
  *
- *     a[j*stride + d] = A[j+d][j], 0 <= d <= p,   stride >= band_stride(p)
+ *     A = | a0 b0 c0  . |     a[j*(p+1) + d] = A[j+d][j],  0 <= d <= p
+ *         | b0 a1 b1 c1 |
+ *         | c0 b1 a2 b2 |     a0 b0 c0 | a1 b1 c1 | a2 b2 * | a3 * *
+ *         |  . c1 b2 a3 |
  *
- * which is LAPACK's lower band with ldab = stride.  The room, p < d < stride,
- * and what lies below the last row hold zeros; they stay zeros.  Memory that
- * starts at a line of the cache (64 bytes) is a little faster.
+ * which is GSL's symmetric band format, and LAPACK's lower band with
+ * ldab = p + 1.  The entries * beyond the last row are 0 and stay it.  These
+ * are the textbook's loops, for p < TILES_WIDE; tiles.h does wide bands faster.
+ *
+ * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.1.2,
+ *         4.3.6.
  */
 #ifndef COMMON_BANDED_H
 #define COMMON_BANDED_H
 
-#include "linear/front.h"
 #include "base/status.h"
 
-#include <stddef.h>
-
-/* From this half bandwidth on the routines below may be used. */
-enum { BAND_WIDE = 15 };
-
-/* Numbers a column: one more than an odd multiple of 8.  A row then keeps its
- * place in a line of the cache from column to column, columns do not compete
- * for one place in the cache, and no tile reaches into the next column. */
-size_t band_stride(int p);
-
-/* A = L L^T in place [eq:cholesky]; statuses as matrix_factor() of matrix.h. */
-enum status band_factor(int n, int p, size_t stride, double a[]);
-
-/* b := A^{-1} b, for L from band_factor(). */
-void band_solve(int n, int p, size_t stride, const double l[], double b[]);
-
-/* Keep L of a front, and u := -L L^T of its rest.  Statuses as matrix_factor(),
- * with the order n of the matrix and the diagonal entries of it at the pivots.
+/*
+ * A = L L^T in place [eq:cholesky], column after column:
+ *
+ *     L_jj = sqrt(A_jj - sum_k L_jk^2),
+ *     L_ij = (A_ij - sum_k L_ik L_jk) / L_jj,  j < i <= j + p,
+ *
+ * sums over the earlier columns k within the band; a tridiagonal A, p = 1, as
+ * L D L^T with ones on the diagonal of L, which takes no square root (Thomas).
+ * NOT_SPD as matrix_factor() of matrix.h has it; a is then partly overwritten.
  */
-enum status front_factor(const struct front *front, int n,
-                         const double diagonal[]);
+enum status banded_factor(int n, int p, double a[]);
+
+/* b := A^{-1} b, for what banded_factor() has made of A. */
+void banded_solve(int n, int p, const double l[], double b[]);
 
 #endif

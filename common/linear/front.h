@@ -8,7 +8,7 @@
  *     | l l   u   |       that factoring and solving read it from end to end.
  *     | l l   u u |       The last panel of pivots is as wide as it must be.
  *
- * banded.h factors it.  What is kept of it is L, but for the triangle at the
+ * tiles.h factors it.  What is kept of it is L, but for the triangle at the
  * diagonal of each panel, which is inverted and transposed: a solve then has no
  * number in it that waits for the one before.  It is kept in double precision,
  * where l is, or rounded to single precision, elsewhere.

@@ -1,16 +1,15 @@
-/* matrix.c - see matrix.h.  GSL does what is dense, banded.h the wide bands,
- * and sparse.h what is sparse. */
+/* matrix.c - see matrix.h.  dense.h factors what is dense, banded.h narrow bands,
+ * tiles.h wide ones, and sparse.h what is sparse. */
 #include "linear/matrix.h"
 
 #include "base/table.h"
 #include "linear/banded.h"
+#include "linear/dense.h"
 #include "linear/sparse.h"
+#include "linear/tiles.h"
 
 #include <assert.h>
 #include <float.h>
-#include <gsl/gsl_eigen.h>
-#include <gsl/gsl_linalg.h>
-#include <gsl/gsl_sort_vector.h>
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -35,12 +34,12 @@ static double *entry(const struct matrix *A, int i, int j)
     return &A->a[(size_t)j * A->stride + (size_t)(i - j)];
 }
 
-static int is_wide(const struct matrix *A) /* for banded.h */
+static int is_wide(const struct matrix *A) /* for tiles.h */
 {
-    return A->storage == BANDED && A->p >= BAND_WIDE;
+    return A->storage == BANDED && A->p >= TILES_WIDE;
 }
 
-/* n zeros that start at a line of the cache: see banded.h. */
+/* n zeros that start at a line of the cache: see tiles.h. */
 static double *allocate_lines(size_t n)
 {
     const size_t bytes = (n * sizeof(double) + 63) / 64 * 64;
@@ -56,7 +55,7 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p)
     A->storage = storage;
     A->n = n;
     A->p = storage == DENSE || p >= n ? n - 1 : p;
-    A->stride = is_wide(A) ? band_stride(A->p) : (size_t)A->p + 1;
+    A->stride = is_wide(A) ? tiles_stride(A->p) : (size_t)A->p + 1;
     A->size = (size_t)n * A->stride;
     A->a = allocate_lines(A->size);
     return A;
@@ -155,58 +154,6 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
     }
 }
 
-static enum status dense_factor(struct matrix *A)
-{
-    const size_t n = (size_t)A->n;
-    gsl_matrix_view view = gsl_matrix_view_array(A->a, n, n);
-    gsl_error_handler_t *old = gsl_set_error_handler_off();
-    const int failed = gsl_linalg_cholesky_decomp1(&view.matrix);
-    gsl_set_error_handler(old);
-    if (failed) return NOT_SPD;
-    for (int k = 0; k < A->n; k++) { /* A_kk = sum_j L_kj^2 */
-        const double pivot = *entry(A, k, k) * *entry(A, k, k);
-        double A_kk = 0.0;
-        for (int j = 0; j <= k; j++) A_kk += *entry(A, k, j) * *entry(A, k, j);
-        if (!(pivot > A->n * DBL_EPSILON * A_kk)) return NOT_SPD; /* NaN too */
-    }
-    return OK;
-}
-
-/* The textbook's three loops: what column k contributes to a later column j. */
-static enum status narrow_factor(struct matrix *A)
-{
-    const int n = A->n, p = A->p;
-    for (int j = 0; j < n; j++) {
-        double *column = entry(A, j, j);
-        const double A_jj = column[0];
-        for (int k = j > p ? j - p : 0; k < j; k++) {
-            const double *L_k = entry(A, j, k);
-            for (int d = 0; d <= p - (j - k); d++) column[d] -= L_k[0] * L_k[d];
-        }
-        if (!(column[0] > n * DBL_EPSILON * A_jj)) return NOT_SPD; /* NaN too */
-        const double inverse = 1.0 / (column[0] = sqrt(column[0]));
-        for (int d = 1; d <= p; d++) column[d] *= inverse;
-    }
-    return OK;
-}
-
-static void narrow_solve(const struct matrix *L, double b[])
-{
-    const int n = L->n, p = L->p;
-    for (int j = 0; j < n; j++) {
-        const double *column = entry(L, j, j);
-        const int last = n - 1 - j < p ? n - 1 - j : p;
-        b[j] /= column[0];
-        for (int d = 1; d <= last; d++) b[j + d] -= column[d] * b[j];
-    }
-    for (int j = n - 1; j >= 0; j--) {
-        const double *column = entry(L, j, j);
-        const int last = n - 1 - j < p ? n - 1 - j : p;
-        for (int d = 1; d <= last; d++) b[j] -= column[d] * b[j + d];
-        b[j] /= column[0];
-    }
-}
-
 void matrix_keep_single(struct matrix *A, int single)
 {
     assert(A->storage == SPARSE);
@@ -216,9 +163,9 @@ void matrix_keep_single(struct matrix *A, int single)
 
 enum status matrix_factor(struct matrix *A)
 {
-    if (A->storage == DENSE) return dense_factor(A);
-    if (is_wide(A)) return band_factor(A->n, A->p, A->stride, A->a);
-    if (A->storage != SPARSE) return narrow_factor(A);
+    if (A->storage == DENSE) return dense_factor(A->n, A->a);
+    if (is_wide(A)) return tiles_factor(A->n, A->p, A->stride, A->a);
+    if (A->storage != SPARSE) return banded_factor(A->n, A->p, A->a);
     if (!A->factor)
         A->factor = allocate_lines(sparse_size(A->pattern, A->single));
     return sparse_factor(A->pattern, A->a, A->single, A->factor);
@@ -226,18 +173,14 @@ enum status matrix_factor(struct matrix *A)
 
 void matrix_solve(const struct matrix *L, double b[])
 {
-    if (L->storage == SPARSE) {
+    if (L->storage == SPARSE)
         sparse_solve(L->pattern, L->single, L->factor, b);
-    } else if (is_wide(L)) {
-        band_solve(L->n, L->p, L->stride, L->a, b);
-    } else if (L->storage != DENSE) {
-        narrow_solve(L, b);
-    } else {
-        const size_t n = (size_t)L->n;
-        gsl_matrix_view view = gsl_matrix_view_array(L->a, n, n);
-        gsl_vector_view x = gsl_vector_view_array(b, n);
-        gsl_linalg_cholesky_svx(&view.matrix, &x.vector);
-    }
+    else if (L->storage == DENSE)
+        dense_solve(L->n, L->a, b);
+    else if (is_wide(L))
+        tiles_solve(L->n, L->p, L->stride, L->a, b);
+    else
+        banded_solve(L->n, L->p, L->a, b);
 }
 
 /* For a sparse A: its vertices, as the mesh numbers them, make a band. */
@@ -274,26 +217,8 @@ enum status matrix_solve_indefinite(const struct matrix *A, double b[],
                                     int *negative)
 {
     if (A->storage == SPARSE) return solve_in_a_band(A, b, negative);
-    /* GSL wants rows of p + 1 numbers, without room behind them */
-    const size_t n = (size_t)A->n, row = (size_t)A->p + 1;
-    double *copy = allocate(n * row, sizeof *copy);
-    gsl_matrix_view view = gsl_matrix_view_array(copy, n, row);
-    gsl_vector_view x = gsl_vector_view_array(b, n);
     assert(A->storage != DENSE);
-    for (size_t j = 0; j < n; j++)
-        memcpy(&copy[j * row], &A->a[j * A->stride], row * sizeof *copy);
-    gsl_error_handler_t *old = gsl_set_error_handler_off();
-    int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
-                 gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
-    gsl_set_error_handler(old);
-    if (negative) *negative = 0;
-    for (size_t j = 0; j < n; j++) {
-        const double D_jj = copy[j * row], A_jj = A->a[j * A->stride];
-        if (!(fabs(D_jj) > DBL_EPSILON * fabs(A_jj))) failed = 1;
-        if (negative) *negative += D_jj < 0.0;
-    }
-    free(copy);
-    return failed ? NOT_SPD : OK;
+    return dense_solve_indefinite(A->n, A->p, A->stride, A->a, b, negative);
 }
 
 void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
@@ -308,52 +233,19 @@ void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
 
 enum status matrix_eigenvalues(const struct matrix *A, double value[])
 {
-    const size_t n = (size_t)A->n;
-    gsl_matrix *copy = gsl_matrix_alloc(n, n);
-    gsl_vector_view values = gsl_vector_view_array(value, n);
-    gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(n);
-    enum status status = OK;
-    if (!copy || !work) die("out of memory");
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < n; j++) {
-            const double A_ij = matrix_get(A, (int)i, (int)j);
-            if (!isfinite(A_ij)) status = NONFINITE; /* GSL would not end */
-            gsl_matrix_set(copy, i, j, A_ij);
-        }
-    if (status == OK) {
-        gsl_eigen_symm(copy, &values.vector, work);
-        gsl_sort_vector(&values.vector);
-    }
-    gsl_eigen_symm_free(work), gsl_matrix_free(copy);
+    double *full = allocate((size_t)A->n * (size_t)A->n, sizeof *full);
+    for (int i = 0; i < A->n; i++)
+        for (int j = 0; j < A->n; j++)
+            full[i * A->n + j] = matrix_get(A, i, j);
+    const enum status status = dense_eigenvalues(A->n, full, value);
+    free(full);
     return status;
-}
-
-/* Of every block and of its mirror image; a block of the diagonal is one. */
-static void multiply_blocks(const struct matrix *A, const double x[],
-                            double y[])
-{
-    const struct sparse *s = A->pattern;
-    memset(y, 0, (size_t)A->n * sizeof *y);
-    for (int j = 0; j < s->n_vertex; j++) {
-        const double *x_j = &x[2 * j], *a = &A->a[4 * s->start[j]];
-        y[2 * j] += a[0] * x_j[0] + a[1] * x_j[1];
-        y[2 * j + 1] += a[1] * x_j[0] + a[3] * x_j[1];
-        for (int b = s->start[j] + 1; b < s->start[j + 1]; b++) {
-            const double *x_i = &x[2 * s->row[b]];
-            double *y_i = &y[2 * s->row[b]];
-            a += 4;
-            y_i[0] += a[0] * x_j[0] + a[2] * x_j[1];
-            y_i[1] += a[1] * x_j[0] + a[3] * x_j[1];
-            y[2 * j] += a[0] * x_i[0] + a[1] * x_i[1];
-            y[2 * j + 1] += a[2] * x_i[0] + a[3] * x_i[1];
-        }
-    }
 }
 
 void matrix_multiply(const struct matrix *A, const double x[], double y[])
 {
     if (A->storage == SPARSE) {
-        multiply_blocks(A, x, y);
+        sparse_multiply(A->pattern, A->a, x, y);
         return;
     }
     for (int i = 0; i < A->n; i++) {

@@ -14,7 +14,7 @@
  *
  * The banded layout is LAPACK's lower band (uplo L, ldab = stride), and for a
  * narrow band, where stride = p + 1, GSL's symmetric band format.  Columns of a
- * wide one (BAND_WIDE, banded.h) have room behind them that holds zeros.  The
+ * wide one (TILES_WIDE, tiles.h) have room behind them that holds zeros.  The
  * entries * beyond the last row are zero and stay it.  SPARSE is sparse.h: 2x2
  * blocks by columns, in the order of nested dissection, and factors elsewhere.
  * PLAIN is a band of any width as a narrow one, by the textbook's loops: slow,

@@ -8,7 +8,7 @@
  */
 #include "linear/sparse.h"
 
-#include "linear/banded.h"
+#include "linear/tiles.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -201,13 +201,33 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
         for (int c = 0; c < 4; c++) { /* both children, before and after */
             const int k = piece->child[c % 2];
             if (c == 2)
-                status = front_factor(&front, 2 * s->n_vertex, diagonal);
+                status = tiles_front(&front, 2 * s->n_vertex, diagonal);
             if (k < 0) continue;
             const struct front child = front_of(s, k, single, memory);
             front_extend(&child, &s->up[s->front[k].at], &front, c / 2);
         }
     }
     return status;
+}
+
+/* Every block and its mirror image; a block of the diagonal is one. */
+void sparse_multiply(const struct sparse *s, const double a[],
+                     const double x[], double y[])
+{
+    memset(y, 0, 2 * (size_t)s->n_vertex * sizeof *y);
+    for (int j = 0; j < s->n_vertex; j++) {
+        const double *x_j = &x[2 * j], *a_jj = &a[4 * s->start[j]];
+        y[2 * j] += a_jj[0] * x_j[0] + a_jj[1] * x_j[1];
+        y[2 * j + 1] += a_jj[1] * x_j[0] + a_jj[3] * x_j[1];
+        for (int b = s->start[j] + 1; b < s->start[j + 1]; b++) {
+            const double *a_b = &a[4 * b], *x_i = &x[2 * s->row[b]];
+            double *y_i = &y[2 * s->row[b]];
+            y_i[0] += a_b[0] * x_j[0] + a_b[2] * x_j[1];
+            y_i[1] += a_b[1] * x_j[0] + a_b[3] * x_j[1];
+            y[2 * j] += a_b[0] * x_i[0] + a_b[1] * x_i[1];
+            y[2 * j + 1] += a_b[2] * x_i[0] + a_b[3] * x_i[1];
+        }
+    }
 }
 
 void sparse_solve(const struct sparse *s, int single, double memory[],

@@ -51,6 +51,10 @@ void sparse_free(struct sparse *s);
 /* The block of places i >= j, -1: it is zero. */
 int sparse_block(const struct sparse *s, int i, int j);
 
+/* y := A x, for the blocks a. */
+void sparse_multiply(const struct sparse *s, const double a[],
+                     const double x[], double y[]);
+
 /* Numbers of the memory below: room to work, and L, as it is or rounded. */
 size_t sparse_size(const struct sparse *s, int single);
 

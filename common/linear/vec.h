@@ -1,5 +1,5 @@
 /*
- * vec.h - V numbers in one register, for banded.c and front.c.
+ * vec.h - V numbers in one register, for tiles.c and front.c.
  *
  * A vec is an extension of C that gcc and clang have for any processor; to both
  * of them it may alias the numbers.  Loops over vecs are unrolled, with

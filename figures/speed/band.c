@@ -5,7 +5,7 @@
  * squares give it, two opposite sides held: order 2 (n-1)(n+1), half bandwidth
  * 2 n - 1, full of random numbers, which a band solver does not look at.  Every
  * solver gets its matrix as assembly leaves it, just written, into the same
- * memory; ours and LAPACK's have room behind the columns (banded.h).
+ * memory; ours and LAPACK's have room behind the columns (tiles.h).
  *
  * The solvers take turns; medians.  An answer whose residual is not small, or
  * that is not ours, has no seconds.
@@ -154,7 +154,7 @@ int main(void)
     for (int s = 0; s < SIZES; s++) measure(s, &t[s]);
     table_begin_note("band", "solver n order p runs milliseconds spread "
                      "factor_milliseconds gigaflop_per_second percent_of_peak "
-                     "over_ours", "banded.c with: %s; LAPACK: %s",
+                     "over_ours", "tiles.c with: %s; LAPACK: %s",
                      NATIVE_FLAGS, MACHINE_LAPACK);
     for (int k = 0; k < SOLVERS; k++) print_solver(k, t);
     table_end();

@@ -8,7 +8,7 @@ set terminal svg size 860,440
 set output out
 array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "dpbtrf of ".lapack(data), \
-                 "common/linear/banded.c"]
+                 "common/linear/tiles.c"]
 array Style[4] = [2, 5, 4, 1]
 has(t) = system(sprintf("grep -c '^%s\t' '%s'", t, data)) > 0
 there = ""

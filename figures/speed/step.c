@@ -5,7 +5,7 @@
  *
  *     readable  readable.h, full Newton from the last u, GSL's banded Cholesky
  *     lapack    closed-form assembly, the same Newton, dpbtrf and dpbtrs
- *     blocked   the same with common/linear/banded.c
+ *     blocked   the same with common/linear/tiles.c
  *     best      guess extrapolated and lifted, factors kept [alg:chord]
  *     sparse    the same with common/linear/sparse.c
  *

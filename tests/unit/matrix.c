@@ -1,5 +1,5 @@
 /* matrix.c - laws of common/linear/matrix.h; GSL's LU is the judge. */
-#include "linear/banded.h"
+#include "linear/tiles.h"
 #include "linear/matrix.h"
 
 #include "unit.h"
@@ -309,13 +309,13 @@ static void a_plain_band_adds_in_the_textbooks_order(void)
     }
 }
 
-/* What banded.h asks for and promises; a tile that reaches too far shows. */
+/* What tiles.h asks for and promises; a tile that reaches too far shows. */
 static void the_room_behind_a_column_stays_zero(void)
 {
-    for (int p = BAND_WIDE; p <= 40; p++) {
+    for (int p = TILES_WIDE; p <= 40; p++) {
         const int n = 2 * p + 29;
         struct matrix *A = random_band(n, p);
-        ck_assert_uint_eq(A->stride, band_stride(p));
+        ck_assert_uint_eq(A->stride, tiles_stride(p));
         ck_assert_uint_eq(A->stride % 16, 9); /* the least with room for 8 */
         ck_assert(A->stride >= (size_t)p + 9 && A->stride < (size_t)p + 25);
         ck_assert_uint_eq(matrix_bytes(A), 8 * (size_t)n * A->stride);
