@@ -4,8 +4,8 @@
 #include <float.h>
 #include <math.h>
 
-/* p = 1, Thomas' algorithm: A = L D L^T, L with ones on its diagonal, of which a
- * keeps D_jj and L_j+1,j.  One division per column, and no square root. */
+/* p = 1, Thomas' algorithm: A = L D L^T, L with ones on its diagonal; a keeps
+ * D_jj and L_j+1,j.  One division per column, and no square root. */
 static enum status thomas_factor(int n, double a[])
 {
     double lift = 0.0; /* L_j,j-1^2 D_j-1,j-1 */
