@@ -1,5 +1,5 @@
-/* matrix.c - see matrix.h.  dense.h factors what is full, banded.h narrow bands,
- * tiles.h wide ones, sparse.h what is sparse. */
+/* matrix.c - see matrix.h.  dense.h factors what is full, banded.h narrow
+ * bands, tiles.h wide ones, sparse.h what is sparse. */
 #include "linear/matrix.h"
 
 #include "base/table.h"

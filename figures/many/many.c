@@ -1,9 +1,10 @@
 /*
  * many.c - the square dealt out to many processes, by PETSc and MPI.
  *
- * A step of backward Euler is that of step.c (guess, lift, chord rule, stop); PETSc deals out the vertices (DMDA), sends what neighbours need, and
- * has Newton's method (SNES), conjugate gradients (KSP) and their
- * preconditioner (PC).
+ * A step of backward Euler is that of step.c (guess, lift, chord rule, stop);
+ * PETSc deals out the vertices (DMDA), sends what neighbours need, and has
+ * Newton's method (SNES), conjugate gradients (KSP) and their preconditioner
+ * (PC).
  *
  * Run: sh tests/tools/mpirun.sh 4 build/figures/many/many --n 128
  *      PETSC_OPTIONS=... has more for PETSc, -log_view for example.

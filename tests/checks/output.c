@@ -112,8 +112,8 @@ static void read_header(struct output *output, struct named_table *table,
     }
 }
 
-/* Tables as table.h describes them; comment lines after the name and blank lines
- * between tables are free. */
+/* Tables as table.h describes them; comment lines after the name and blank
+ * lines between tables are free. */
 static void read_tables(struct output *output, const char *path)
 {
     FILE *file = open_regular(path);

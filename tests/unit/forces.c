@@ -1,5 +1,5 @@
-/* forces.c - laws of particle_force.h: forces are slopes of the energy, products
- * slopes of the forces, and the numbers are the oracle's. */
+/* forces.c - laws of particle_force.h: forces are slopes of the energy,
+ * products slopes of the forces, and the numbers are the oracle's. */
 #include "particles/particle_force.h"
 #include "particles/particle_scene.h"
 

@@ -1,5 +1,5 @@
-/* rivals.c - laws of figures/work_precision/particle_work.h: what particles cost
- * and have wrong beside finite elements. */
+/* rivals.c - laws of figures/work_precision/particle_work.h: what particles
+ * cost and have wrong beside finite elements. */
 #include "figures/work_precision/particle_work.h"
 #include "base/study.h"
 
