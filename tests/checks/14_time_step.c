@@ -320,6 +320,19 @@ static void same_by_hand(struct body *body, struct frame frame, double dt,
     state_free(&s);
 }
 
+/* Loads on a square both of whose ends have moved, and go on. */
+static double *falling(int n, struct state *start, double g[])
+{
+    double *f = allocate((size_t)start->n, sizeof *f);
+    for (int i = 0; i < start->n; i++) f[i] = 31.0 * cos(0.613 * i);
+    for (int a = 0; a < start->n / 2; a++)
+        if (a % (n + 1) % n == 0) {
+            start->u[2 * a] = 0.013;
+            g[2 * a] = 0.027;
+        }
+    return f;
+}
+
 /* The side is struck: some frames need ROBUST, some parts, some are lost.  Of
  * the body that falls, in a shorter frame, both ends have moved before. */
 static void frames_fall_back_or_keep_the_state(void)
@@ -332,15 +345,7 @@ static void frames_fall_back_or_keep_the_state(void)
         struct state start = a_state(model, 0.01), s = state_make(start.n);
         double *g = allocate((size_t)s.n, sizeof *g), *f = NULL;
         for (int i = 0; i < s.n; i++) start.v_before[i] = 0.9 * start.v[i];
-        if (law == CUBIC) {
-            f = allocate((size_t)s.n, sizeof *f);
-            for (int i = 0; i < s.n; i++) f[i] = 31.0 * cos(0.613 * i);
-            for (int a = 0; a < s.n / 2; a++)
-                if (a % (n + 1) % n == 0) {
-                    start.u[2 * a] = 0.013;
-                    g[2 * a] = 0.027;
-                }
-        }
+        if (law == CUBIC) f = falling(n, &start, g);
         for (double jump = -0.0548; jump > -2.1; jump -= 0.0613) {
             state_copy(&start, &s);
             for (int a = n; a < s.n / 2; a += n + 1) {
