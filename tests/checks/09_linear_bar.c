@@ -228,7 +228,7 @@ static void judge_balance(double defect, double unit)
     matrix_free(K);
 }
 
-enum { MANY = 2000 };
+enum { MANY = 300 };
 static void solve_once(void)
 {
     static double f_mid[MANY], b[MANY + 1], u[MANY + 1];
