@@ -39,6 +39,7 @@
 #define child_seconds judge_child_seconds
 #define child_work_in judge_child_work_in
 #define guarded_alloc judge_guarded_alloc
+#define expect_no_leak judge_expect_no_leak
 #define expect_refusal judge_expect_refusal
 #define child_am_inside judge_child_am_inside
 #define guarded_indices judge_guarded_indices

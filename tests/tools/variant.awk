@@ -17,6 +17,9 @@
 #                                       than that of the first line changed)
 #     shows: no                        (where no run of the program shows it:
 #                                       it is caught, but cannot be explained)
+#     reading: 3a WORDS                (equivalents only: one reading of the
+#                                       words WORDS of that slot's contract,
+#                                       which leave a choice)
 #     why: what the student is told, two lines or so;
 #       a continuation is indented.
 #     from:

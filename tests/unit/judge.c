@@ -320,6 +320,16 @@ static void not_written(void) { todo("0b"); }
 static void write_behind(void) { guarded_alloc(3)[3] = 2.385; }
 static void write_before(void) { guarded_alloc(3)[-1] = 2.385; }
 static void change_behind(void) { guarded_alloc(3)[3] += 2.385; }
+static double *kept[32];
+static int n_kept;
+static void keep_some(void) { kept[n_kept++ % 32] = malloc(40000); }
+static void keep_none(void)
+{
+    keep_some();
+    free(kept[--n_kept]);
+}
+static void leak(void) { expect_no_leak(keep_some, 32000.0, "keep_some()"); }
+static void no_leak(void) { expect_no_leak(keep_none, 32000.0, "it"); }
 static void stay_inside(void)
 {
     const double values[] = {2.385, -1.247};
@@ -351,6 +361,9 @@ static void look_at_descriptors(void)
 
 static void every_end_has_its_verdict(void)
 {
+    const double before = heap_bytes();
+    keep_some();
+    const int counted = heap_bytes() > before + 32000.0;
     begin();
     const int open_one = dup(STDOUT_FILENO);
     expect_finding(leave, CRASHED, "with exit(0)");
@@ -363,6 +376,9 @@ static void every_end_has_its_verdict(void)
     expect_finding(look_at_descriptors, PASS, "");
     expect_finding(daemonise, PASS, "");
     expect_finding(stay_inside, PASS, "");
+    expect_finding(no_leak, PASS, "");
+    if (counted)
+        expect_finding(leak, WRONG, "each call of keep_some() keeps 40");
     expect_finding(write_behind, WRONG, "entries 0 to 2, and entry 3");
     expect_finding(write_before, WRONG, "entries 0 to 2, and entry -1");
     expect_finding(change_behind, WRONG, "entries 0 to 2, and entry 3");
