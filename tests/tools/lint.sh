@@ -216,6 +216,8 @@ for slug in $lessons; do
                 *) grep -q "\"$what\"" "tests/checks/$slug.c" || echo "$what" ;;
                 esac
             done)"
+    rule "choices of lesson $nn have their readings (tests/tools/readings.awk)" \
+        "$(awk -f tests/tools/readings.awk "solutions/$slug.c" "$list" common/*.h)"
     rule "mistakes of lesson $nn name checks that exist" \
         "$(sed -n 's/^caught-by: //p' "$list" | while read -r check; do
             [ "$check" = same_numbers_as_reference ] ||

@@ -227,6 +227,19 @@ static void the_mesh_estimate_meets_a_beam(void)
     ladder_free(t);
 }
 
+/* Where nothing is loaded nothing is left out; what does not move says nothing
+ * about its inertia. */
+static void what_rests_has_its_parts(void)
+{
+    struct ladder_state *s =
+        ladder_alloc(&ladder_scene[FAST], (struct ladder_model){BAR, 0, 0});
+    close_to(estimate_inertia(s), 1.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->f[r] = 0.0;
+    close_to(estimate_inertia(s), 1.0, 1e-15);
+    close_to(estimate_dimension(s), 0.0, 1e-15);
+    ladder_free(s);
+}
+
 /* The estimate is the root of the squares of what a model leaves out. */
 static void verdicts_add_squares(void)
 {
@@ -235,6 +248,10 @@ static void verdicts_add_squares(void)
     ck_assert(estimate_verdict((struct ladder_model){BAR, 0, 0}, STANDS, 1,
                                0.051, part, &estimate, &add));
     close_to(estimate, 0.05, 1e-15);
+    ck_assert_int_eq(add, DIMENSION);
+    double alike[N_PART] = {0.0, 0.0, 0.03, 0.03, 0.0}; /* the first of two */
+    estimate_verdict((struct ladder_model){BAR, 0, 0}, RISES, 1, 0.1, alike,
+                     &estimate, &add);
     ck_assert_int_eq(add, DIMENSION);
 }
 
@@ -262,6 +279,7 @@ static const struct unit_law laws[] = {
     {"linear_is_linear", linear_is_linear},
     {"linear_work_is_counted", linear_work_is_counted},
     {"inertia_overshoots", inertia_overshoots},
+    {"what_rests_has_its_parts", what_rests_has_its_parts},
     {"buckling_shows_in_the_eigenvalue", buckling_shows_in_the_eigenvalue},
     {"adding_makes_a_model_richer", adding_makes_a_model_richer},
     {"estimates_of_a_rotation", estimates_of_a_rotation},
