@@ -1,0 +1,39 @@
+#!/bin/sh
+# same.sh KIND - are the numbers of the build KIND (tests/same.mk) those of the
+# others?
+#
+# Its tables against those of v2, cell by cell (same.awk); the book, filled from
+# its tables, against the book; and every figure of SCRIPTS, drawn from its
+# tables, against the one drawn from this machine's own, byte by byte.  A claim
+# that does not hold has left an empty table.  Prints ok and FAIL lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}"
+kind=$1 test=$BUILD/test dir=$BUILD/test/$1/data
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok $kind: $2"; else echo "FAIL $kind: $2: $3"; fi
+}
+for data in $(cd "$dir" && find . -name '*.tsv' | sed 's|^\./||' | sort); do
+    [ "$data" != many/many.tsv ] || continue
+    [ -s "$dir/$data" ]
+    result $? "${data%.tsv} runs, and what it claims holds" "$(cat "$dir/$data.said")"
+    [ "$kind" != v2 ] && [ -s "$dir/$data" ] || continue
+    said=$(awk -f tests/tools/same.awk "$test/v2/data/$data" "$dir/$data")
+    result $? "the tables of ${data%.tsv} are those of v2" "$said"
+done
+mkdir -p "$dir/many" && cp "$BUILD/data/many/many.tsv" "$dir/many/"
+said=$(BUILD=$test/$kind sh tests/tools/workbook.sh check)
+result $? 'the book is in step' "$said"
+for script in $SCRIPTS; do
+    study=$script
+    [ -f "figures/$script.c" ] || study=${script%/*}
+    cmp -s "$dir/$study.tsv" "$BUILD/data/$study.tsv" ||
+        for drawn in "$test"/$(echo "$script" | tr / .).*; do
+            case $drawn in *.svg | *.gif) ;; *) continue ;; esac
+            said=$(sh tests/tools/figure.sh "figures/$script.gp" "$dir/$study.tsv" \
+                "$dir/picture.${drawn##*.}" 2>&1) &&
+                cmp -s "$dir/picture.${drawn##*.}" "$drawn"
+            result $? "figure $script is the same" "$said"
+        done
+done
