@@ -8,7 +8,7 @@
  *
  * K du = -q, positive definite.  No number of it comes from a factorisation or
  * from libm, so that all of its digits are the same on every machine: what an
- * iteration makes of them is, too.  Its free vertices are the columns i = 0, ...,
+ * iteration makes of them is, too.  Its free vertices are the columns i = 0 to
  * n - 2 between the held ends and the rows j = 0, ..., n:
  *
  *     |  9 10 11 |     vertex j (n - 1) + i; with place[] some order of them,

@@ -53,7 +53,13 @@ else
 $(T)/same-clang.result: ; @mkdir -p $(@D) && echo 'skip same numbers by clang: not here' > $@
 endif
 -include $(wildcard $(T)/*/common/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)
-SAME_RESULTS := $(T)/same-v2.result $(T)/same-v8.result $(T)/same-clang.result
+# the figures in the tree are no prerequisites: they would be drawn
+.PHONY: always
+$(T)/same-here.result: $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
+        tests/tools/same.sh always
+	$(Q)BUILD='$(BUILD)' SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' \
+	    sh tests/tools/same.sh here > $@
+SAME_RESULTS := $(T)/same-here.result $(T)/same-v2.result $(T)/same-v8.result $(T)/same-clang.result
 $(T)/same.result: tests/cli/same.sh tests/tools/same.awk
 	$(Q)mkdir -p $(@D) && sh $< > $@
 SAME_RESULTS += $(T)/same.result

@@ -53,7 +53,8 @@ int main(void)
         const double bent[] = {fabs(*scene_middle(up)),
                                fabs(*scene_middle(flat))};
         table_row(e, bent[0] > 1e-9 ? bent[0] : 0.0,
-                  bent[1] > 1e-9 ? bent[1] : 0.0, straight == OK ? "stable" : "saddle", scene_energy(up),
+                  bent[1] > 1e-9 ? bent[1] : 0.0,
+                  straight == OK ? "stable" : "saddle", scene_energy(up),
                   scene_energy(flat));
     }
     table_end();

@@ -3,8 +3,8 @@
  *
  * The ends of the square are pressed together (compress, n = 8, 60 steps), K
  * projected never, on demand, or always.  And near a solution, ends pressed by
- * 0.2 m each, where elements are indefinite and K is positive definite.  Tables:
- * systems in all and per step; distance after k systems (0: < 1e-13); order.
+ * 0.2 m each, where elements are indefinite and K is positive definite: systems
+ * in all and per step; distance after k systems (0: < 1e-13); its order.
  */
 #include "scene.h"
 #include "study.h"

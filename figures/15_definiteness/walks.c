@@ -3,8 +3,8 @@
  *
  * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while
  * it is straight.  Table: linear systems (400 at most), deflection of the
- * middle (0: below 1e-9 m), energy, elements with a negative eigenvalue; SADDLE:
- * converged, and K there is not positive definite.  Beyond the bifurcation a
+ * middle (0: below 1e-9 m), energy, elements with an eigenvalue < 0; SADDLE
+ * is converged, and K there is not positive definite.  Beyond the bifurcation a
  * projected K bends a column that was not pushed by its round-off, and this
  * decides how many systems it takes (-).
  */

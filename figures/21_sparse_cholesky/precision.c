@@ -3,9 +3,9 @@
  *
  * K of system.h and its right-hand side, by fronts, with factors in double and
  * in single precision: digits of the residual after one solve (12: or more), of
- * max K_ii max|x| + max|b|, and how many solves refinement needs to 1e-12 of that [eq:refine].
- * The first steps of the same stretch, with kept factors [alg:chord]: how many
- * systems, and how far apart they end.  Megabytes: entries of K and of L.
+ * max K_ii max|x| + max|b|, and how many solves refining needs to 1e-12 of that
+ * [eq:refine].  The first steps of the stretch, with kept factors [alg:chord]:
+ * how many systems, and how far apart they end.  Megabytes: entries of K and L.
  */
 #include "refine.h"
 #include "sparse.h"

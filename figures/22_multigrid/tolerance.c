@@ -1,7 +1,7 @@
 /*
  * tolerance.c - how exactly does Newton's method want its increments?
  *
- * STEPS steps of the stretch from rest, reach 1/2, n = 24: every increment by CG
+ * STEPS steps of the stretch from rest, reach 1/2, n = 24; each increment by CG
  * with a V-cycle, to |r| <= tolerance |b|.  K and the grids are made anew for
  * each increment, or kept while max|du| falls below 0.3 times the one before
  * (chord), until max|du| <= 1e-10 m.  Table: tolerance (per step: increments,
