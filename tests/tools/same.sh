@@ -17,7 +17,7 @@ result() { # result STATUS WHAT WHY
 }
 if [ "$kind" = here ]; then
     for script in $SCRIPTS; do
-        drawn=$test/$(echo "$script" | tr / .).svg
+        drawn=$test/figures.$(echo "$script" | tr / .).svg
         if [ -f "$drawn" ] && [ "$(grep -m 1 Produced "$drawn")" = \
             "$(grep -m 1 Produced "figures/$script.svg")" ]; then
             cmp -s "$drawn" "figures/$script.svg"
@@ -42,7 +42,7 @@ for script in $SCRIPTS; do
     study=$script
     [ -f "figures/$script.c" ] || study=${script%/*}
     cmp -s "$dir/$study.tsv" "$BUILD/data/$study.tsv" ||
-        for drawn in "$test"/$(echo "$script" | tr / .).*; do
+        for drawn in "$test"/figures.$(echo "$script" | tr / .).*; do
             case $drawn in *.svg | *.gif) ;; *) continue ;; esac
             said=$(sh tests/tools/figure.sh "figures/$script.gp" "$dir/$study.tsv" \
                 "$dir/picture.${drawn##*.}" 2>&1) &&
