@@ -2,7 +2,7 @@
  * iterations.c - how many iterations does a solve take on a finer mesh?
  *
  * K and b of system.h, conjugate gradients with three preconditioners.  Tables:
- * history (the residual, n = 32, up to k = 99: then round-off shows), iterations
+ * history (the residual, n = 32, to k = 99: then round-off shows), iterations
  * (to 1e-10, and, rough, to 1e-4; and the products with K of the former: a
  * sweep counts one, on a coarser grid as much as it has entries).
  */
