@@ -28,11 +28,12 @@ endif
 # digits are the same everywhere, and without pairs made of lines that stand one
 # after the other, which gcc 12 contracts all the same.  They make the build one
 # for this machine; `make clean` and NATIVE= give one for any.
+ALL_NATIVE = $(shell for flag in -O3 -march=native \
+                 -mprefer-vector-width=512 -ffp-contract=fast; do \
+                 $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null \
+                 2>/dev/null && echo $$flag; done)
 ifeq ($(origin NATIVE),undefined)
-NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
-             -mprefer-vector-width=512 -ffp-contract=fast; do \
-             $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null 2>/dev/null && \
-             echo $$flag; done))$(NATIVE)
+NATIVE = $(eval NATIVE := $(ALL_NATIVE))$(NATIVE)
 endif
 PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # What is made is moved to its place when it is whole: another make may be
@@ -135,15 +136,15 @@ $(BUILD)/common/%.o: common/%.c Makefile | $(DEPS)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(call native_for,$*) $< $(OBJECT)
 
-$(BUILD)/solutions/%: solutions/%.c $(LIB)
+# Compiled and linked by themselves: `make test` links them with other libraries.
+PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
+$(PARTS:=.o): $(BUILD)/%.o: %.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(OBJECT)
+$(PARTS): %: %.o $(LIB)
+	$(Q)$(CC) $(CFLAGS) $< $(PLACED)
 
 $(BUILD)/mine/%: lessons/%.c $(LIB)
-	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
-
-$(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c $(LIB)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 

@@ -239,12 +239,13 @@ $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
 	    sh tests/tools/build_variants.sh $* > $@
 
+include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/many.result \
+           $(T)/limits.result $(T)/many.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)
