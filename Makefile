@@ -79,6 +79,8 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory
 export CC MAKE
+# A judged program with a sanitizer needs all addresses.
+export SANITIZED := $(findstring -fsanitize=,$(CC) $(CFLAGS) $(LDFLAGS))
 # A recipe that runs make shares its jobs; `make -n` prints it and no more.
 SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 

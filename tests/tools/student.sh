@@ -8,7 +8,7 @@
 set -u
 LC_ALL=C
 export LC_ALL
-: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}"
+: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}"
 command=$1
 slug=${2:-}
 nn=${slug%%_*}
@@ -130,6 +130,8 @@ judge() {
         return 1
     fi
     sums=$(fingerprint)
+    # the judge and the checks free nothing
+    [ -z "$SANITIZED" ] || export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0}"
     patiently "$built/solutions/$slug.judge" --file "$2" \
         --source "$1" --subject "$folder/judge" --work "$folder/work" \
         --reference "$BUILD/solutions/$slug" \
