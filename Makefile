@@ -161,7 +161,7 @@ BOUNDS = $(eval BOUNDS := $(shell for flags in \
 
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
-NAMING = tests/tools/names.sh tests/tools/names.awk
+NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
 build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
               tests/checks/$2.c $(JUDGE) \

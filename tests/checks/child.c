@@ -322,22 +322,20 @@ static void hurry(int first)
 #endif
 }
 
-/* Kill all that is left of a child.  What is killed makes room for what forks:
- * so all of it is stopped first, and killed when nothing else runs.  Where the
- * system does not show it to us, the child's group is killed. */
+/* Kill all that is left of a child: its group at once, and then all else of it
+ * that the system shows us.  What is killed makes room for what forks: so all is
+ * stopped first, and killed when nothing runs any more. */
 static void kill_all(pid_t child)
 {
     enum { STOPPING = 500, ROUNDS = 2000 };
     struct sight sight;
     int stopped = 0;
+    if (!running.inside) kill(-child, SIGKILL);
     for (int round = 0; round < ROUNDS; round++) {
         pid_t ended;
         while ((ended = waitpid(-1, NULL, WNOHANG)) > 0) continue;
         if (ended < 0) break; /* there is none */
-        if (!look_around(stopped ? SIGKILL : SIGSTOP, &sight)) {
-            if (!running.inside) kill(-child, SIGKILL);
-            break;
-        }
+        if (!look_around(stopped ? SIGKILL : SIGSTOP, &sight)) break;
         if (stopped || sight.processes > sight.stopped) doze(500);
         stopped |= sight.processes == sight.stopped || round > STOPPING;
     }
