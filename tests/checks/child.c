@@ -307,15 +307,15 @@ static int look_around(int signal, struct sight *sight)
 #endif
 }
 
-/* Go before all that a child may start, or not, where the system allows it: it
- * is root's means, whose children are limited in no other way. */
+/* Go before all that a child may start, or no more, where the system allows it:
+ * it is root's means, whose children are limited in no other way. */
 static void hurry(int first)
 {
 #if defined(__linux__)
     static int is_first;
     const struct sched_param priority = {.sched_priority = first};
     if (first == is_first) return;
-    if (sched_setscheduler(0, first ? SCHED_RR : SCHED_OTHER, &priority) == 0)
+    if (!sched_setscheduler(0, first ? SCHED_RR : SCHED_OTHER, &priority))
         is_first = first;
 #else
     (void)first;
@@ -474,8 +474,8 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
         }
         if (limit == NO_LIMIT && now - start > SECONDS_WAITING)
             limit = LIMIT_IDLE;
-        if (limit != NO_LIMIT) kill(child, SIGKILL);
-        if (limit == NO_LIMIT) doze(pause);
+        if (limit != NO_LIMIT) kill(running.inside ? child : -child, SIGKILL);
+        doze(pause);
     }
     struct ending ending = ending_of(status, all_seconds() - before, limit);
     struct ending reported;

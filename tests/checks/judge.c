@@ -706,8 +706,8 @@ static struct claim claim_at(const struct lesson *lesson, int i)
 }
 
 /* In the child: run the claim of this index, in the subject if there is one.
- * The comparison with the reference is the judge's own: the subject does no more
- * there than run the program. */
+ * The comparison with the reference is the judge's own: the subject does no
+ * more there than run the program. */
 static void begin_claim(void *context)
 {
     const int *index = context;
