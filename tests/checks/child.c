@@ -323,8 +323,8 @@ static void hurry(int first)
 }
 
 /* Kill all that is left of a child: its group at once, and then all else of it
- * that the system shows us.  What is killed makes room for what forks: so all is
- * stopped first, and killed when nothing runs any more. */
+ * that the system shows us.  What is killed makes room for what forks: so all
+ * is stopped first, and killed when nothing runs any more. */
 static void kill_all(pid_t child)
 {
     enum { STOPPING = 500, ROUNDS = 2000 };
