@@ -83,6 +83,8 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory
 export CC MAKE
+# A judged program with a sanitizer needs all addresses.
+export SANITIZED := $(findstring -fsanitize=,$(CC) $(CFLAGS) $(LDFLAGS))
 # A recipe that runs make shares its jobs; `make -n` prints it and no more.
 SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 
@@ -164,7 +166,7 @@ BOUNDS = $(eval BOUNDS := $(shell for flags in \
 
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
-NAMING = tests/tools/names.sh tests/tools/names.awk
+NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
 build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
               tests/checks/$2.c $(JUDGE) \
