@@ -214,7 +214,7 @@ for slug in $lessons; do
                 esac
             done)"
     rule "mistakes of lesson $nn name checks that exist" \
-        "$(sed -n 's/^caught-by: //p' "$list" | while read -r check; do
+        "$(sed -n 's/^caught-by: //p; s/^also-by: //p' "$list" | while read -r check; do
             [ "$check" = same_numbers_as_reference ] ||
                 grep -q "\"$check\"" "tests/checks/$slug.c" || echo "$check"
         done)"
