@@ -373,6 +373,10 @@ static void a_failed_step_leaves_the_state(void)
     for (int i = 0; i < s.n; i++)
         ck_assert(s.u[i] == start.u[i] && s.v[i] == start.v[i] &&
                   s.u_before[i] == 0.0 && s.v_before[i] == 0.0);
+    double *longer = allocate((size_t)s.n + 1, sizeof *longer);
+    longer[s.n] = NAN; /* which is no one's */
+    ck_assert_int_eq(state_accept(&s, longer, longer), OK);
+    free(longer);
     free(g);
     state_free(&s);
     state_free(&start);
