@@ -64,6 +64,7 @@ student,lesson,verdict,check,slot,mistake
 Zo$(printf '\303\253'),$slug,OK,-,-,-
 two twice,$slug,two files,-,-,-
 END
+"$MAKE" "mistakes-${slug%%_*}" >said 2>&1 # their judges are not copied
 state >before
 said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
 result $? 'grade judges a class' "$said"
