@@ -76,6 +76,7 @@ fay,$slug,WRONG,compile,-,-
 gil,$slug,OK,-,-,-
 two twice,$slug,two files,-,-,-
 END
+"$MAKE" "mistakes-${slug%%_*}" >said 2>&1 # their judges are not copied
 state >before
 said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
 result $? 'grade judges a class' "$said"
