@@ -7,8 +7,8 @@
  * with Cholesky stops where K is not positive definite; then the lift, the line
  * search, the projection on demand, each alone, and all of them.  Tables:
  * first_step_cubic, first_step_log; history_notes, history_lift, history_demand
- * (n = 56, cubic law, PLAIN storage; up to an increment of 0.5 m, for what comes
- * then is amplified round-off); starts (corner of the mesh, in units of h).
+ * (n = 56, cubic law, PLAIN storage; up to an increment of 0.5 m, then comes
+ * amplified round-off); starts (corner of the mesh, in units of h).
  */
 #include "options.h"
 #include "scene.h"
