@@ -28,11 +28,12 @@ endif
 # digits are the same everywhere, and without pairs made of lines that stand one
 # after the other, which gcc 12 contracts all the same.  They make the build one
 # for this machine; `make clean` and NATIVE= give one for any.
+ALL_NATIVE = $(shell for flag in -O3 -march=native \
+                 -mprefer-vector-width=512 -ffp-contract=fast; do \
+                 $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null \
+                 2>/dev/null && echo $$flag; done)
 ifeq ($(origin NATIVE),undefined)
-NATIVE = $(eval NATIVE := $(shell for flag in -O3 -march=native \
-             -mprefer-vector-width=512 -ffp-contract=fast; do \
-             $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null 2>/dev/null && \
-             echo $$flag; done))$(NATIVE)
+NATIVE = $(eval NATIVE := $(ALL_NATIVE))$(NATIVE)
 endif
 PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # What is made is moved to its place when it is whole: another make may be
@@ -85,6 +86,8 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 endif
 MAKEFLAGS += --no-print-directory
 export CC MAKE
+# A judged program with a sanitizer needs all addresses.
+export SANITIZED := $(findstring -fsanitize=,$(CC) $(CFLAGS) $(LDFLAGS))
 # A recipe that runs make shares its jobs; `make -n` prints it and no more.
 SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 
@@ -148,16 +151,15 @@ $(OBJECTS): $(BUILD)/%.o: %.c Makefile | $(DEPS)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(call native_for,$(notdir $*)) $< $(OBJECT)
 
-$(BUILD)/solutions/%: solutions/%.c $$(call needs,solutions/$$*.c)
+# Compiled and linked by themselves: `make test` links them with other libraries.
+PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
+$(PARTS:=.o): $(BUILD)/%.o: %.c Makefile | $(DEPS)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
+	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(OBJECT)
+$(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
+	$(Q)$(CC) $(CFLAGS) $< $(PLACED)
 
 $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
-	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
-
-$(COUNTED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
-        $$(call needs,figures/$$*.c)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
@@ -177,7 +179,7 @@ BOUNDS = $(eval BOUNDS := $(shell for flags in \
 
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
-NAMING = tests/tools/names.sh tests/tools/names.awk
+NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
 build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
               tests/checks/$2.c $(PLACED)

@@ -125,15 +125,15 @@ static void assemble(const struct bar_scene *s, double modulus,
  *
  * OK            u is the solution
  * INCOMPATIBLE  no end is held and |sum b| > (n + 1) eps sum |b|: nothing
- *               holds the bar, and its loads do not balance; u is not set
- * NOT_SPD       the modulus is not positive; u is not set
+ *               holds the bar, and its loads do not balance; u stays as it is
+ * NOT_SPD       the modulus is not positive; u stays as it is
  */
 static enum status solve(const struct bar_scene *s, const struct matrix *K,
                          const double b[], double u[])
 {
     /* SLOT 9c(s, K, b, u): collect the held ends; with none of them check the
      * balance of b and hold node 0 at 0.  Then matrix_copy, matrix_dirichlet,
-     * matrix_factor, matrix_solve. */
+     * matrix_factor, matrix_solve, matrix_free. */
     todo("9c", s, K, b, u);
     /* END 9c */
 }

@@ -61,8 +61,8 @@ static void print_law(const struct fibre *fibre)
     const struct fibre cord = {CORD, 2000.0, fibre->sigma, 0.5, 0.0};
     const mat2 F = {{{1.17, 0.23}, {-0.31, 0.88}}};
     table_begin("force_length", "l passive active T dT W cord_T");
-    for (int i = 8; i <= 32; i++) {
-        const double l = i / 20.0, taut = tension(&passive, l).T;
+    for (int i = 10; i <= 40; i++) { /* beside the kinks at 0.5 and 1.5 */
+        const double l = i / 25.0, taut = tension(&passive, l).T;
         const struct tension t = tension(fibre, l);
         table_row(l, taut, t.T - taut, t.T, t.dT, t.W, tension(&cord, l).T);
     }

@@ -4,9 +4,9 @@
  *
  * Notes: beyond them; the system is that of Lecture 2, 3.3.5.
  *
- * Problem.  K du = -q, Newton's first increment in the third step of the
- * stretch (system.h), by K = L L^T twice: the vertices numbered row by row, and
- * by nested dissection [alg:dissection].  L has entries where K has none
+ * Problem.  K du = -q, Newton's first increment in a step of a stretched body
+ * (system.h), by K = L L^T twice: the vertices numbered row by row, and by
+ * nested dissection [alg:dissection].  L has entries where K has none
  * [eq:fill]; the elimination tree [eq:elimination-tree] tells where before any
  * number is computed.
  *

@@ -4,7 +4,7 @@
  *
  * Notes: beyond them; the system is that of Lecture 2, 3.3.5.
  *
- * Problem.  K x = b, Newton's first increment in the third step of the stretch
+ * Problem.  K x = b, Newton's first increment in a step of a stretched body
  * (system.h), by conjugate gradients with a preconditioner B [alg:cg].  One of
  * them is a V-cycle over grids of n, n/2, ... squares per side [alg:v-cycle].
  *
@@ -15,7 +15,7 @@
  *     o---.---o---.---o
  *
  * Run       make lesson-22, or with options: -h lists them
- * PREDICT 1a iterations of Jacobi at n = 64; at n = 32 it takes 219: ...
+ * PREDICT 1a iterations of Jacobi at n = 64; at n = 32 it takes 222: ...
  * PREDICT 1b and of the V-cycle: ...
  * Plot: history k residual
  */

@@ -114,11 +114,11 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
         size = fmax(size, fabs(move[r]));
     }
     const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
-    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e, status):
-     * n numbers each; K_fh move is the central difference of q over
+    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
+     * &status): n numbers each; K_fh move is the central difference of q over
      * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
     todo("24c", body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
-         status);
+         &status);
     /* END 24c */
     free(move);
     return status;
@@ -143,9 +143,10 @@ static enum status downhill(struct live *live, double u[], double v[],
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, status, control): w and
-     * g are to be filled; live->g has the held values at the end of the way. */
-    todo("24d", live, dt, u0, v0, n, w, g, u, v, report, status, control);
+    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, &status, &control): w
+     * and g are to be filled; live->g has the held values at the end of the
+     * way. */
+    todo("24d", live, dt, u0, v0, n, w, g, u, v, report, &status, &control);
     /* END 24d */
     free(w);
     return status;

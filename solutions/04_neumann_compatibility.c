@@ -156,7 +156,7 @@ static void project(int N, double b[])
  * and is left alone.
  *
  * OK            u is the solution
- * INCOMPATIBLE  b is not in the range of A; u is not set
+ * INCOMPATIBLE  b is not in the range of A; u stays as it is
  * NOT_SPD       even with one node pinned A is not positive definite
  */
 static enum status solve_neumann(const struct matrix *A, const double b[],

@@ -91,7 +91,7 @@ static enum status solve_bvp(const struct problem *problem, enum load load,
     /* SLOT 7a(problem, load, n, x, A, b, u, assemble): assemble A and b, and
      * bring the flux q into b [eq:poisson-b]; correct a copy
      * of the system for u(0) = g [eq:dirichlet-correction]; factor the copy;
-     * solve into u.  Return what matrix_factor() says. */
+     * solve into u.  Return what matrix_factor() says; free the copy. */
     const int node[] = {0};
 
     assemble(problem, load, n, x, A, b);

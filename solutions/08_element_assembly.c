@@ -164,8 +164,8 @@ static struct point measure(const struct matrix *A, const double b[],
     struct point point = {.status = OK};
     /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): factor a copy and
      * solve, `repeats` times, with the clock around these two calls only;
-     * keep the shortest time.  Then judge by matrix_backward_error(): not
-     * valid, no time (NaN included). */
+     * keep the shortest time; free the copies.  Then judge by
+     * matrix_backward_error(): not valid, no time (NaN included). */
     for (int k = 0; k < repeats && point.status == OK; k++) {
         struct matrix *L = matrix_copy(A);
         memcpy(u, b, (size_t)A->n * sizeof *u);

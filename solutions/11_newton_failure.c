@@ -61,7 +61,7 @@ static enum status newton_step(const struct material *material, double p,
 }
 
 /* What the failures of the log law should be, for a load step that starts from
- * F > 0 [eq:first-step]; start and pull may be infinite, as at nu = 0. */
+ * F > 0 [eq:first-step]; start and pull are infinite at nu = 0. */
 struct limits {
     double load;     /* p at or below which the first step from F inverts */
     double step;     /* largest drop of the load from the equilibrium at F */
@@ -99,7 +99,7 @@ static enum status line_search(const struct material *material, double p,
     const double slope = (material1_pk1(material, F) - p) * step;
     *length = 1.0;
     /* SLOT 11c(material, p, F, step, length, w, slope): find *length and
-     * return the status.  psi may only be asked for where it is defined. */
+     * return the status.  Ask for psi only where it is defined. */
     const double noise = 16.0 * DBL_EPSILON * fabs(w);
     if (!(slope < 0.0)) return NOT_SPD;
     for (; *length > 1e-12; *length *= 0.5) {

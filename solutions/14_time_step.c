@@ -155,11 +155,12 @@ static void print_mode(double w_dt)
 }
 
 /*
- * One frame: u and v of now advance by dt to the boundary values g, by backward
- * Euler of step.h [alg:frame]: with FAST, then with ROBUST, then with ROBUST in
- * 2, 4, ... MOST_SUBSTEPS sub-steps, the prescribed values going in a straight
- * line to g.  Of a frame that is lost, now is exactly as it was.  FAST, ROBUST
- * and struct frame are in integrate.h.
+ * One frame: u, v, v_before of now advance by dt to the boundary values g under
+ * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
+ * FAST, then with ROBUST, then with ROBUST in 2, 4, ... MOST_SUBSTEPS parts,
+ * the prescribed values going in a straight line to g.  Of a frame that is
+ * lost, now is exactly as it was.  See integrate.h for FAST, ROBUST, struct
+ * frame.
  */
 static struct frame frame_step(struct body *body, double dt, const double g[],
                                const double f[], struct state *now)

@@ -28,8 +28,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* F = U diag(s1, s2) V^T, U and V rotations, s1 >= |s2| [eq:signed-svd]; any of
- * them where there are many. */
+/* F = U diag(s1, s2) V^T, U and V rotations, s1 >= |s2| [eq:signed-svd];
+ * any of them where there are many. */
 static struct svd signed_svd(mat2 F)
 {
     struct svd svd = {.U = mat2_identity(), .V = mat2_identity()};

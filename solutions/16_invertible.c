@@ -65,7 +65,7 @@ static void principal_extended(const struct principal_law *law,
  * second order with the same G, G', G'' at eps [eq:g-extended]. */
 static void extended(const struct principal_law *law, double J, double G[3])
 {
-    /* SLOT 16c(law, J, G): J may be 0 or negative. */
+    /* SLOT 16c(law, J, G): J is 0 or negative as well. */
     const double at = fmax(J, law->eps), r = log(at), t = J - at;
     const double slope = law->lambda * r - law->mu; /* dG/dr */
     G[2] = (law->lambda - slope) / (at * at);

@@ -115,7 +115,8 @@ static void print_filter(int order, int ppc)
 }
 
 /* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
- * h i; returns first [eq:bspline].  On a node order 1 takes the next cell. */
+ * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
+ * where the node at one end has no weight, either end may have it. */
 static int weights(int order, double h, double x, double w[], double dw[])
 {
     int first = 0;

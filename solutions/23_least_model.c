@@ -120,10 +120,11 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
  * length^2 / height^3: what the load moves the free end by, times E', as a bar
  * and as a beam.  N is the sum of the forces along X1, moment that about the
  * middle of the left end, which is held.  A bar has no across, and of along it
- * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  0 where along
+ * and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
- * [eq:left-inertia]; Mu is M u for the density 1.
+ * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
  */
 static void load_parts(const struct ladder_state *s, const double Mu[],
                        double part[N_PART])
@@ -144,8 +145,11 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     const double along = fabs(N) * length / height;
     const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
     const double missed = lateral * lateral * height / (2.0 * length);
-    part[DIMENSION] = (across + missed * along) / (across + along);
-    part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
+    part[DIMENSION] = 0.0;
+    if (across + along > 0.0)
+        part[DIMENSION] = (across + missed * along) / (across + along);
+    part[INERTIA] = 1.0;
+    if (mass > 0.0) part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
     /* END 23c */
 }
 
@@ -154,9 +158,9 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
  * a BAR leaves out dimension and geometry (its mesh is exact), LINEAR_PLANE
  * geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest each
  * leaves out the inertia too, unless the load STANDS.  *estimate is the root of
- * the sum of the squares of what remains, *add the largest.  Where K is not
- * positive definite (unstable) no model is enough, and a linear one needs the
- * geometry.
+ * the sum of the squares of what remains, *add the largest, of equal ones the
+ * first.  A model is enough where *estimate <= tolerance.  Where K is not
+ * positive definite (unstable) none is, and a linear one needs the geometry.
  */
 static int verdict(struct ladder_model model, enum ladder_time time, int stable,
                    double tolerance, double part[N_PART], double *estimate,

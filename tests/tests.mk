@@ -52,21 +52,24 @@ $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
 	    %/,%,$(dir $1)),$(if $(filter $(LONG),$1),-O1,-O0) -g0 -w); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
-# the known mistakes of a lesson, or those that the checks CAUGHT_BY catch; one
-# that is no longer listed goes
+# the known mistakes of a lesson and their judges, or those alone that the check
+# CAUGHT_BY catches, or the judges of those that are JUDGED; one that is no longer
+# listed goes
 CAUGHT_BY =
+JUDGED =
 caught := $(shell awk '/^mistake: / { name = $$2 } /^caught-by: / { \
     slug = FILENAME; sub(/.*\//, "", slug); sub(/\.txt$$/, "", slug); \
     print slug "/" name "," $$2 }' /dev/null $(LESSONS:%=tests/mistakes/%.txt))
-by_check = $(foreach c,$(CAUGHT_BY),$(filter %$(comma)$c,$(caught)))
+by_check = $(patsubst %$(comma)$(CAUGHT_BY),%,$(filter \
+    $1/%$(comma)$(CAUGHT_BY),$(caught)))
 define mistakes_rule
-mistakes-$(call number,$1): $$(patsubst %,$(BUILD)/mistakes/%,$(if \
-        $(CAUGHT_BY),$(foreach m,$(filter $1/%,$(by_check)),$(firstword \
-        $(subst $(comma), ,$m))),$(filter $1/%,$(MISTAKES))))
+mistakes-$(call number,$1): $$(addprefix $(BUILD)/mistakes/,$(if \
+        $(JUDGED),$(JUDGED:%=$1/%.judge),$(if $(CAUGHT_BY),$(by_check),$(filter \
+        $1/%,$(MISTAKES) $(MISTAKES:%=%.judge)))))
 	@for why in $(BUILD)/mistakes/$1/*.why; do \
 	    [ -f "$$$$why" ] || continue; name=$$$${why%.why}; \
 	    case ' $(patsubst %,$(BUILD)/mistakes/%,$(MISTAKES) $(EQUIVALENTS)) ' in \
-	    *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" ;; \
+	    *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" "$$$$name.judge" ;; \
 	    esac; done
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
@@ -116,7 +119,8 @@ endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
-        $(call mistakes_of,$(patsubst %/,%,$(dir $1))) tests/tools/verify.sh
+        $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
+        tests/tools/verify.sh
 	$$(call say,test,$1)
 	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
 endef
@@ -238,12 +242,13 @@ $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
 	    sh tests/tools/build_variants.sh $* > $@
 
+include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/many.result \
+           $(T)/limits.result $(T)/many.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

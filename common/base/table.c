@@ -43,6 +43,12 @@ struct cell cell_if(int present, double number)
     return present ? cell_number(number) : cell_word(MISSING);
 }
 
+struct cell cell_rounded(int digits, double number)
+{
+    assert(digits > 1); /* 1e-10 is a number that has no others */
+    return (struct cell){.number = number, .digits = digits};
+}
+
 void table_begin(const char *name, const char *columns)
 {
     printf("# %s\n", name);
@@ -65,6 +71,8 @@ static void print_cell(struct cell cell, int last)
 {
     if (cell.word)
         fputs(cell.word, stdout);
+    else if (cell.digits)
+        printf("%.*e", cell.digits - 1, cell.number);
     else
         printf("%.17g", cell.number);
     putchar(last ? '\n' : '\t');

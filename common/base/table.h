@@ -8,7 +8,8 @@
  *     newton	0.25	0.97706
  *     newton	0.5	-            and two blank lines after the last row.
  *
- * A cell is a number (%.17g, which strtod turns back into the same double) or
+ * A cell is a number (%.17g, which strtod turns back into the same double, but
+ * for cell_rounded()) or
  * a word: the name of a scene, a law, a method, a reason.  The word `-` stands
  * for a value that there is not.
  *
@@ -20,6 +21,7 @@
 struct cell {
     const char *word; /* borrowed; NULL: the cell is the number */
     double number;
+    int digits;       /* that are printed; 0: all */
 };
 
 /* A value that there is not; a NaN that was computed stays a NaN. */
@@ -31,6 +33,11 @@ struct cell cell_itself(struct cell cell);
 
 /* The number where it is present, else MISSING. */
 struct cell cell_if(int present, double number);
+
+/* The number to so many digits, as 2.385e+00, because the others are amplified
+ * round-off, which no two machines have in common; the last of them may be one
+ * more or less on another. */
+struct cell cell_rounded(int digits, double number);
 
 /* The cell of a number, a word, or a cell. */
 #define CELL(x)                                           \

@@ -51,6 +51,7 @@ double estimate_dimension(const struct ladder_state *s)
     const double along = fabs(N) * length / height;
     const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
     const double missed = lateral * lateral * height / (2.0 * length);
+    if (!(across + along > 0.0)) return 0.0;
     return (across + missed * along) / (across + along);
 }
 
@@ -62,6 +63,7 @@ double estimate_inertia(const struct ladder_state *s)
         mass += s->u[r] * Mu[r];
     }
     free(Mu);
+    if (!(mass > 0.0)) return 1.0;
     return fmin(1.0, 1.0 / (sqrt(work / mass) * s->scene->T));
 }
 

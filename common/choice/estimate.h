@@ -28,10 +28,12 @@ double estimate_geometry(const struct ladder_state *state);
  * the largest J, at most 1; 1 where some J <= 0. */
 double estimate_law(const struct ladder_state *state);
 
-/* What a bar of this length and height has no unknowns for, under f. */
+/* What a bar of this length and height has no unknowns for, under f; 0 for f
+ * that neither pulls nor bends. */
 double estimate_dimension(const struct ladder_state *state);
 
-/* min(1, 1 / (omega T)), omega^2 = f.u / u.M u for the density 1. */
+/* min(1, 1 / (omega T)), omega^2 = f.u / u.M u for the density 1; 1 for u = 0,
+ * of which nobody knows how fast it comes. */
 double estimate_inertia(const struct ladder_state *state);
 
 /*
@@ -47,8 +49,9 @@ void estimate_parts(const struct ladder_state *state, double part[N_PART]);
 /*
  * The verdict [alg:least-model]: parts that the model does not leave out become
  * 0, *estimate is the root of the sum of the squares of the others, for their
- * signs have nothing in common; *add is the largest; where the model is
- * linear and K is not positive definite, GEOMETRY.  true: the model is enough.
+ * signs have nothing in common; *add is the largest, of equal ones the first;
+ * where the model is linear and K is not positive definite, GEOMETRY.  true:
+ * the model is enough, *estimate <= tolerance and K positive definite.
  */
 int estimate_verdict(struct ladder_model model, enum ladder_time time,
                      int stable, double tolerance, double part[N_PART],

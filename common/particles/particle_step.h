@@ -89,9 +89,10 @@ enum status particle_potential(const struct particle_body *body,
  * [eq:critical-step]; NAN where the tangent is not defined. */
 double particle_frequency(const struct particle_body *body);
 
-/* How a step went: the systems solved, and those factored once more because
- * A had to be projected; max|r| of the unknowns (N) before iteration k, max|du|
- * (m) of it, and the part of du that was taken. */
+/* How a step went: the systems solved (particle_newton() does not count one
+ * that stalled), and those factored once more because A had to be projected;
+ * max|r| of the unknowns (N) before iteration k, max|du| (m) of it, and the
+ * part of du that was taken. */
 enum { STEP_CAP = 50 };
 struct particle_report {
     enum status status;

@@ -115,7 +115,9 @@ void step_boundary(const struct body *body, const double g[], int lift,
  * One step of backward Euler: guess, boundary values, step_solve(), velocity.
  *
  * u, v       in/out  state; unchanged when the status is not OK
- * v_before   in/out  velocity of the step before, for EXTRAPOLATED; else NULL
+ * v_before   in/out  velocity of the step before, which EXTRAPOLATED reads; a
+ *                    step that is OK, whatever its guess, leaves the v of its
+ *                    beginning there.  NULL: nobody keeps it
  */
 struct step_report step_backward_euler(struct body *body,
                                        const struct step_control *control,

@@ -8,9 +8,9 @@ void system_store(struct system *system, enum storage storage)
 {
     struct scene *s = system->scene;
     if (s->body->K->storage != storage) body_store(s->body, storage);
-    if (body_assemble(s->body, s->set.dt, system->w, NULL, system->guess, EXACT,
+    if (body_assemble(s->body, s->set.dt, s->u, NULL, s->u, EXACT,
                       system->b) != OK)
-        die("the guess is not defined");
+        die("the stretched body is not defined");
     for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
 }
 
@@ -26,24 +26,16 @@ void system_press(struct system *system, double squeeze)
 
 struct system *system_alloc(int n)
 {
-    struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
-    struct step_control control = step_method("lift");
+    const struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
     struct system *system = allocate(1, sizeof *system);
     assert(n >= 2);
-    set.reach = 0.5;
-    control.chord = 1;
     struct scene *s = system->scene = scene_alloc(&set);
-    for (int k = 0; k < 2; k++)
-        if (scene_step(s, &control).status != OK) die("the stretch fails");
-    system->b = allocate(3 * (size_t)s->n_dof, sizeof *system->b);
-    double *w = system->w = system->b + s->n_dof;
-    double *guess = system->guess = w + s->n_dof;
-    for (int r = 0; r < s->n_dof; r++) {
-        w[r] = s->u[r] + set.dt * s->v[r];
-        guess[r] = w[r] + set.dt * (s->v[r] - s->v_before[r]);
+    for (int r = 0; r < s->n_dof; r += 2) {
+        const double *X = &s->mesh->X[r];
+        s->u[r] = X[0] / 20.0;
+        s->u[r + 1] = -(1.0 - X[0] * X[0]) * X[1] / 40.0;
     }
-    scene_hold(s, 3 * set.dt);
-    step_boundary(s->body, s->g, 1, guess);
+    system->b = allocate((size_t)s->n_dof, sizeof *system->b);
     system_store(system, s->body->K->storage);
     system->vertex = allocate((size_t)s->mesh->n_vertex, sizeof(int));
     for (int a = 0; a < s->mesh->n_vertex; a++)
@@ -56,7 +48,7 @@ void system_free(struct system *system)
     if (!system) return;
     scene_free(system->scene);
     free(system->vertex);
-    free(system->b); /* and w, guess */
+    free(system->b);
     free(system);
 }
 

@@ -1,10 +1,15 @@
 /*
  * system.h - the linear system on which solvers are compared.
  *
- * The stretch of scene.h, reach 1/2, cubic law: the third time step, Newton's
- * first iteration from the extrapolated and lifted guess; K du = -q, positive
- * definite.  Its free vertices are the columns i = 0, ..., n - 2 between the
- * held ends and the rows j = 0, ..., n:
+ * The stretch of scene.h, cubic law, and the first iteration of Newton's method
+ * in a step that begins at rest, with itself for a guess, with
+ *
+ *     u = 1/20 (X1, -1/2 (1 - X1^2) X2):
+ *
+ * K du = -q, positive definite.  No number of it comes from a factorisation or
+ * from libm, so that all of its digits are the same on every machine: what an
+ * iteration makes of them is, too.  Its free vertices are the columns i = 0 to
+ * n - 2 between the held ends and the rows j = 0, ..., n:
  *
  *     |  9 10 11 |     vertex j (n - 1) + i; with place[] some order of them,
  *     |  6  7  8 |     unknown 2 place + k is component k
@@ -18,11 +23,10 @@
 #include "plane/scene.h"
 
 struct system {
-    struct scene *scene; /* owned; K of its body is assembled */
+    struct scene *scene; /* owned; at rest in u, K of its body assembled */
     int n_vertex;        /* free ones, (n - 1) (n + 1) */
     int *vertex;         /* [n_vertex] which one of the mesh; owned */
     double *b;           /* -q of all vertices of the mesh; owned */
-    double *w, *guess;   /* of the step, all vertices; owned */
 };
 
 /* n >= 2 squares per side.  The caller frees it. */

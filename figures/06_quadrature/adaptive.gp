@@ -11,7 +11,7 @@ set format y "10^{%T}"
 set xlabel "evaluations of the integrand"
 set ylabel "|error| of the integral"
 set xrange [3:1000]
-set yrange [1e-16:1]
+set yrange [1e-14:1]
 set key above left vertical maxrows 4
 plot data index "load_kink" using "n":(abs(column("midpoint"))) \
          with linespoints ls 1 title "midpoint, n equal elements", \

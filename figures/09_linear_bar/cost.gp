@@ -19,9 +19,9 @@ set label 1 "linear bar" at 1, 4 center
 set arrow 1 from 0.6, 0.01 to 5.6, 0.01 nohead ls 8
 set label 3 "1 %" at 5.55, 0.03 right
 set label 2 "round-off" at 5.55, 4e-16 right tc rgb "#555555"
-set object 1 rectangle from 0.6, 1e-16 to 5.6, 1e-14 behind \
+set object 1 rectangle from 0.6, 1e-16 to 5.6, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
-set object 2 rectangle from 0.8, 1e-14 to 1.2, 10 behind \
+set object 2 rectangle from 0.8, 1e-13 to 1.2, 10 behind \
     fc rgb "#F0E442" fs transparent solid 0.30 noborder
 load_of(l) = system(sprintf( \
     "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
@@ -29,7 +29,7 @@ load_of(l) = system(sprintf( \
 # a curve ends where only round-off is left; of that there is no more to see
 # than that it is there
 shown(c) = (before = column(0) == 0 ? 1 : now, now = column(c), \
-    before < 1e-14 ? NaN : now < 1e-14 ? 1.5e-15 : now)
+    before < 1e-13 ? NaN : now < 1e-13 ? 1.5e-15 : now)
 # colours by the size of the force; a bar that stands is dashed and hollow
 array Hollow[2] = [4, 8]
 plot for [l = 1:3] data index "newton" \

@@ -57,7 +57,8 @@ int main(void)
             before[k] = u[k];
             missing[k] = 1.0 - u[k] / reference[k];
         }
-        table_row(n, u[0], u[1], u[2], missing[0], missing[1], missing[2]);
+        table_row(n, u[0], u[1], cell_rounded(6, u[2]), missing[0], missing[1],
+                  cell_rounded(6, missing[2]));
     }
     table_end();
     claim(fabs(missing[0]) < 0.005 && missing[2] > 0.2,

@@ -98,8 +98,9 @@ int main(void)
             table_row(method_name((enum method)m), 1 << k, set.dt / (1 << k),
                       status_name(run.total.status), run.steps,
                       cell_if(ok, error[k]), cell_if(ok, run.energy),
-                      run.total.iterations / 3.0,
-                      run.total.factorisations / 3.0, times_best(&times) / 3.0);
+                      cell_if(ok, run.total.iterations / 3.0),
+                      cell_if(ok, run.total.factorisations / 3.0),
+                      times_best(&times) / 3.0);
             arrived += k == 0 && ok;
             if (m == IMPLICIT_MIDPOINT) ratio = error[k ? k - 1 : 0] / error[k];
             state_free(&run.end);

@@ -50,7 +50,10 @@ int main(void)
         const double e = 0.02 + 0.001 * k;
         const enum status straight = scene_walk(flat, "notes", e, 0.0).status;
         scene_walk(up, "demand+search", e, 1e-3);
-        table_row(e, fabs(*scene_middle(up)), fabs(*scene_middle(flat)),
+        const double bent[] = {fabs(*scene_middle(up)),
+                               fabs(*scene_middle(flat))};
+        table_row(e, bent[0] > 1e-9 ? bent[0] : 0.0,
+                  bent[1] > 1e-9 ? bent[1] : 0.0,
                   straight == OK ? "stable" : "saddle", scene_energy(up),
                   scene_energy(flat));
     }

@@ -2,10 +2,9 @@
  * price.c - what does a projected tangent cost?
  *
  * The ends of the square are pressed together (compress, n = 8, 60 steps), K
- * projected never, on demand, or always.  And near a solution: the square in
- * balance, its ends pressed by 0.2 m each, where elements are indefinite and K
- * is positive definite.  Tables: linear systems in all and in each step; the
- * distance to the solution after k systems, and the order.
+ * projected never, on demand, or always.  And near a solution, ends pressed by
+ * 0.2 m each, where elements are indefinite and K is positive definite: systems
+ * in all and per step; distance after k systems (0: < 1e-13); its order.
  */
 #include "plane/scene.h"
 #include "base/study.h"
@@ -67,7 +66,8 @@ static void approach(int m, double distance[SYSTEMS + 1])
             if (k < 0) goal[r] = s->u[r];
             s->u[r] -= goal[r];
         }
-        if (k >= 0) distance[k] = body_max_free(s->body, s->u);
+        const double d = body_max_free(s->body, s->u);
+        if (k >= 0) distance[k] = d > 1e-13 ? d : 0.0;
     }
     free(goal);
     scene_free(s);
@@ -100,10 +100,10 @@ int main(void)
     table_begin("orders", "method order"); /* of the last above round-off */
     for (int m = 0; m < METHODS; m++) {
         int k = 2;
-        while (k < SYSTEMS && distance[m][k + 1] > 1e-13) k++;
+        while (k < SYSTEMS && distance[m][k + 1] > 0.0) k++;
         const double *d = &distance[m][k];
         order[m] = log(d[0] / d[-1]) / log(d[-1] / d[-2]);
-        table_row(word[m], order[m]);
+        table_row(word[m], cell_rounded(5, order[m]));
     }
     table_end();
 

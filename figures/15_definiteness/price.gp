@@ -31,7 +31,7 @@ plot data index "steps" using "k":"always" with linespoints ls 4 \
 set lmargin at screen 0.62
 set rmargin at screen 0.98
 set xrange [0:12]
-set yrange [1e-17:1]
+set yrange [1e-13:1]
 set format y "10^{%T}"
 set ytics 1e-16, 1e4
 set xlabel "linear systems"

@@ -97,7 +97,7 @@ static int systems(struct outlying at)
 int main(void)
 {
     const char *const kernel[] = {"linear", "quadratic", "cubic"};
-    const double eps[] = {0.5, 0.01, 1e-3, 1e-6};
+    const double eps[] = {0.25, 0.01, 1e-3, 1e-6};
     const struct material m = material_notes(CUBIC);
     const double implicit = sqrt(material_modulus(&m)) / 30.0 / H;
     table_begin("critical", "kernel eps grid flip implicit systems");

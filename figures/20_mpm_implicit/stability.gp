@@ -6,7 +6,7 @@ load "figures/style.gp"
 set terminal svg size 760,430
 set output out
 set logscale xy
-set xrange [7e-7:0.8]
+set xrange [7e-7:0.4]
 set yrange [8e-4:40]
 set format x "10^{%T}"
 set format y "10^{%T}"

@@ -2,10 +2,10 @@
  * precision.c - how many digits must a factor have?
  *
  * K of system.h and its right-hand side, by fronts, with factors in double and
- * in single precision: the residual after one solve, of max K_ii max|x| +
- * max|b|, and how many solves refinement needs to 1e-12 of that [eq:refine].
- * The first steps of the same stretch, with kept factors [alg:chord]: how many
- * systems, and how far apart they end.  Megabytes: entries of K and of L.
+ * in single precision: digits of the residual after one solve (12: or more), of
+ * max K_ii max|x| + max|b|, and how many solves refining needs to 1e-12 of that
+ * [eq:refine].  The first steps of the stretch, with kept factors [alg:chord]:
+ * how many systems, and how far apart they end.  Megabytes: entries of K and L.
  */
 #include "linear/refine.h"
 #include "linear/sparse.h"
@@ -66,7 +66,7 @@ static int walk(struct scene *s, int single)
 
 int main(void)
 {
-    table_begin("precision", "factors n residual solves systems apart "
+    table_begin("precision", "factors n digits solves systems apart "
                 "megabytes");
     for (int n = 16; n <= 128; n *= 2) {
         struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
@@ -84,7 +84,8 @@ int main(void)
         for (int r = 0; r < s[0]->n_dof; r++)
             apart = fmax(apart, fabs(s[0]->u[r] - s[1]->u[r]));
         for (int k = 0; k < 2; k++)
-            table_row(k ? "single" : "double", n, f[k].residual, f[k].solves,
+            table_row(k ? "single" : "double", n,
+                      fmin(12.0, floor(-log10(f[k].residual))), f[k].solves,
                       systems[k], cell_if(k, apart), f[k].megabytes);
         claim(f[0].solves == 1 && f[0].residual <= 1e-12, "double: no need");
         claim(f[1].residual < 1e-6 && f[1].residual > 1e-9 && f[1].solves == 2,

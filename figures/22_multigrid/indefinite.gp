@@ -32,8 +32,8 @@ set key above left maxrows 2 reverse Left samplen 2
 set yrange [0:70]
 set ylabel "iterations of CG"
 set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"
-set label 3 "CG to 10^{-1}  solves\nwhat is indefinite" at 0.638,20.5 font ",11"
-set arrow 3 from 0.637,18 to 0.626,15.5 size 0.002,20 lw 0.8
+set label 3 "CG to 10^{-1}  solves\nwhat is indefinite" at 0.632,34 font ",11"
+set arrow 3 from 0.631,31 to 0.6125,18.5 size 0.002,20 lw 0.8
 plot for [k = 1:3] data index "squeeze" using "squeeze":(ends(k, "OK")) \
          with lines ls k lw 3 title Text[k], \
      for [k = 1:3] "" index "squeeze" using "squeeze":(ends(k, "NOT_SPD")) \

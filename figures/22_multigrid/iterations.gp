@@ -16,7 +16,7 @@ set multiplot layout 1,2 margins 0.085,0.985,0.145,0.83 spacing 0.09,0
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-11:30]
-set xrange [0:225]
+set xrange [0:105]
 set xlabel "iterations, n = 32"
 set ylabel "|r| / |b|" offset 1
 plot for [k = 1:3] data index "history" using (of(k, "k")):"residual" \

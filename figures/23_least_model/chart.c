@@ -96,9 +96,9 @@ int main(void)
             right[t] += agrees, reached[t] += !none;
             table_row(100.0 * tolerance[t], scene->name,
                       name(more ? &chosen : NULL), cell_if(more, chosen.level),
-                      100.0 * o->error, name(none ? NULL : &best),
-                      cell_if(!none, best.level), cell_if(!none, factor[k][t]),
-                      agrees ? "yes" : "no");
+                      cell_rounded(6, 100.0 * o->error),
+                      name(none ? NULL : &best), cell_if(!none, best.level),
+                      cell_if(!none, factor[k][t]), agrees ? "yes" : "no");
         }
     }
     table_end();

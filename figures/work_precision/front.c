@@ -21,7 +21,8 @@ static void print_run(const struct sweep *s, int k, double asked)
     const int ok = s->work[k].status == OK;
     table_row(work_scene_name(s->scene), asked, material_law(set->law),
               set->dynamic ? method_name(set->method) : "static", set->n,
-              set->steps, set->tolerance, cell_if(ok, s->error[k]),
+              set->steps, set->tolerance,
+              ok ? cell_rounded(4, s->error[k]) : cell_word(MISSING),
               cell_if(ok, s->work[k].flops), status_name(s->work[k].status),
               s->work[k].systems);
 }
@@ -88,9 +89,9 @@ int main(void)
     }
     table_end();
     table_begin("scenes", "scene size floor settings");
-    for (int k = 0; k < FLAGSHIP; k++)
-        table_row(work_scene_name(s[k]->scene), s[k]->size, s[k]->floor,
-                  s[k]->count);
+    for (int i = 0; i < FLAGSHIP; i++)
+        table_row(work_scene_name(s[i]->scene), s[i]->size,
+                  cell_rounded(4, s[i]->floor), s[i]->count);
     table_end();
     print_best(s);
     table_begin("takes", COLUMNS);
@@ -101,7 +102,7 @@ int main(void)
         const int last = k == FLAGSHIP;
         const struct rule rule = last ? all : rule_of(s[k], 0);
         table_row(last ? "all" : work_scene_name(s[k]->scene), rule.asked,
-                  rule.found, rule.twice, rule.same, rule.late,
+                  rule.found, rule.twice, rule.same, cell_rounded(4, rule.late),
                   rule.asked_twice, rule.over);
         if (last) break;
         all = (struct rule){all.asked + rule.asked, all.found + rule.found,

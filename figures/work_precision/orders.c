@@ -28,7 +28,8 @@ static void print(enum work_scene scene, const char *knob, const char *what,
                   struct count *count)
 {
     const int within = fabs(order - predicted) <= 0.2;
-    table_row(work_scene_name(scene), knob, what, predicted, order, error,
+    table_row(work_scene_name(scene), knob, what, predicted,
+              cell_rounded(4, order), cell_rounded(4, error),
               within ? "yes" : "no");
     count->curves++;
     count->within += within;

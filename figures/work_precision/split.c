@@ -83,10 +83,11 @@ static int print_bar(const struct bar *bar, const struct work *truth,
     others[SOLVER] = 1e-9;
     for (int k = 1; k < N_PART; k++)
         if (part[k] > part[largest]) largest = k;
-    table_row(bar->name, work_distance(&whole, truth) / size,
-              part[MODEL] / size, part[SPACE] / size, part[TIME] / size,
-              part[SOLVER] / size, part_name[largest],
-              others[largest] / part[largest]);
+    table_row(bar->name, cell_rounded(4, work_distance(&whole, truth) / size),
+              cell_rounded(4, part[MODEL] / size), cell_rounded(4, part[SPACE] /
+              size), cell_rounded(4, part[TIME] / size), cell_rounded(2,
+              part[SOLVER] / size), part_name[largest], cell_rounded(4,
+              others[largest] / part[largest]));
     claim(largest == (int)bar->due && others[largest] < 0.1 * part[largest],
           "%s: mostly %s, the others below a tenth of it (%s, %g)", bar->name,
           part_name[bar->due], part_name[largest],
@@ -105,8 +106,7 @@ int main(void)
         struct work_setting model = bars[k].set;
         const int richest = model.law == LOG && model.dynamic;
         if (!richest) limit = work_limit(&model, &limit_floor);
-        model.law = LOG;
-        model.dynamic = 1;
+        model.law = LOG, model.dynamic = 1;
         if (k == 0 || bars[k - 1].set.scene != model.scene)
             truth = work_limit(&model, &truth_floor);
         if (richest) limit = truth, limit_floor = truth_floor;

@@ -1,4 +1,14 @@
-/* 01_deformation.c - what F, J and the strain measures satisfy. */
+/*
+ * 01_deformation.c - what F, J and the strain measures satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     1a   X0, X1, x0, x1  collapsed_..., affine_bar_...: of either sign, both
+ *                          senses, lengths of their own, slopes of both signs
+ *     1a   size            collapsed_...: 1e-6, 1 and 1e6; affine_bar_...: 4
+ *     1b   node            affine_map_...: five triangles; order_of_...: six
+ *     1b   X, x            affine_map_..., J_is_..., common_mesh_...
+ *     1c   F               rotation_is_..., rigid_motions_..., common_agrees
+ */
 #include "program.h"
 
 #include "judge.h"

@@ -1,4 +1,14 @@
-/* 02_constitutive.c - what right energies, stresses and tangents satisfy. */
+/*
+ * 02_constitutive.c - what right energies, stresses and tangents satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     2a      law, J        log_is_..., r_is_...: J of both signs, NaN
+ *     2b-2d   material      all three laws, each with nu = 0.3714 and E = 23.85
+ *                           and with nu = 0.3 and E = 1000; others in 2b
+ *     2b      F             rest_..., energy_..., curves_...: -1 to 4
+ *     2c, 2d  F             states of no symmetry, rotations, the oracles'
+ *     2d      dF            two directions, and one entry at a time
+ */
 #include "program.h"
 
 #include "judge.h"

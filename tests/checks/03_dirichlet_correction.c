@@ -1,4 +1,15 @@
-/* 03_dirichlet_correction.c - what a right correction satisfies. */
+/*
+ * 03_dirichlet_correction.c - what a right correction satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     3a, 3b  N            8, 5, and 5 to 65 in condition_numbers_...
+ *     3a, 3b  A            known_values_..., equations_...: full; others: bar's
+ *     3a, 3b  n_fixed      known_values_..., equations_...: 1 to 4; others: 3
+ *     3a, 3b  node, g      in no order; an end, or beside it; a value of 0
+ *     3a      b            any numbers, and the loads
+ *     3b      b, diagonal  equations_..., diagonal_is_kept_or_one
+ *     3c      N, A, b, u   reactions_...: full A and any u; the bar's solution
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -34,6 +45,91 @@ static struct scene fresh(void)
     assemble(n_elem, beta_, load, s.A0, s.b0);
     assemble(n_elem, beta_, load, s.A, s.b);
     return s;
+}
+
+/* A full symmetric matrix of order 5 without a pattern; its diagonal rules. */
+enum { full = 5 };
+static const int full_node[] = {3, 0, 4, 2};
+static const double full_g[] = {0.613, -1.247, 0.0, 2.385};
+
+static double full_entry(int i, int j)
+{
+    return i == j ? 6.0 + 0.371 * i : sin(2.385 * (i + j) + 0.613 * i * j);
+}
+
+static double *full_matrix(void)
+{
+    double *A = guarded_alloc(full * full);
+    for (int ij = 0; ij < full * full; ij++)
+        A[ij] = full_entry(ij / full, ij % full);
+    return A;
+}
+
+static double *full_load(void)
+{
+    return guarded_copy(full, (const double[]){0.731, -2.385, 3.714, 1.0, 0.3});
+}
+
+/* The place of node i among the first n_fixed of full_node, or -1. */
+static int place_of(int i, int n_fixed)
+{
+    for (int k = 0; k < n_fixed; k++)
+        if (full_node[k] == i) return k;
+    return -1;
+}
+
+/* 3a by itself: b where the equation stays, whatever A is. */
+static void known_values_move_to_the_right(void)
+{
+    for (int n_fixed = 1; n_fixed <= COUNT(full_node); n_fixed++) {
+        double *b = full_load();
+        const double *b0 = full_load();
+        move_known_values(full, full_matrix(), b, n_fixed,
+                          guarded_indices(n_fixed, full_node),
+                          guarded_copy(n_fixed, full_g));
+        for (int i = 0; i < full; i++) {
+            double want = b0[i];
+            if (place_of(i, n_fixed) >= 0) continue;
+            for (int k = 0; k < n_fixed; k++)
+                want -= full_entry(i, full_node[k]) * full_g[k];
+            expect_close(b[i], want, ROUND_OFF, 10.0,
+                         "full matrix of order 5, %d prescribed: b[%d], less "
+                         "A_ik g_k of each prescribed node k", n_fixed, i);
+        }
+    }
+}
+
+/* 3b by itself, on any b. */
+static void equations_are_replaced(void)
+{
+    for (int c = 0; c < 2 * COUNT(full_node); c++) {
+        const int n_fixed = c / 2 + 1;
+        double *A = full_matrix(), *b = full_load();
+        const double *b0 = full_load();
+        replace_equations(full, A, b, n_fixed,
+                          guarded_indices(n_fixed, full_node),
+                          guarded_copy(n_fixed, full_g),
+                          c % 2 ? UNIT_DIAGONAL : KEEP_DIAGONAL);
+        for (int i = 0; i < full; i++) {
+            const int at = place_of(i, n_fixed);
+            const double d = c % 2 ? 1.0 : full_entry(i, i);
+            expect_close(b[i], at < 0 ? b0[i] : d * full_g[at], ROUND_OFF, 10.0,
+                         "full matrix of order 5, diagonal %s: b[%d], node %s",
+                         c % 2 ? "1" : "kept", i,
+                         at < 0 ? "not prescribed" : "prescribed, d g");
+            for (int j = 0; j < full; j++) {
+                const int left = at < 0 && place_of(j, n_fixed) < 0;
+                expect_close(A[i * full + j],
+                             i == j && at >= 0 ? d
+                             : left            ? full_entry(i, j)
+                                               : 0.0,
+                             1e-15, 10.0,
+                             "full matrix of order 5, %d prescribed, diagonal "
+                             "%s: A[%d][%d]", n_fixed, c % 2 ? "1" : "kept", i,
+                             j);
+            }
+        }
+    }
 }
 
 static struct scene solved(const int node[], const double g[],
@@ -166,8 +262,24 @@ static void diagonal_is_kept_or_one(void)
     }
 }
 
+/* A u - b, row by row, for a full A and a u that solves nothing. */
+static void reactions_of_a_full_matrix(void)
+{
+    const double u[full] = {2.385, -0.731, 0.512, 1.247, -3.714};
+    double *r = guarded_alloc(full);
+    const double *b = full_load();
+    reactions(full, full_matrix(), b, guarded_copy(full, u), r);
+    for (int i = 0; i < full; i++) {
+        double want = -b[i];
+        for (int j = 0; j < full; j++) want += full_entry(i, j) * u[j];
+        expect_close(r[i], want, ROUND_OFF, 30.0,
+                     "r[%d], (A u - b)_i of a full matrix of order 5", i);
+    }
+}
+
 static void reactions_balance_the_loads(void)
 {
+    reactions_of_a_full_matrix();
     const struct scene s = solved(prescribed, given, KEEP_DIAGONAL);
     double *r = guarded_alloc(N_node), sum = 0.0, total_load = 0.0;
 
@@ -278,6 +390,8 @@ static void what_was_predicted(void)
 }
 
 static const struct claim claims[] = {
+    {"known_values_move_to_the_right", known_values_move_to_the_right, "3a"},
+    {"equations_are_replaced", equations_are_replaced, "3b"},
     {"matrix_stays_symmetric", matrix_stays_symmetric, "3b"},
     {"prescribed_values_are_reproduced", prescribed_values_are_reproduced,
      "3b"},

@@ -1,5 +1,15 @@
-/* 04_neumann_compatibility.c - what a right treatment of two flux ends
- * satisfies. */
+/*
+ * 04_neumann_compatibility.c - what a right treatment of two flux ends
+ * satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     4a   n, x          7 unequal, from 0 and from elsewhere; 2 to 47 in runs
+ *     4a   beta, v       wavy, linear; any values, a line, a hat, a constant
+ *     4b   N, b          8 any, 5 to 65; of all sizes, 0, a NaN, both signs
+ *     4c   N, b          8 any; 3 to 48 in the runs
+ *     4d   A             n = 7 unequal, 4 equal, 2 to 48; -A, which is NOT_SPD
+ *     4d   b             compatible, and not
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -88,6 +98,14 @@ static void quadratic_form_is_vAv(void)
                                 guarded_copy(N_node, values)),
                  want, ROUND_OFF, want,
                  "v'Av, unequal elements, beta not constant");
+
+    /* the same body elsewhere: constant beta does not feel it */
+    double *moved = guarded_alloc(N_node);
+    for (int i = 0; i < N_node; i++) moved[i] = nodes[i] + 0.613;
+    expect_close(quadratic_form(n_elem, moved, field_one, values),
+                 quadratic_form(n_elem, x, field_one, values), ROUND_OFF, want,
+                 "v'Av, beta = 1, of a body that begins at 0.613, against one "
+                 "that begins at 0");
 
     /* only element 1 sees node 0, only element n sees node n */
     for (int end = 0; end <= n_elem; end += n_elem) {
@@ -264,13 +282,24 @@ static void incompatible_systems_are_refused(void)
 {
     const struct scene s = compatible_scene();
     for (int sign = -1; sign <= 1; sign += 2) {
+        for (int i = 0; i < N_node; i++) s.u[i] = values[i];
         s.b[2] += sign * 1e-6;
         const enum status status = solve_neumann(s.A, s.b, s.u);
+        for (int i = 0; i < N_node; i++)
+            expect(s.u[i] == values[i], "sum b = %g: u[%d] was %g and is %g; u "
+                   "stays as it is where there is no solution", sign * 1e-6, i,
+                   values[i], s.u[i]);
         expect(status == INCOMPATIBLE,
                "sum b = %g: solve_neumann must say INCOMPATIBLE, not %s",
                sign * 1e-6, status_name(status));
         s.b[2] -= sign * 1e-6;
     }
+    struct matrix *minus = matrix_alloc(BANDED, N_node, 1);
+    matrix_combine(minus, -1.0, s.A, minus);
+    const enum status negative = solve_neumann(minus, s.b, s.u);
+    expect(negative == NOT_SPD, "-A, whose eigenvalues are negative: "
+           "solve_neumann must say NOT_SPD, not %s", status_name(negative));
+    matrix_free(minus);
     struct output *output = run_unsolved("--project no", "INCOMPATIBLE");
     expect(has_table(output, "load") && !has_table(output, "nodes"),
            "--project no: the loads are due, and no nodal values");

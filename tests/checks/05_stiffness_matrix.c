@@ -1,4 +1,12 @@
-/* 05_stiffness_matrix.c - what a right stiffness matrix satisfies. */
+/*
+ * 05_stiffness_matrix.c - what a right stiffness matrix satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     5a   n, x            1 to 7 unequal elements, 0 inside; equal: 4 to 64
+ *     5a   A               dense; half bandwidth 1, and 2 in entries_are_...
+ *     5b   ends, n, h, k   all eigenvalues of both checks; two lengths n h
+ *     5c   storage, N, p   numbers_..., flops_..., same_as_common_cost
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -92,7 +100,9 @@ static void entries_are_integrals_of_hat_slopes(void)
 {
     for (int n = 1; n <= n_elem; n++)
         for (int s = DENSE; s <= BANDED; s++) {
-            struct matrix *A = assembled((enum storage)s, n);
+            struct matrix *A =
+                matrix_alloc((enum storage)s, n + 1, n > 1 ? 2 : 1);
+            stiffness_matrix(n, nodes, A);
             for (int i = 0; i <= n; i++)
                 for (int j = 0; j <= n; j++) {
                     double integral = 0.0;

@@ -1,4 +1,15 @@
-/* 06_quadrature.c - what right quadrature of A and b satisfies. */
+/*
+ * 06_quadrature.c - what right quadrature of A and b satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     6a   rule            all three
+ *     6b   x0, x1, g       one element away from 0 here, many in 6c and 6d
+ *     6b   shape, rule     all three of each, NaN behind the rule's points
+ *     6c   j, n            all rows; 7 unequal, 4, 2, and 1 to 11 in the runs
+ *     6c   x, mean         unequal grids, one that begins at 0.32; three beta
+ *     6d   f, rule         loads of the exercises, a kink, none; three rules
+ *     6d   qa, qb          both, one, none
+ */
 #include "program.h"
 
 #include "judge.h"

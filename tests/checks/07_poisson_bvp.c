@@ -1,4 +1,16 @@
-/* 07_poisson_bvp.c - what a right solution and a right error satisfy. */
+/*
+ * 07_poisson_bvp.c - what a right solution and a right error satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     7a   problem       three with beta, f, g, q of their own; -beta
+ *     7a   load          Gauss here, the midpoint and the exact load with the
+ *                        oracles, the trapezoid in the runs
+ *     7a   n, x          7 unequal; 4 to 128 equal; 1 to 12 graded in the runs
+ *     7b   problem, u    beta 1, 1 + x and another; exact parabola and others
+ *     7b   n, x          7 graded both ways; 4 to 128 equal
+ *     7c   h1, err1, h2, err2, floor  all in order_and_constant_are_recovered
+ * x[0] = 0 and x[n] = 1 are the problem's.
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -150,8 +162,19 @@ static void straight_line_is_exact(void)
                      "u at node %d; no load, beta = 1: u = g + q x", j);
 }
 
+enum { MANY = 300 };
+static void solve_once(void)
+{
+    static double x[MANY + 1], b[MANY + 1], u[MANY + 1];
+    struct matrix *A = matrix_alloc(BANDED, MANY + 1, 1);
+    grid_make(0.0, 1.0, MANY, 2.385, x);
+    solve_bvp(&scene, BY_GAUSS2, MANY, x, A, b, u);
+    matrix_free(A);
+}
+
 static void indefinite_matrix_is_reported(void)
 {
+    expect_no_leak(solve_once, MANY * sizeof(double), "solve_bvp()");
     struct problem problem = scene;
     problem.beta = minus_beta;
     const enum status status = solve_scene(&problem).status;
@@ -247,6 +270,15 @@ static void order_and_constant_are_recovered(void)
                      "floor 1e-12 (nothing to measure)",
                      none[k][0], none[k][1], none[k][2], none[k][3]);
     }
+    const struct order loose =
+        observed_order(h[0], e[0], h[1], e[1], 0.5 * (e[0] + e[1]));
+    expect(loose.order == 0.0 && loose.constant == 0.0,
+           "err2 = %g is below a floor of %g, but the order is %g and the "
+           "constant %g, not 0", e[1], 0.5 * (e[0] + e[1]), loose.order,
+           loose.constant);
+    expect_close(observed_order(h[0], e[0] * 1e-14, h[1], e[1] * 1e-14,
+                                0.0).order, p, 1e-13, p,
+                 "order of errors of 1e-14, with a floor of 0");
 }
 
 /* H1 of the oracle is the energy norm with beta = 1. */

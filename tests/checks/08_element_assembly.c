@@ -1,5 +1,18 @@
-/* 08_element_assembly.c - what a right element assembly and a fair chart
- * satisfy. */
+/*
+ * 08_element_assembly.c - what a right element assembly and a fair chart
+ * satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     8a   x0, x1       seven unequal elements, one over 0
+ *     8a   beta, f      those of the scene; those of exercise (5)
+ *     8a   rule         three, with NaN behind their points
+ *     8b   n, x         7 unequal; 4 to 256 equal; graded in the runs
+ *     8b   order        natural, reversed, mixed, twelve random ones
+ *     8b   A, b         dense and banded, not 0 before
+ *     8c   N, p         flops_are_those_of_the_loops
+ *     8d   A, b         good, singular, not symmetric, NaN; dense and banded
+ *     8d   repeats      1 to 4, and 64 in the_best_time_is_kept
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -341,8 +354,33 @@ static void judge_backward_error_of(double eps, int valid)
     matrix_free(A);
 }
 
+/* The best of the times is at most their mean, and all of them together at most
+ * what the call has taken. */
+static void the_best_time_is_kept(void)
+{
+    enum { repeats = 64 };
+    double b[65], *u = guarded_alloc(65);
+    struct matrix *A = trial_system(0, b);
+    const double start = clock_seconds();
+    const struct point p = measure(A, b, repeats, u);
+    const double mean = (clock_seconds() - start) / repeats;
+    expect(p.seconds <= mean + 1e-9, "%d repeats took %.3g s each, and the "
+           "shortest of them is said to be %.3g s", repeats, mean, p.seconds);
+    matrix_free(A);
+}
+
+static void measure_once(void)
+{
+    double b[65], u[65];
+    struct matrix *A = trial_system(0, b);
+    measure(A, b, 1, u);
+    matrix_free(A);
+}
+
 static void no_time_without_a_valid_answer(void)
 {
+    the_best_time_is_kept();
+    expect_no_leak(measure_once, 65 * 65 * sizeof(double), "measure()");
     judge_backward_error_of(0.5 * BACKWARD_EPS, 1);
     judge_backward_error_of(2.0 * BACKWARD_EPS, 0);
     double b[65], b_before[65], *u = guarded_alloc(65);

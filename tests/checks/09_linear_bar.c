@@ -1,4 +1,15 @@
-/* 09_linear_bar.c - what a right linear bar satisfies. */
+/*
+ * 09_linear_bar.c - what a right linear bar satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     9a   E, nu        371.4, 1000, 2.385; 0 to 0.4999
+ *     9b   s            each end held or free, with a value or a pull; n = 7,
+ *                       3 to 128; 1 to 11 in the runs
+ *     9b   modulus      that of s and another one
+ *     9b   f_mid        those of s; in loads_add_up_... of no formula
+ *     9c   s, K, b      all four pairs of ends; balanced or not; not SPD
+ *     9d   s, modulus, b, u   solutions, and in stresses_... any numbers
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -93,8 +104,9 @@ static double stiffness_of_scene(double x) { return modulus_ + 0.0 * x; }
 static double uniform_of_scene(double x) { return 53.7 + 0.0 * x; }
 static double cosine_of_scene(double x) { return 53.7 * cos(M_PI_2 * x); }
 
-/* Elasticity in one dimension is Poisson's equation with beta = modulus. */
-static void same_system_as_the_poisson_solver(void)
+/* Elasticity in one dimension is Poisson's equation with beta = modulus; with
+ * `solving` the solutions, else the systems. */
+static void against_the_poisson_solver(int solving)
 {
     enum { N = n_elem + 1 };
     double x[N], b[N], b_poisson[N], u[N], zero = 0.0;
@@ -108,7 +120,7 @@ static void same_system_as_the_poisson_solver(void)
         poisson_assemble(n_elem, x, stiffness_of_scene,
                          shape == UNIFORM ? uniform_of_scene : cosine_of_scene,
                          &MIDPOINT, A, b_poisson);
-        for (int i = 0; i < N; i++) {
+        for (int i = 0; i < N && !solving; i++) {
             for (int j = 0; j < N; j++)
                 expect_close(matrix_get(K, i, j), matrix_get(A, i, j),
                              1e-13, 371.4, "K[%d][%d], against beta = 371.4 "
@@ -116,11 +128,11 @@ static void same_system_as_the_poisson_solver(void)
             expect_close(b[i], b_poisson[i], 1e-13, 53.7,
                          "b[%d], against the Poisson solver", i);
         }
-        solved(&s, modulus_, u);
+        if (solving) solved(&s, modulus_, u);
         matrix_dirichlet(A, b_poisson, 1, &first, &zero, KEEP_DIAGONAL);
         expect(matrix_factor(A) == OK, "reference matrix");
         matrix_solve(A, b_poisson);
-        for (int i = 0; i < N; i++)
+        for (int i = 0; i < N && solving; i++)
             expect_close(u[i], b_poisson[i], ROUND_OFF, 1.0,
                          "u[%d], against the Poisson solver", i);
         matrix_free(K);
@@ -128,14 +140,26 @@ static void same_system_as_the_poisson_solver(void)
     }
 }
 
+static void same_system_as_the_poisson_solver(void)
+{
+    against_the_poisson_solver(0);
+}
+
+/* Nothing but a pull of +100 at one end; the other one is held at 0. */
+static struct bar_scene pulled_at(int end)
+{
+    struct bar_scene s = end ? scene_of(HELD, 0.0, FREE, 100.0)
+                             : scene_of(FREE, 100.0, HELD, 0.0);
+    s.c = 0.0;
+    return s;
+}
+
 /* h = P n enters with a plus at either end: modulus 1346.15, +100. */
 static void end_loads_push_their_own_way(void)
 {
     for (int end = 0; end <= 1; end++) {
-        double b[n_elem + 1], u[n_elem + 1];
-        struct bar_scene s = end ? scene_of(HELD, 0.0, FREE, 100.0)
-                                 : scene_of(FREE, 100.0, HELD, 0.0);
-        s.c = 0.0;
+        double b[n_elem + 1];
+        const struct bar_scene s = pulled_at(end);
         const int node = end ? n_elem : 0;
         matrix_free(assembled(&s, 1346.1538461538462, b));
         expect_close(b[node], 100.0, PRODUCTS, 100.0,
@@ -144,11 +168,20 @@ static void end_loads_push_their_own_way(void)
         expect_close(b[n_elem - node], 0.0, PRODUCTS, 100.0,
                      "b at the %s end, which is held and has no traction",
                      end ? "left" : "right");
+    }
+}
+
+static void ends_move_the_way_they_are_pulled(void)
+{
+    for (int end = 0; end <= 1; end++) {
+        double u[n_elem + 1];
+        const struct bar_scene s = pulled_at(end);
         solved(&s, 1346.1538461538462, u);
-        expect_close(u[node], 0.07428571428571429, ROUND_OFF, 0.0743,
-                     "displacement of the %s end under +100",
+        expect_close(u[end ? n_elem : 0], 0.07428571428571429, ROUND_OFF,
+                     0.0743, "displacement of the %s end under +100",
                      end ? "right" : "left");
     }
+    against_the_poisson_solver(1);
 }
 
 static void loads_add_up_to_the_whole(void)
@@ -159,6 +192,21 @@ static void loads_add_up_to_the_whole(void)
     for (int i = 0; i <= n_elem; i++) sum += b[i];
     expect_close(sum, 53.7 - 12.3 + 71.9, 1e-13, 128.0,
                  "sum of b, against c + h(0) + h(1)");
+
+    /* forces of no formula: each element gives half of its own to its nodes */
+    const double any[n_elem] = {37.14, -238.5, 6.13, 0.0, -12.47, 51.2, 83.1};
+    double *loads = guarded_alloc(n_elem + 1);
+    struct matrix *K = matrix_alloc(BANDED, n_elem + 1, 1);
+    assemble(&s, modulus_, guarded_copy(n_elem, any), K, loads);
+    for (int i = 0; i <= n_elem; i++) {
+        const double beside = (i > 0 ? any[i - 1] : 0.0) +
+                              (i < n_elem ? any[i] : 0.0);
+        expect_close(loads[i], 0.5 * beside / n_elem +
+                                   (i == 0 ? -12.3 : i == n_elem ? 71.9 : 0.0),
+                     1e-13, 128.0, "b[%d], half of what f_mid gives to each "
+                     "element beside it, and the tractions", i);
+    }
+    matrix_free(K);
 }
 
 /* Sums of small integers and of `defect` eps: exact in any order.  Sum |b_i| is
@@ -180,9 +228,22 @@ static void judge_balance(double defect, double unit)
     matrix_free(K);
 }
 
+enum { MANY = 300 };
+static void solve_once(void)
+{
+    static double f_mid[MANY], b[MANY + 1], u[MANY + 1];
+    struct bar_scene s = pulled_at(1);
+    s.n = MANY;
+    struct matrix *K = matrix_alloc(BANDED, MANY + 1, 1);
+    assemble(&s, modulus_, f_mid, K, b);
+    solve(&s, K, b, u);
+    matrix_free(K);
+}
+
 /* Pure traction ends: solvable exactly when the loads balance. */
 static void free_bar_needs_balanced_loads(void)
 {
+    expect_no_leak(solve_once, MANY * sizeof(double), "solve()");
     for (int k = -20; k <= 20; k += 20) {
         for (int sign = -1; sign <= 1; sign += 2) {
             judge_balance(sign * 168.0, ldexp(1.0, k));
@@ -209,7 +270,12 @@ static void free_bar_needs_balanced_loads(void)
         const char *left = s.held[0] ? "held" : "free";
         const char *right = s.held[1] ? "held" : "free";
         struct matrix *K = assembled(&s, cases[k].modulus, b);
+        for (int i = 0; i <= n_elem; i++) u[i] = 0.2385 * i;
         const enum status status = solve(&s, K, b, u);
+        for (int i = 0; i <= n_elem && status != OK; i++)
+            expect(u[i] == 0.2385 * i, "status %s, and u[%d] was %g and is %g; "
+                   "u stays as it is where there is no solution",
+                   status_name(status), i, 0.2385 * i, u[i]);
         for (int i = 0; i <= n_elem && status == OK; i++)
             expect_close(u[i], 0.0, 1e3, 1.0, /* any number of this size */
                          "u[%d] with %s left end and %s right end", i, left,
@@ -283,8 +349,32 @@ static void hanging_bar_is_the_oracles(void)
     }
 }
 
+/* Of any u: P of each element, and (K u - b) of an end that is held. */
+static void stresses_of_any_displacement(void)
+{
+    const double any[n_elem + 1] = {0.371, -0.2385, 0.613, 0.0,
+                                    0.512, 0.731,   -0.1, 0.247};
+    const double loads[n_elem + 1] = {3.714, 1, -2, 0.5, 7.13, 0, -1, -61.3};
+    const struct bar_scene s = scene_of(HELD, 0.371, HELD, 0.247);
+    const double modulus = 2.5 * modulus_;
+    double *P = guarded_alloc(n_elem), *r = guarded_alloc(2);
+    stress_and_reactions(&s, modulus, guarded_copy(n_elem + 1, loads),
+                         guarded_copy(n_elem + 1, any), P, r);
+    for (int e = 1; e <= n_elem; e++)
+        expect_close(P[e - 1], modulus * (any[e] - any[e - 1]) * n_elem, 1e-13,
+                     1e4, "P of element %d, modulus %g", e, modulus);
+    for (int end = 0; end < 2; end++) {
+        const int e = end ? n_elem : 1;
+        const double K_u = modulus * (any[e] - any[e - 1]) * n_elem;
+        expect_close(r[end], (end ? K_u : -K_u) - loads[end * n_elem], 1e-13,
+                     1e4, "reaction at the %s end, modulus %g",
+                     end ? "right" : "left", modulus);
+    }
+}
+
 static void stresses_and_reactions_balance(void)
 {
+    stresses_of_any_displacement();
     const struct bar_scene scenes[] = {
         scene_of(HELD, 0.613, FREE, 71.9), scene_of(FREE, -31.7, HELD, -0.2385),
         scene_of(HELD, 0.137, HELD, -0.2385)};
@@ -390,6 +480,8 @@ static const struct claim claims[] = {
     {"same_system_as_the_poisson_solver", same_system_as_the_poisson_solver,
      "9b"},
     {"loads_add_up_to_the_whole", loads_add_up_to_the_whole, "9b"},
+    {"ends_move_the_way_they_are_pulled", ends_move_the_way_they_are_pulled,
+     "9c"},
     {"free_bar_needs_balanced_loads", free_bar_needs_balanced_loads, "9c"},
     {"nodal_values_are_exact", nodal_values_are_exact, "9c"},
     {"hanging_bar_is_the_oracles", hanging_bar_is_the_oracles, "9c"},

@@ -1,4 +1,16 @@
-/* 10_neohookean_bar.c - what a right Newton method for the bar satisfies. */
+/*
+ * 10_neohookean_bar.c - what a right Newton method for the bar satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     10a      n, h          7 with 7 h = 1.67; 4 to 45 with n h = 1
+ *     10a      f_mid, pull   of no formula; uniform, cosine; 0
+ *     10b, c   bar           both laws; nu 0.3 here, others in the runs
+ *     10b, c   u             shifted, any, inverted; K dense and banded
+ *     10d      bar, K, q     each end held or free, none of them
+ *     10e      bar           n h = 1; in it_measures_in_lengths 0.06 and 12
+ *     10e      control       tolerance 1e-3 to 1e-12; 1 to 3, 100 steps
+ *     10e      u             at rest, moved, pressed to 1e-8
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -285,6 +297,29 @@ static void it_makes_the_first_step(void)
     }
 }
 
+/* A bar that is pulled by a strain: the first increment is that strain times
+ * its length, and what it leaves over is the strain squared. */
+static void it_measures_in_lengths(void)
+{
+    const double tolerance[] = {1e-3, 1e-6, 1e-9}, h[] = {0.03, 6.0};
+    for (int c = 0; c < 12; c++) {
+        const struct newton_control control = {tolerance[c / 4], 100, 0, 0};
+        const struct material material = material_notes(CUBIC);
+        const double strain = (c % 2 ? 2.0 : 0.5) * control.tolerance;
+        const double b[] = {0.0, 0.0, strain * material_modulus(&material)};
+        const struct bar bar = {2, h[c / 2 % 2], {1, 0}, guarded_copy(3, b),
+                                material};
+        double *u = guarded_copy(3, (const double[]){0, 0, 0});
+        const struct newton_report report = newton(&bar, &control, u);
+        expect(report.status == OK && report.iterations == (c % 2 ? 2 : 1),
+               "n h = %g, tolerance %g: %s after %d steps, not OK after %d; "
+               "the first max|du| is %g, and n h times the tolerance %g",
+               2.0 * bar.h, control.tolerance, status_name(report.status),
+               report.iterations, c % 2 ? 2 : 1, strain * 2.0 * bar.h,
+               control.tolerance * 2.0 * bar.h);
+    }
+}
+
 static void it_says_nonfinite(void)
 {
     for (int end = 0; end < 2; end++) {
@@ -303,6 +338,7 @@ static void newton_stops_at_solutions_only(void)
 {
     it_goes_on_while_it_moves();
     it_makes_the_first_step();
+    it_measures_in_lengths();
     it_says_nonfinite();
     struct bar_scene scene = bar_scene_notes(CUBIC, 10);
     struct bar_state *s = answer(&scene);

@@ -1,4 +1,15 @@
-/* 11_newton_failure.c - what Newton on one element satisfies. */
+/*
+ * 11_newton_failure.c - what Newton on one element satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     11a   material, p, F   three laws; any stress; rest, squashed, inverted
+ *     11a   increment        INFINITY, large, at both limits and beside them
+ *     11a   tolerance        1e-10; 2^-10 and 2^-20 in limits_are_included
+ *     11b   mu, lambda, F    limits_...: nu 0.05 to 0.42 and 0.3; F 0.05 to 4
+ *     11c   material, p, F, step   line_search_...: all three laws
+ *     11d   material, p, jump      load_stepping_...; also against common/
+ *     11d   attempt          budget 1000, 150, 0 to 137 in a run; both searches
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -43,15 +54,37 @@ static void reason(enum law law, double p, double F, double increment,
     const struct material m = of(law, 0.3);
     double step;
     const enum status got = newton_step(&m, p, F, increment, 1e-10, &step);
-    expect(got == want, "p = %g, F = %g, last increment %g: %s, not %s (%s)", p,
-           F, increment, status_name(want), status_name(got), why);
+    expect(got == want, "p = %g, F = %g, last increment %g: got %s, want %s "
+           "(%s)", p, F, increment, status_name(got), status_name(want), why);
     if (want == MAX_ITERATIONS)
         expect_close(step, (p - material1_pk1(&m, F)) / material1_dpk1(&m, F),
                      ROUND_OFF, fabs(F), "step from F = %g", F);
 }
 
+/* Powers of 2, so that residual and limit are the same number; one digit more
+ * is too much. */
+static void limits_are_included(void)
+{
+    const struct material m = {LINEAR, 256.0, 512.0}; /* modulus 1024 */
+    for (int c = 0; c < 8; c++) {
+        const double tolerance = c % 2 ? 0x1p-10 : 0x1p-20;
+        const double limit = tolerance * 1024.0;
+        const double p = c / 4 ? nextafter(limit, 1e9) : limit;
+        const enum status want = c / 4 ? MAX_ITERATIONS : OK;
+        double step;
+        const enum status got = newton_step(&m, c / 2 % 2 ? -p : p, 1.0,
+                                            tolerance, tolerance, &step);
+        expect(got == want, "modulus 1024, tolerance %g, increment the same: a "
+               "residual that is %s tolerance times modulus: got %s, want "
+               "%s",
+               tolerance, c / 4 ? "one digit above" : "exactly",
+               status_name(got), status_name(want));
+    }
+}
+
 static void newton_step_names_the_reason(void)
 {
+    limits_are_included();
     const struct material m = of(LOG, 0.3);
     const double at_rest = material1_pk1(&m, 0.6137);
     flat_tangent_is_not_finite();

@@ -1,4 +1,17 @@
-/* 12_triangles.c - what a right static solve in the plane satisfies. */
+/*
+ * 12_triangles.c - what a right static solve in the plane satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *     12a      t, g, u        edges_become_edges: unequal triangles, any u
+ *     12b      s->f           force_is_the_gradient_...: any; others: 0
+ *     12b, c   s->mesh        unequal triangles; in the_books_are_right a strip
+ *     12b, c   material       both laws, each with moduli of its own
+ *     12b, c   u              turned, sheared, squeezed, inside out
+ *     12c      K              dense, banded; not 0 before
+ *     12d      held, q, K     left side; right side but for a corner; not SPD
+ *     12e      tolerance, cap small_..., the_books_are_right; failures_...
+ *     12e      s, u           all scenes of scene.h; vertex 0 held, and free
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -37,8 +50,8 @@ static void remake_body(struct scene *s)
 static struct scene *skew_scene(enum law law)
 {
     struct scene_setting set = scene_notes(GRAVITY, law, N);
-    set.E = 371.4;
-    set.nu = 0.2385;
+    set.E = law == LOG ? 371.4 : 238.5;
+    set.nu = law == LOG ? 0.2385 : 0.3137;
     struct scene *s = scene_alloc(&set);
     for (int a = 0; a < N_VERTEX; a++) {
         const int inside_x = a % (N + 1) > 0 && a % (N + 1) < N;
@@ -50,6 +63,15 @@ static struct scene *skew_scene(enum law law)
     s->held[N_VERTEX - 1] = 1;
     remake_body(s);
     return s;
+}
+
+/* The right side held in place of the left one, but for its upper corner: the
+ * first vertex and the last one are free. */
+static void hold_the_right_side(struct scene *s)
+{
+    for (int a = 0; a < N_VERTEX; a++)
+        s->held[a] = a % (N + 1) == N && a < N_VERTEX - 1;
+    remake_body(s);
 }
 
 /* u of the affine map x = F X + (0.3, -0.2), plus something irregular. */
@@ -198,6 +220,35 @@ static double potential(const struct scene *s, const double u[])
     return energy;
 }
 
+/* Inside out: a state of every law that is defined there. */
+static void ask_inside_out(enum law law, enum status status, const char *who)
+{
+    const enum status due = law == CUBIC ? OK : INVERTED;
+    expect(status == due, "a body turned inside out, J = -0.5, with the %s "
+           "law: %s: got %s, want %s", material_law(law), who,
+           status_name(status), status_name(due));
+}
+
+/* Another derivation, see body.h; also where the log law ends. */
+static void force_agrees_with_body_h(void)
+{
+    for (enum law law = LOG; law <= CUBIC; law++) {
+        struct scene *s = skew_scene(law);
+        double *u = guarded_alloc(N_DOF), *q = guarded_alloc(N_DOF);
+        double want[N_DOF];
+        deform(s, squeezed, 0.04, u);
+        expect(body_force(s->body, u, want) == OK, "body.h fails");
+        force_of(s, u, q);
+        for (int r = 0; r < N_DOF; r++)
+            expect_close(q[r], want[r], ROUND_OFF, 371.4,
+                         "q of vertex %d, component %d, against body.h", r / 2,
+                         r % 2);
+        deform(s, (mat2){{{-0.5, 0.0}, {0.0, 1.0}}}, 0.0, u);
+        ask_inside_out(law, residual(s, u, q), "residual()");
+        scene_free(s);
+    }
+}
+
 static void force_is_the_gradient_of_the_energy(void)
 {
     for (enum law law = LOG; law <= CUBIC; law++) {
@@ -228,6 +279,7 @@ static void force_is_the_gradient_of_the_energy(void)
                      "Psi - f.u", name_of(law));
         scene_free(s);
     }
+    force_agrees_with_body_h();
 }
 
 /* ---- 12c ----------------------------------------------------------------- */
@@ -288,25 +340,19 @@ static void tangent_is_the_derivative_of_the_force(void)
     }
 }
 
-/* Another derivation of both, see body.h; also where the log law ends. */
+/* Another derivation, see body.h; also where the log law ends. */
 static void agrees_with_the_fast_body(void)
 {
     for (enum law law = LOG; law <= CUBIC; law++) {
         struct scene *s = skew_scene(law);
         struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
         struct matrix *fast = body_matrix(s->body);
-        double *u = guarded_alloc(N_DOF), *q = guarded_alloc(N_DOF);
-        double want[N_DOF];
+        double *u = guarded_alloc(N_DOF);
         deform(s, squeezed, 0.04, u);
         matrix_add(K, 24, 24, 2.385); /* tangent() has to forget it */
-        expect(body_force(s->body, u, want) == OK &&
-                   body_stiffness(s->body, u, fast) == OK &&
-                   residual(s, u, q) == OK && tangent(s, u, K) == OK,
-               "residual() or tangent() does not return OK");
-        for (int r = 0; r < N_DOF; r++) {
-            expect_close(q[r], want[r], ROUND_OFF, 371.4,
-                         "q of vertex %d, component %d, against body.h", r / 2,
-                         r % 2);
+        expect(body_stiffness(s->body, u, fast) == OK &&
+                   tangent(s, u, K) == OK, "tangent() does not return OK");
+        for (int r = 0; r < N_DOF; r++)
             for (int z = 0; z <= r; z++) {
                 const int *number = s->body->equation;
                 if (number[r] < 0 || number[z] < 0 || r - z > BAND) continue;
@@ -314,13 +360,8 @@ static void agrees_with_the_fast_body(void)
                              matrix_get(fast, number[r], number[z]), ROUND_OFF,
                              371.4, "K[%d][%d], against body.h", r, z);
             }
-        }
         deform(s, (mat2){{{-0.5, 0.0}, {0.0, 1.0}}}, 0.0, u);
-        const enum status inside_out = law == CUBIC ? OK : INVERTED;
-        expect(residual(s, u, q) == inside_out &&
-                   tangent(s, u, K) == inside_out,
-               "a body turned inside out: residual() and tangent() say %s with "
-               "the %s law", status_name(inside_out), name_of(law));
+        ask_inside_out(law, tangent(s, u, K), "tangent()");
         matrix_free(K);
         matrix_free(fast);
         scene_free(s);
@@ -329,10 +370,9 @@ static void agrees_with_the_fast_body(void)
 
 /* ---- 12d ----------------------------------------------------------------- */
 
-static void increment_solves_the_held_system(void)
+/* One increment near a rigid motion; the caller frees K. */
+static void one_increment(struct scene *s, struct matrix *K, const char *held)
 {
-    struct scene *s = skew_scene(CUBIC);
-    struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
     struct matrix *copy = matrix_alloc(BANDED, N_DOF, BAND);
     struct matrix *fast = body_matrix(s->body);
     double *q = guarded_alloc(N_DOF), *du = guarded_alloc(N_DOF);
@@ -343,9 +383,12 @@ static void increment_solves_the_held_system(void)
            "tangent() does not return OK");
     expect(body_stiffness(s->body, u, fast) == OK &&
                body_increment(s->body, fast, q, also) == OK, "body.h fails");
+    int *is_held = s->held; /* beside it: numbers that are not 0 */
+    s->held = guarded_indices(N_VERTEX, is_held);
     const enum status status = increment(s, K, q, du);
-    expect(status == OK, "K is %s near a rigid motion, with the left side held",
-           status_name(status));
+    s->held = is_held;
+    expect(status == OK, "K is %s near a rigid motion, with the %s side held",
+           status_name(status), held);
     matrix_multiply(copy, du, Kdu);
     for (int r = 0; r < N_DOF; r++) largest = fmax(largest, fabs(du[r]));
     expect(largest > 0.0, "du is 0 at every vertex");
@@ -355,20 +398,31 @@ static void increment_solves_the_held_system(void)
                          "du of held vertex %d, component %d", r / 2, r % 2);
         else
             expect_close(Kdu[r], -q[r], 1e-11, 1.0,
-                         "left side held: row %d of K du, against -q", r);
+                         "%s side held: row %d of K du, against -q", held, r);
         expect_close(du[r], also[r], 1e-11, largest,
-                     "du of vertex %d, component %d, against body.h", r / 2,
-                     r % 2);
+                     "%s side held: du of vertex %d, component %d, against "
+                     "body.h", held, r / 2, r % 2);
     }
+    matrix_free(copy);
+    matrix_free(fast);
+}
+
+static void increment_solves_the_held_system(void)
+{
+    struct scene *s = skew_scene(CUBIC);
+    struct matrix *K = matrix_alloc(BANDED, N_DOF, BAND);
+    double q[N_DOF], du[N_DOF], u[N_DOF];
+    one_increment(s, K, "left");
+    hold_the_right_side(s);
+    one_increment(s, K, "right");
     /* squeezed to a tenth, the body buckles: K has a negative eigenvalue */
     deform(s, (mat2){{{0.1, 0.0}, {0.0, 1.0}}}, 0.0, u);
+    for (int r = 0; r < N_DOF; r++) q[r] = odd_number(r + 17);
     expect(tangent(s, u, K) == OK, "tangent() does not return OK");
     expect(increment(s, K, q, du) == NOT_SPD,
            "K is not positive definite in a body squeezed to a tenth of its "
            "length: increment() must return NOT_SPD");
     matrix_free(K);
-    matrix_free(copy);
-    matrix_free(fast);
     scene_free(s);
 }
 
@@ -409,7 +463,8 @@ static void small_steps_are_no_solution(void)
     }
 }
 
-/* q is below the tolerance, and u is off by five times the tolerance. */
+/* q is below the tolerance, and u is off by more than the tolerance: the first
+ * increment is not small, and only the second one is. */
 static void small_forces_are_no_solution(void)
 {
     struct scene *s = skew_scene(CUBIC);
@@ -420,10 +475,10 @@ static void small_forces_are_no_solution(void)
                    ? 0.0 : 5e-6 * 0.25 * gsl_pow_2(X[0] + 1.0) * (1.0 - X[0]);
     }
     const struct history report = equilibrium(s, 1e-6, HISTORY_CAP, u);
-    expect(report.status == OK && report.iterations >= 1,
+    expect(report.status == OK && report.iterations == 2,
            "a body that is bent by 5e-6, tolerance 1e-6: %s after %d "
-           "iterations; the increment of one has to be small",
-           status_name(report.status), report.iterations);
+           "iterations, not OK after 2; the increment of the last one has to "
+           "be small as well", status_name(report.status), report.iterations);
     for (int r = 0; r < N_DOF; r++)
         expect_close(u[r], 0.0, 1e-8, 1.0,
                      "a body that was bent by 5e-6 and is at rest: u of vertex "
@@ -442,11 +497,80 @@ static void a_nan_is_nonfinite(void)
     scene_free(s);
 }
 
+/* At rest q and du are 0, after one iteration; and the way back to it where
+ * the first unknowns and the last ones are free. */
+static void rest_is_found_from_everywhere(void)
+{
+    for (int away = 0; away < 2; away++) {
+        struct scene *s = skew_scene(CUBIC);
+        double *u = guarded_alloc(N_DOF);
+        hold_the_right_side(s);
+        for (int r = 0; r < N_DOF; r++)
+            u[r] = away && !s->held[r / 2] ? 0.03 * odd_number(r) : 0.0;
+        const struct history report = equilibrium(s, 1e-10, HISTORY_CAP, u);
+        expect(report.status == OK && (away || report.iterations == 1),
+               "right side held, %s: %s after %d iterations, not OK%s",
+               away ? "off by 0.03" : "at rest", status_name(report.status),
+               report.iterations, away ? "" : " after 1");
+        for (int r = 0; r < N_DOF; r++)
+            expect_close(u[r], 0.0, CONVERGED, 1.0,
+                         "right side held, no force: u of vertex %d, component "
+                         "%d", r / 2, r % 2);
+        scene_free(s);
+    }
+}
+
+/* Newton's method by body.h, one system at a time: what the report and u have
+ * to be after each of them.  A strip: its rows are longer than its columns. */
+static void the_books_are_right(void)
+{
+    struct scene_setting set = scene_notes(TRACTION, CUBIC, 10);
+    set.slender = 2;
+    struct scene *s = scene_alloc(&set);
+    double *u = allocate(4 * (size_t)s->n_dof, sizeof *u);
+    double *mine = u + s->n_dof;
+    double *q = mine + s->n_dof, *du = q + s->n_dof;
+    struct matrix *K = body_matrix(s->body);
+    double residuals[4], increments[4];
+    for (int cap = 0; cap < 4; cap++) {
+        for (int r = 0; r < s->n_dof; r++) mine[r] = 0.0;
+        const struct history report = equilibrium(s, 1e-10, cap, mine);
+        expect(report.status == MAX_ITERATIONS && report.iterations == cap,
+               "a cap of %d systems: %s after %d, not MAX_ITERATIONS after %d",
+               cap, status_name(report.status), report.iterations, cap);
+        expect(body_force(s->body, u, q) == OK, "body.h fails");
+        for (int r = 0; r < s->n_dof; r++) {
+            q[r] -= s->f[r];
+            expect_close(mine[r], u[r], CONVERGED, 1.0,
+                         "u of vertex %d, component %d, after %d systems",
+                         r / 2, r % 2, cap);
+        }
+        residuals[cap] = body_max_free(s->body, q);
+        for (int k = 0; k <= cap; k++) {
+            expect_close(report.residual[k], residuals[k], CONVERGED,
+                         set.E, "report.residual[%d], max|q| before system %d",
+                         k, k);
+            if (k < cap)
+                expect_close(report.increment[k], increments[k], CONVERGED, 1.0,
+                             "report.increment[%d], max|du| of system %d", k,
+                             k);
+        }
+        expect(body_stiffness(s->body, u, K) == OK &&
+                   body_increment(s->body, K, q, du) == OK, "body.h fails");
+        increments[cap] = body_max_free(s->body, du);
+        for (int r = 0; r < s->n_dof; r++) u[r] += du[r];
+    }
+    matrix_free(K);
+    free(u);
+    scene_free(s);
+}
+
 /* The whole boundary moved by an affine map: inside, it is the solution. */
 static void affine_boundary_gives_the_affine_solution(void)
 {
     small_steps_are_no_solution();
     small_forces_are_no_solution();
+    rest_is_found_from_everywhere();
     a_nan_is_nonfinite();
     for (enum law law = LOG; law <= CUBIC; law++) {
         struct scene *s = skew_scene(law);
@@ -473,6 +597,7 @@ static void affine_boundary_gives_the_affine_solution(void)
 /* The digits double: |du| of a step is at most C times that before, squared. */
 static void newton_doubles_the_digits(void)
 {
+    the_books_are_right();
     for (int c = 0; c < 6; c++) {
         const enum reading reading[] = {STRETCH, COMPRESS, GRAVITY};
         struct scene_setting set =

@@ -1,4 +1,24 @@
-/* 13_backward_euler_2d.c - what a right time step in the plane satisfies. */
+/*
+ * 13_backward_euler_2d.c - what a right time step in the plane satisfies.
+ *
+ * Arguments: slot, argument: varied by
+ *   13a  body      mass_agrees_with_the_fast_one (both masses, a skew mesh)
+ *        v, out    the same; mass_sums_to_the_mass_of_the_body (out not 0)
+ *   13b  s         traction_adds_up (n, a right end that is tilted, its edges
+ *                  unequal), b_is_mass_times_the_guess (density, masses), run
+ *                  `both`
+ *        dt        traction_adds_up
+ *        u0, v0    b_is_mass_times_the_guess
+ *   13c  body, u   tangent_is_the_derivative_of_q (laws, masses, held or free),
+ *                  equation_agrees_with_the_fast_body (inside out)
+ *        dt, b, A  both of them; A is not 0 before
+ *   13d  s         step_agrees_with_the_fast_one (scenes, laws, masses, units),
+ *                  momentum_is_kept, step_stays_in_its_arrays
+ *        tolerance step_stops_where_it_is_told
+ *        cap       failures_are_named
+ *        dt        modes_decay_as_predicted
+ *        lift      step_agrees_with_the_fast_one
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -90,10 +110,13 @@ static void mass_agrees_with_the_fast_one(void)
 
 /* ---- 13b ----------------------------------------------------------------- */
 
+/* The right end from (1, -1) to (2.5, 1), 2.5 m; then upright, 2 m. */
 static void traction_adds_up(void)
 {
-    const double dt = 0.2385, side[2] = {2.385, -3.714};
+    const double side[2] = {2.385, -3.714};
     for (int n = 1; n <= 9; n += 4) {
+        const double tilt = n < 9 ? 1.5 : 0.0, dt = 0.2385 * n;
+        const double length = hypot(tilt, 2.0);
         const struct scene_setting set = scene_notes(TRACTION, CUBIC, n);
         struct scene *s = scene_alloc(&set);
         double *X = s->mesh->X, zero[200] = {0.0}, b[200];
@@ -102,18 +125,21 @@ static void traction_adds_up(void)
         s->traction[1] = side[1];
         for (int j = 1; j < n; j++) /* unequal edges */
             X[2 * (j * (n + 1) + n) + 1] += 0.3714 / n * odd_number(j);
+        for (int r = 2 * n; r < s->n_dof; r += 2 * (n + 1))
+            X[r] += 0.5 * tilt * (X[r + 1] + 1.0);
         right_hand_side(s, dt, zero, zero, b);
         for (int r = 0; r < s->n_dof; r++) {
             total[r % 2] += b[r];
             moment += r % 2 ? X[r - 1] * b[r] : -X[r + 1] * b[r];
         }
         for (int i = 0; i < 2; i++)
-            expect_close(total[i], 2.0 * dt * dt * side[i], ROUND_OFF, 1.0,
-                         "n = %d: sum of b under the traction (%g, %g) on a "
-                         "side of length 2, component %d", n, side[0], side[1],
-                         i);
-        expect_close(moment, 2.0 * dt * dt * side[1], ROUND_OFF, 1.0,
-                     "n = %d, unequal edges: moment of the nodal forces", n);
+            expect_close(total[i], length * dt * dt * side[i], ROUND_OFF,
+                         dt * dt, "n = %d: sum of b under the traction (%g, "
+                         "%g) on a side of length %g, component %d", n,
+                         side[0], side[1], length, i);
+        expect_close(moment, length * dt * dt * (1.0 + 0.5 * tilt) * side[1],
+                     ROUND_OFF, dt * dt, "n = %d, unequal edges, a side of "
+                     "length %g: moment of the nodal forces", n, length);
         scene_free(s);
     }
 }

@@ -1,4 +1,23 @@
-/* 15_definiteness.c - what right modes, projections, directions satisfy. */
+/*
+ * 15_definiteness.c - what right modes, projections, directions satisfy.
+ *
+ * Arguments: slot, argument: varied by
+ *   15a  F         f_is_u_s_vt: upright, mirrored, rank one and 0, s1 = |s2|
+ *   15b  mu, J, G  every_mode_has_its_factor (laws, states), and the oracles'
+ *                  other material
+ *        s1, s2    the same
+ *   15c  svd, F    unclamped_is_the_derivative_of_the_stress (laws, states)
+ *        floor     the same (-INFINITY), negative_eigenvalues_become_the_floor
+ *                  (0, 23.85)
+ *        dF        negative_eigenvalues_become_the_floor (each entry)
+ *   15d  body      direction_solves_the_system (laws), failures_are_named (a
+ *                  modulus below 0), runs (other meshes)
+ *        projection each check of 15d
+ *        u         pulled, straight, bent: direction_solves_the_system to
+ *                  newton_leaves_the_saddle; NaN and inside out:
+ *                  failures_are_named
+ *        q, du     guarded and NaN before: direction_solves_the_system
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -448,6 +467,15 @@ static void failures_are_named(void)
         expect(find(s, (enum projection)m).status == INVERTED,
                "%s, log law, a triangle inside out: INVERTED", how[m]);
         *mid = keep;
+    }
+    /* a modulus below 0: K has no factors, projected neither */
+    s->body->material.mu *= -1.0;
+    s->body->material.lambda *= -1.0;
+    for (int m = ON_DEMAND; m <= ALWAYS; m++) {
+        const struct found found = find(s, (enum projection)m);
+        expect(found.status == NOT_SPD && !found.definite,
+               "%s, a modulus below 0: NOT_SPD and not definite, not %s and %d",
+               how[m], status_name(found.status), found.definite);
     }
     scene_free(s);
 }

@@ -1,4 +1,25 @@
-/* 17_fibres.c - what right fibres satisfy. */
+/*
+ * 17_fibres.c - what right fibres satisfy.
+ *
+ * Arguments: slot, argument: varied by
+ *   17a  fibre     tension_has_its_landmarks (activation 0, 1/4, 1, both laws),
+ *                  tension_is_the_slope_of_the_energy (k, sigma, width)
+ *        l         both, on each limb, at and beside the kinks
+ *   17b  fibre, F  tangent_is_the_slope_of_the_stress, of both laws
+ *        g         stress_pulls_along_the_fibre (angles), and with it P, l
+ *        dF        tangent_is_the_slope_of_the_stress (each entry)
+ *        kind      eigenvalues_are_slope_and_pull (NO_TANGENT: dP is unused)
+ *   17c  body, u   a skew mesh whose held vertices have moved, in every check;
+ *                  the lesson's square in the runs
+ *        dt        force_is_the_slope_of_the_energy (energy: 0.7371 and 1)
+ *        kind      agrees_with_the_fast_fibres, no_tangent_leaves_K_alone
+ *        energy, q force_is_the_slope_of_the_energy (NULL or not)
+ *        fibres    agrees_with_the_fast_fibres (law, an angle per triangle)
+ *   17d  material  strip_has_its_length (laws), failures_are_named (mu, lambda)
+ *        fibre     strip_has_its_length (activation), strip_takes_newtons_steps
+ *                  (sigma, width), failures_are_named (CORD, k)
+ *        load      strip_has_its_length, failures_are_named (NaN)
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -391,11 +412,11 @@ static void fibres_switched_off_add_nothing(void)
     scene_free(s);
 }
 
-/* Of the fibres alone, by the program. */
-static double energy_of(const struct body *body, const double u[])
+/* Of the fibres alone, by the program; dt is not in it. */
+static double energy_of(const struct body *body, double dt, const double u[])
 {
     double energy = 0.0;
-    add_fibres(body, 1.0, u, NO_TANGENT, &energy, NULL);
+    add_fibres(body, dt, u, NO_TANGENT, &energy, NULL);
     return energy;
 }
 
@@ -426,12 +447,32 @@ static void force_is_the_slope_of_the_energy(void)
             plus[r] = s->u[r] + h * odd_number(r + 91);
             minus[r] = s->u[r] - h * odd_number(r + 91);
         }
-        const double d =
-            (energy_of(s->body, plus) - energy_of(s->body, minus)) / (2.0 * h);
+        const double d = (energy_of(s->body, 0.7371, plus) -
+                          energy_of(s->body, 1.0, minus)) / (2.0 * h);
         if (fabs(d - slope) < fabs(best - slope)) best = d;
     }
     expect_close(slope, best, 1e-7, 300.0, "q / dt^2 along a direction, "
                  "against the change of the energy of the fibres");
+    scene_free(s);
+}
+
+/* Fibres that pull, in factors that are to be kept. */
+static void no_tangent_leaves_K_alone(void)
+{
+    double angle[N_TRIANGLE], q[N_DOF] = {0.0}, energy = 0.0;
+    struct fibres fibres;
+    struct scene *s = skew_scene(&fibres, angle);
+    struct matrix *K = s->body->K;
+    for (int i = 0; i < K->n; i++) matrix_add(K, i, i, 2.385);
+    struct matrix *want = matrix_copy(K);
+    add_fibres(s->body, 0.7371, s->u, NO_TANGENT, NULL, q);
+    add_fibres(s->body, 0.7371, s->u, NO_TANGENT, &energy, NULL);
+    for (int i = 0; i < K->n; i++)
+        for (int j = 0; j <= i; j++)
+            expect_close(matrix_get(K, i, j), matrix_get(want, i, j), 0.0, 1.0,
+                         "NO_TANGENT: K[%d][%d], against what it was before",
+                         i, j);
+    matrix_free(want);
     scene_free(s);
 }
 
@@ -440,6 +481,7 @@ static void stiffness_is_the_slope_of_the_force(void)
     double angle[N_TRIANGLE], q[N_DOF], some[N_DOF], got[N_DOF], all[N_DOF];
     double along[N_DOF], plus[N_DOF], minus[N_DOF], least = INFINITY;
     struct fibres fibres;
+    no_tangent_leaves_K_alone();
     struct scene *s = skew_scene(&fibres, angle);
     force_of(s->body, 0.7371, s->u, 0.0, EXACT, q);
     for (int r = 0; r < N_DOF; r++)
@@ -479,14 +521,16 @@ static void agrees_with_the_fast_fibres(void)
     double angle[N_TRIANGLE], q[2][N_DOF], energy[2];
     struct fibres fibres;
     struct scene *s = skew_scene(&fibres, angle);
-    for (int c = 0; c < 3; c++) {
+    for (int c = 0; c < 6; c++) {
+        const enum tangent kind = kinds[c % 3];
         struct matrix *K = NULL; /* the program's */
+        fibres.fibre = *one_of(c / 3 ? CORD : MUSCLE);
         for (int fast = 0; fast < 2; fast++) {
             s->body->add = add_fibres;
             if (fast) fibres_attach(s->body, &fibres);
             expect(body_energy(s->body, s->u, &energy[fast]) == OK &&
                        body_assemble(s->body, 0.7371, s->u, NULL, s->u,
-                                     kinds[c], q[fast]) == OK,
+                                     kind, q[fast]) == OK,
                    "the body with fibres has no energy or no force");
             if (!fast) K = matrix_copy(s->body->K);
         }
@@ -499,10 +543,11 @@ static void agrees_with_the_fast_fibres(void)
             for (int j = 0; j <= i; j++)
                 expect_close(matrix_get(K, i, j),
                              matrix_get(s->body->K, i, j), SUMS, 1e4,
-                             "%s: K[%d][%d] of the free unknowns, against "
-                             "fibre.h", kinds[c] == EXACT ? "EXACT"
-                             : kinds[c] == PROJECTED ? "PROJECTED"
-                                                     : "NO_TANGENT", i, j);
+                             "%s, %s: K[%d][%d] of the free unknowns, against "
+                             "fibre.h", name_of(&fibres.fibre),
+                             kind == EXACT ? "EXACT"
+                             : kind == PROJECTED ? "PROJECTED"
+                                                 : "NO_TANGENT", i, j);
         matrix_free(K);
     }
     scene_free(s);

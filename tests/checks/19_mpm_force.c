@@ -1,4 +1,15 @@
-/* 19_mpm_force.c - what right forces of particles on nodes satisfy. */
+/*
+ * 19_mpm_force.c - what right forces of particles on nodes satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *   19a u: affine_motions_have_their_F, shaken_nodes_have_their_F; F_n: the
+ *       same, of seven particles; m->s (orders): both; a bar: a_bar_stays_a_bar
+ *   19b body (orders, laws), m, volume: forces_are_the_oracles,
+ *       force_is_the_slope_of_the_energy; f of several particles:
+ *       forces_add_up_to_nothing; E, nu: the runs
+ *   19c body, m, w, volume: product_is_the_slope_of_the_force,
+ *       products_are_the_oracles
+ */
 #include "program.h"
 
 #include "judge.h"

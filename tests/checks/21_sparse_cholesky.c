@@ -1,4 +1,17 @@
-/* 21_sparse_cholesky.c - what a right order, tree and sparse factor satisfy. */
+/*
+ * 21_sparse_cholesky.c - what a right order, tree and sparse factor satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *   21a i0, i1, j0, j1, leaf: every_vertex_has_a_number, and
+ *       lines_are_numbered_last; width, next: both, and
+ *       both_orders_agree_with_the_fast_one by --n
+ *   21b K: arrows_have_their_trees, tree_is_that_of_elimination (patterns,
+ *       orders, entries that are 0)
+ *   21c K: factor_times_its_transpose_is_K (patterns, orders), the_pivot_is
+ *       _compared_with_its_own_entry (units), what_is_not_spd_is_named; parent,
+ *       k: with K; L: holds NaN before; x, mark, list: as the row before left
+ *       them, guarded
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -57,12 +70,26 @@ static int line_is_at(struct rectangle r, int across, int at,
            (s[1].count == 0 || s[1].most < l.least);
 }
 
+static void expect_rows(struct rectangle r, const int place[])
+{
+    const int first = range_of(r, place).least;
+    for (int j = r.j0, p = first; j < r.j1; j++)
+        for (int i = r.i0; i < r.i1; i++, p++)
+            expect(place[j * WIDTH + i] == p, "columns %d to %d, rows %d to %d "
+                   "are not cut, and numbered row by row from %d on: vertex "
+                   "(%d, %d) has place %d, not %d", r.i0, r.i1 - 1, r.j0,
+                   r.j1 - 1, first, i, j, place[j * WIDTH + i], p);
+}
+
 /* The same of every part of the rectangle that is cut; any middle will do, and
  * either side of a square. */
 static void expect_lines(struct rectangle r, int leaf, const int place[])
 {
     const int width = r.i1 - r.i0, height = r.j1 - r.j0;
-    if (width * height <= leaf) return;
+    if (width * height <= leaf) {
+        expect_rows(r, place);
+        return;
+    }
     for (int across = 0; across < 2; across++) {
         const int length = across ? height : width;
         const int first = across ? r.j0 : r.i0;
@@ -70,6 +97,10 @@ static void expect_lines(struct rectangle r, int leaf, const int place[])
         for (int k = (length - 1) / 2; k <= length / 2; k++) {
             struct rectangle side[2];
             if (!line_is_at(r, across, first + k, place, side)) continue;
+            struct rectangle line = r;
+            if (across) line.j0 = first + k, line.j1 = first + k + 1;
+            else line.i0 = first + k, line.i1 = first + k + 1;
+            expect_rows(line, place);
             expect_lines(side[0], leaf, place);
             expect_lines(side[1], leaf, place);
             return;
@@ -218,6 +249,8 @@ static void tree_is_that_of_elimination(void)
         struct csr *K = random_matrix(1 + (int)seed % MOST,
                                       (int)(seed * 7 % 31), seed);
         expect_tree(K, "a random pattern");
+        for (int p = 0; p < K->start[K->n]; p++) K->value[p] = 0.0;
+        expect_tree(K, "a pattern whose entries are 0");
         csr_free(K);
     }
 }
@@ -242,6 +275,10 @@ static enum status factor_of(const struct csr *K, struct factor **L)
             if (filled[i][j]) parent[j] = i, count[j]++;
     }
     *L = factor_alloc(K->n, count);
+    for (int p = 0; p < (*L)->start[K->n]; p++) { /* there is nothing yet */
+        (*L)->row[p] = K->n - 1;
+        (*L)->value[p] = NAN;
+    }
     for (int k = 0; k < K->n && status == OK; k++) {
         status = factor_row(K, k, parent, *L, x, mark, list);
         for (int j = 0; j < K->n && status == OK; j++)
@@ -314,6 +351,34 @@ static void the_pivot_is_compared_with_its_own_entry(void)
            "although it is positive definite");
     factor_free(L);
     csr_free(K);
+}
+
+/* The last pivot of I and a block 1, c; c, 1 is 1 - c^2 = part n eps. */
+static enum status border(double part)
+{
+    enum { N = 32 };
+    struct csr *K = csr_alloc(N, N + 2);
+    struct factor *L;
+    for (int i = 0, k = 0; i < N; i++) {
+        for (int j = i < N - 2 ? i : N - 2; j <= (i < N - 2 ? i : N - 1); j++) {
+            K->index[k] = j;
+            K->value[k++] =
+                0x1p-20 * (i == j ? 1.0 : sqrt(1.0 - part * N * DBL_EPSILON));
+        }
+        K->start[i + 1] = k;
+    }
+    const enum status status = factor_of(K, &L);
+    factor_free(L);
+    csr_free(K);
+    return status;
+}
+
+static void the_least_pivot_is_n_eps(void)
+{
+    expect(border(0.5) == NOT_SPD, "n = 32, the last pivot is 16 eps K_kk: OK, "
+           "although it is not larger than n eps K_kk");
+    expect(border(2.0) == OK, "n = 32, the last pivot is 64 eps K_kk: NOT_SPD, "
+           "although it is larger than n eps K_kk");
 }
 
 static void what_is_not_spd_is_named(void)
@@ -418,6 +483,7 @@ static const struct claim claims[] = {
     {"factor_times_its_transpose_is_K", factor_times_its_transpose_is_K, "21c"},
     {"the_pivot_is_compared_with_its_own_entry",
      the_pivot_is_compared_with_its_own_entry, "21c"},
+    {"the_least_pivot_is_n_eps", the_least_pivot_is_n_eps, "21c"},
     {"what_is_not_spd_is_named", what_is_not_spd_is_named, "21c"},
     {"both_orders_agree_with_the_fast_one",
      both_orders_agree_with_the_fast_one, "21c"},

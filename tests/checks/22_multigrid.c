@@ -1,4 +1,17 @@
-/* 22_multigrid.c - what conjugate gradients and a V-cycle satisfy. */
+/*
+ * 22_multigrid.c - what conjugate gradients and a V-cycle satisfy.
+ *
+ * Arguments: slot, argument: varied by checks
+ *   22a K: three_eigenvalues_take_three_iterations, residuals_are_orthogonal,
+ *       curvature_decides_what_is_not_spd; its order: every_way_gives_the
+ *       _increment_of_elimination; precondition, context, tolerance:
+ *       the_unit_of_B_does_not_matter; cap: residuals_are_orthogonal; b:
+ *       ends_are_named; report: residuals_are_orthogonal
+ *   22b n, coarse, fine, down: transfer_agrees_with_the_fast_one
+ *   22c m (grids, K), b: the_coarsest_grid_is_solved, cycle_agrees_with_the
+ *       _fast_one; x, r: hold odd numbers before; g: by its own calls
+ * The arrays of m are guarded; r, z, p, Kp of 22a lie one behind the other.
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -77,12 +90,26 @@ static void three_eigenvalues_take_three_iterations(void)
     double *x = guarded_alloc(SIZE);
     struct report *o = go(D, times_number, 1.0, 1e-10, 20, b, x);
     expect(o->status == OK && o->iterations == 3,
-           "three eigenvalues: OK after 3 iterations, not %s after %d",
+           "three eigenvalues: got %s after %d iterations, want OK after 3",
            status_name(o->status), o->iterations);
     for (int i = 0; i < SIZE; i++)
         expect_close(x[i], b[i] / entry[i], 1e-9, 1.0, "x[%d]", i);
     free(o);
     csr_free(D);
+}
+
+/* The step from x to y was along p: p.Kp / p.p, whatever the length of p is. */
+static double curvature_of(const struct csr *A, const double x[],
+                           const double y[])
+{
+    double step[SIZE], product[SIZE], sum[2] = {0.0, 0.0};
+    for (int i = 0; i < SIZE; i++) step[i] = y[i] - x[i];
+    csr_multiply(A, step, product);
+    for (int i = 0; i < SIZE; i++) {
+        sum[0] += step[i] * product[i];
+        sum[1] += step[i] * step[i];
+    }
+    return sum[0] / sum[1];
 }
 
 /* r_i.B r_j = 0: what defines the method, whatever its formulas are. */
@@ -91,14 +118,15 @@ static void residuals_are_orthogonal(void)
     enum { MANY = 6 };
     struct csr *A = chain_matrix();
     double b[SIZE], r[MANY][SIZE], z[MANY][SIZE], product[SIZE];
+    double *last = NULL;
     const double factor = 2.385;
     for (int i = 0; i < SIZE; i++) b[i] = odd_number(i + 7);
     for (int k = 0; k < MANY; k++) {
         double *x = guarded_alloc(SIZE), size = 0.0, left = 0.0;
         struct report *o = go(A, uneven, factor, 1e-13, k, b, x);
         expect(o->status == MAX_ITERATIONS && o->iterations == k,
-               "a cap of %d: MAX_ITERATIONS after %d, not %s after %d", k, k,
-               status_name(o->status), o->iterations);
+               "a cap of %d: got %s after %d iterations, want MAX_ITERATIONS "
+               "after %d", k, status_name(o->status), o->iterations, k);
         csr_multiply(A, x, product);
         for (int i = 0; i < SIZE; i++) {
             r[k][i] = b[i] - product[i];
@@ -108,6 +136,11 @@ static void residuals_are_orthogonal(void)
         uneven(&factor, r[k], z[k]);
         expect_close(o->residual[k], sqrt(left / size), ROUND_OFF, 1.0,
                      "residual[%d], against |b - K x| / |b|", k);
+        if (k > 0) /* differences of iterates, which have 1e-4 of their size */
+            expect_close(o->curvature[k - 1], curvature_of(A, last, x), 1e-10,
+                         1.0, "curvature[%d], against p.Kp / p.p of the step "
+                         "that x has made", k - 1);
+        last = x;
         for (int j = 0; j < k; j++) {
             double rz[3] = {0.0, 0.0, 0.0};
             for (int i = 0; i < SIZE; i++) {
@@ -136,8 +169,8 @@ static void the_unit_of_B_does_not_matter(void)
         struct report *o = go(A, uneven, factor[k], 1e-6, 100, b, x);
         if (k == 0) first = o->iterations;
         expect(o->status == OK && o->iterations == first,
-               "B times %g: OK after %d iterations, not %s after %d", factor[k],
-               first, status_name(o->status), o->iterations);
+               "B times %g: got %s after %d iterations, want OK after %d",
+               factor[k], status_name(o->status), o->iterations, first);
         const double left = csr_residual(A, x, b);
         expect(left <= 1.001e-6 && o->residual[first - 1] > 1e-6,
                "B times %g, tolerance 1e-6: |b - K x| / |b| is %.2e", factor[k],
@@ -161,9 +194,16 @@ static void curvature_decides_what_is_not_spd(void)
         struct csr *D = diagonal_matrix(SIZE, entry);
         struct report *o = go(D, times_number, one, 1e-10, 20, b, x);
         expect(o->status == NOT_SPD && o->curvature[o->iterations] <= 0.0,
-               "eigenvalues %g, %g, %g: NOT_SPD where p.Kp is not positive, "
-               "not %s", entries[k][0], entries[k][1], entries[k][2],
+               "eigenvalues %g, %g, %g: got %s, want NOT_SPD where p.Kp is not "
+               "positive", entries[k][0], entries[k][1], entries[k][2],
                status_name(o->status));
+        double *before = guarded_alloc(SIZE);
+        free(go(D, times_number, one, 1e-10, o->iterations, b, before));
+        for (int i = 0; i < SIZE; i++)
+            expect_close(x[i], before[i], ROUND_OFF, 1.0, "eigenvalues %g, %g, "
+                         "%g: x[%d] of iterate %d, the last one before p.Kp "
+                         "was not positive", entries[k][0], entries[k][1],
+                         entries[k][2], i, o->iterations);
         for (int j = 0; j < o->iterations; j++)
             expect(o->curvature[j] > 0.0 && o->curvature[j] <= 3.714,
                    "p.Kp / p.p is %g; it lies between the eigenvalues",
@@ -175,8 +215,11 @@ static void curvature_decides_what_is_not_spd(void)
     double b[SIZE], *x = guarded_alloc(SIZE);
     for (int i = 0; i < SIZE; i++) b[i] = odd_number(i);
     struct report *o = go(A, times_number, minus, 1e-10, 20, b, x);
-    expect(o->status == NOT_SPD, "r.B r < 0: NOT_SPD, not %s",
+    expect(o->status == NOT_SPD, "r.B r < 0: got %s, want NOT_SPD",
            status_name(o->status));
+    for (int i = 0; i < SIZE; i++)
+        expect_close(x[i], 0.0, ROUND_OFF, 1.0, "r.B r < 0 at once, so that x "
+                     "stays 0: x[%d]", i);
     free(o);
     csr_free(A);
     run_unsolved("--n 16 --squeeze 0.5 --with jacobi", "NOT_SPD");
@@ -189,12 +232,12 @@ static void ends_are_named(void)
     double b[SIZE] = {0.0}, *x = guarded_alloc(SIZE);
     struct report *o = go(A, times_number, 1.0, 1e-10, 20, b, x);
     expect(o->status == OK && o->iterations == 0 && x[3] == 0.0,
-           "b = 0: OK and x = 0 after 0 iterations, not %s after %d",
-           status_name(o->status), o->iterations);
+           "b = 0: got %s and x[3] = %g after %d iterations, want OK and 0 "
+           "after 0", status_name(o->status), x[3], o->iterations);
     free(o);
     b[3] = NAN;
     o = go(A, times_number, 1.0, 1e-10, 20, b, x);
-    expect(o->status == NONFINITE, "b has a NaN: NONFINITE, not %s",
+    expect(o->status == NONFINITE, "b has a NaN: got %s, want NONFINITE",
            status_name(o->status));
     free(o);
     csr_free(A);
@@ -286,11 +329,13 @@ static void transfer_agrees_with_the_fast_one(void)
 
 /* ---- 22c ----------------------------------------------------------------- */
 
-/* A system of n squares per side, its grids, and vectors r and z. */
+/* A system of n squares per side, its grids, and vectors r and z.  The arrays
+ * of its grids are guarded; their own room waits until the end. */
 struct bench {
     struct system *s;
     struct csr *A;
     struct multigrid *m;
+    double *room[GRIDS];
     int size;
     double *r[2], *z[2];
 };
@@ -306,15 +351,22 @@ static struct bench bench_make(int n)
         t.z[k] = guarded_alloc(t.size);
         for (int i = 0; i < t.size; i++) t.r[k][i] = odd_number(i + 1000 * k);
     }
-    /* what an earlier cycle has left behind */
-    for (int g = 0; g < t.m->grids; g++)
-        for (int i = 0; i < 3 * t.m->K[g]->n; i++)
-            t.m->x[g][i] = odd_number(i);
+    for (int g = 0; g < t.m->grids; g++) {
+        const int size = t.m->K[g]->n;
+        double **array[] = {&t.m->x[g], &t.m->b[g], &t.m->r[g]};
+        t.room[g] = t.m->x[g];
+        for (int k = 0; k < 3; k++) { /* as an earlier cycle has left them */
+            *array[k] = guarded_alloc(size);
+            for (int i = 0; i < size; i++)
+                (*array[k])[i] = odd_number(i + k * size);
+        }
+    }
     return t;
 }
 
 static void bench_end(struct bench t)
 {
+    for (int g = 0; g < t.m->grids; g++) t.m->x[g] = t.room[g];
     multigrid_free(t.m);
     csr_free(t.A);
     system_free(t.s);

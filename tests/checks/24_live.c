@@ -1,4 +1,14 @@
-/* 24_live.c - what a loop that cannot be broken satisfies. */
+/*
+ * 24_live.c - what a loop that cannot be broken satisfies.
+ *
+ * Arguments: slot, argument: varied by checks
+ *   24a from, pointer: the_hand_is_bounded
+ *   24b mesh, u: knots_are_counted
+ *   24c body (laws, what is held), u0, w, g: lift_solves_the_linear_problem,
+ *       lift_refuses_what_cannot_be; dt, tangent: lift_without_a_jump_is_newton
+ *   24d live (u0, v0, g, law), report: downhill_does_what_it_says; n:
+ *       no_frame_is_lost; dt is 1/30 s in all of live.h
+ */
 #include "program.h"
 
 #include "judge.h"
@@ -92,13 +102,13 @@ static void knots_are_counted(void)
                   0.3 * (sin(turn) * X[2 * a] + cos(turn) * X[2 * a + 1]));
         const int knots = count_knots(mesh, u);
         expect(knots == 0, "the square, turned by %g and stretched to 1.7 x "
-               "0.3: %d knots", turn, knots);
+               "0.3: got %d knots, want 0", turn, knots);
     }
     for (int a = 0; a < mesh->n_vertex; a++)
         place(mesh, u, a, X[2 * a], -X[2 * a + 1]);
     int knots = count_knots(mesh, u);
-    expect(knots == 9, "the square seen in a mirror: the angles round each of "
-           "its 9 inner vertices add up to -2 pi; %d knots", knots);
+    expect(knots == 9, "the square seen in a mirror: got %d knots, want 9, for "
+           "the angles round each inner vertex add up to -2 pi", knots);
 
     /* r and the angle z of a vertex become r and f(z), which goes round twice
      * while z goes round once: 4 pi round the middle, 2 pi everywhere else */
@@ -114,9 +124,20 @@ static void knots_are_counted(void)
         place(mesh, u, a, r * cos(f), r * sin(f));
     }
     knots = count_knots(mesh, u);
-    expect(knots == 1, "a square that is wound twice round its middle vertex, "
-           "where the angles add up to 4 pi: %d knots", knots);
+    expect(knots == 1, "a square that is wound twice round its middle vertex: "
+           "got %d knots, want 1, where the angles add up to 4 pi", knots);
     mesh_free(mesh);
+    for (int n = 2; n <= 11; n += 3) {
+        mesh = mesh_square(n);
+        u = guarded_alloc(2 * mesh->n_vertex);
+        for (int r = 0; r < 2 * mesh->n_vertex; r++)
+            u[r] = 2.0 / n * sin(2.385 * r * r + n);
+        knots = count_knots(mesh, u);
+        const int want = live_knots(mesh, u, NULL);
+        expect(knots == want, "n = %d, vertices thrown about: got %d knots, "
+               "want %d", n, knots, want);
+        mesh_free(mesh);
+    }
 }
 
 /* Phi of the frame that takes `live` from its state, without the constant. */
@@ -154,6 +175,7 @@ static void lift_solves_the_linear_problem(void)
     const int n = live->n_dof;
     double *u0 = guarded_copy(n, live->now.u), *g = guarded_alloc(n);
     double *u = guarded_alloc(n), *w = guarded_alloc(n), q[4];
+    double *due = guarded_alloc(n);
     const struct step_control newton = step_method("demand+search");
     memset(w, 0, (size_t)n * sizeof *w);
     expect(step_solve(live->body, &newton, live->dt, w, NULL, u0).status == OK,
@@ -175,6 +197,14 @@ static void lift_solves_the_linear_problem(void)
                 expect_close(u[r], g[r], ROUND_OFF, 1.0,
                              "the lifted u[%d], which is prescribed", r);
         q[k] = residual_at(live, w, u) / (jump * jump);
+        /* round-off over a micrometre, where one-sided differences leave 1e-7;
+         * live_lift() reads g of what is free, too */
+        for (int r = 0; r < n; r++)
+            if (live->body->equation[r] >= 0) g[r] = u0[r];
+        live_lift(live->body, live->dt, w, u0, g, EXACT, due);
+        for (int r = 0; r < n; r++)
+            expect_close(u[r], due[r], 1e-9, 1.0, "u[%d], lifted by a jump of "
+                         "%g m, with the central difference", r, jump);
     }
     expect_close(q[2] / q[3], 1.0, 0.05, 1.0,
                  "max|q| / jump^2 after the lift of 0.01 m over that of 0.005 "
@@ -197,19 +227,20 @@ static void lift_without_a_jump_is_newton(void)
             if (body->equation[r] >= 0)
                 live->now.u[r] += 0.1 * sin(2.385 * r * r + k);
         for (int kind = EXACT; kind <= PROJECTED; kind++) {
+            const double dt = live->dt * (k % 2 ? 1.0 : 0.5);
             for (int r = 0; r < n; r++)
-                w[r] = live->now.u[r] + live->dt * live->now.v[r];
-            body_assemble(body, live->dt, w, NULL, live->now.u,
+                w[r] = live->now.u[r] + dt * live->now.v[r];
+            body_assemble(body, dt, w, NULL, live->now.u,
                           (enum tangent)kind, q);
             enum status due = body_increment(body, body->K, q, du);
             for (int r = 0; r < n && due == OK; r++)
                 if (fabs(du[r]) > LIVE_LEAP) due = NONFINITE;
             indefinite += due == NOT_SPD;
             const enum status status =
-                elastic_lift(body, live->dt, w, live->now.u, live->now.u,
+                elastic_lift(body, dt, w, live->now.u, live->now.u,
                              (enum tangent)kind, u);
             expect(status == due, "elastic_lift() without a jump, %s K, frame "
-                   "%d: %s; a step of Newton's method: %s",
+                   "%d: got %s, want %s, as a step of Newton's method",
                    kind == EXACT ? "exact" : "projected", k,
                    status_name(status), status_name(due));
             for (int r = 0; r < n && due == OK; r++)
@@ -233,15 +264,54 @@ static void lift_refuses_what_cannot_be(void)
     enum status status = elastic_lift(live->body, live->dt, w, live->now.u,
                                       live->g, EXACT, u);
     expect(status == NONFINITE, "the body flies with 150 m/s, so that the lift "
-           "moves it by more than LIVE_LEAP: %s", status_name(status));
+           "moves it by more than LIVE_LEAP: got %s, want NONFINITE",
+           status_name(status));
     for (int a = 0; a < n / 2; a++) u[2 * a] = -1.5 * live->mesh->X[2 * a];
     for (int a = 0; a < n / 2; a++) u[2 * a + 1] = 0.0;
     double *inverted = guarded_copy(n, u);
     status = elastic_lift(live->body, live->dt, live->now.u, inverted, live->g,
                           EXACT, u);
     expect(status == INVERTED, "elastic_lift() from a state that LOG does not "
-           "have: %s", status_name(status));
+           "have: got %s, want INVERTED", status_name(status));
     live_free(live);
+}
+
+/* A triangle with a held vertex and a free one is nearly flat, so that one of
+ * the states of the difference is inverted, and u0 is not. */
+static void lift_hands_on_each_status(void)
+{
+    for (int side = 0; side < 2; side++) {
+        struct live *live = after(8, LOG);
+        const struct mesh *mesh = live->mesh;
+        const int n = live->n_dof, *equation = live->body->equation;
+        double *u0 = guarded_alloc(n), *g = guarded_alloc(n);
+        int corner = 0; /* of a triangle: held by the hand, the next free */
+        while (equation[2 * mesh->triangle[corner]] >= 0 ||
+               mesh->X[2 * mesh->triangle[corner]] <= -1.0 ||
+               equation[2 * mesh->triangle[corner / 3 * 3 +
+                                           (corner + 1) % 3]] < 0)
+            corner++;
+        const int *t = &mesh->triangle[corner / 3 * 3], held = t[corner % 3];
+        const double *A = &mesh->X[2 * t[(corner + 1) % 3]];
+        const double *B = &mesh->X[2 * t[(corner + 2) % 3]];
+        const double *C = &mesh->X[2 * held];
+        /* the held vertex comes to stand 1e-8 m from the side opposite */
+        const double l = hypot(B[0] - A[0], B[1] - A[1]);
+        const double up[2] = {-(B[1] - A[1]) / l, (B[0] - A[0]) / l};
+        const double high = (C[0] - A[0]) * up[0] + (C[1] - A[1]) * up[1];
+        for (int r = 0; r < n; r++) u0[r] = 0.0;
+        for (int i = 0; i < 2; i++)
+            u0[2 * held + i] = (1e-8 - high) * up[i];
+        memcpy(g, u0, (size_t)n * sizeof *g);
+        for (int i = 0; i < 2; i++)
+            g[2 * held + i] += (side ? 0.01 : -0.01) * up[i];
+        const enum status status = elastic_lift(live->body, live->dt, u0, u0, g,
+                                                EXACT, guarded_alloc(n));
+        expect(status == INVERTED, "elastic_lift() from a state in which a "
+               "micrometre %s inverts a triangle: got %s, want INVERTED",
+               side ? "backward" : "forward", status_name(status));
+        live_free(live);
+    }
 }
 
 /* The state and the hand of another square. */
@@ -278,9 +348,9 @@ static struct live_report compare_downhill(struct live *live,
     const char *name = material_law(live->set.law);
     expect(report.part == due.part && report.systems == due.systems &&
                report.status == due.status,
-           "frame %d of hard, %s, after %d systems of fast: downhill() goes %g "
-           "of the way with %d more and ends with %s; live_downhill() %g, %d, "
-           "%s", k, name, used, report.part, report.systems - used,
+           "frame %d of hard, %s law, %d systems used before downhill(): got "
+           "part %g, %d systems more, %s; want part %g, %d systems more, %s", k,
+           name, used, report.part, report.systems - used,
            status_name(report.status), due.part, due.systems - used,
            status_name(due.status));
     const double allowed = due.status == OK ? LIVE_TOLERANCE : 1e-3; /* m */
@@ -374,6 +444,7 @@ static const struct claim claims[] = {
     {"lift_solves_the_linear_problem", lift_solves_the_linear_problem, "24c"},
     {"lift_without_a_jump_is_newton", lift_without_a_jump_is_newton, "24c"},
     {"lift_refuses_what_cannot_be", lift_refuses_what_cannot_be, "24c"},
+    {"lift_hands_on_each_status", lift_hands_on_each_status, "24c"},
     {"downhill_does_what_it_says", downhill_does_what_it_says, "24d"},
     {"no_frame_is_lost", no_frame_is_lost, "24d"},
     {"bad_input_is_refused", bad_input_is_refused, NULL},

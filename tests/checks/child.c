@@ -20,21 +20,31 @@
 #include <time.h>
 #include <unistd.h>
 #if defined(__linux__)
+#include <sched.h>
 #include <sys/prctl.h>
+#include <sys/shm.h>
 #include <sys/syscall.h>
 #endif
 
 static struct {
     int inside;         /* this process is a child already */
     const char *folder; /* where children work, or NULL */
+    int handed;         /* a descriptor for the next child, or 0 */
+    time_t began;       /* when children began to work in the folder */
     double spent;       /* CPU seconds before the clock was restarted */
     double idle;        /* wall seconds since then in which none computed */
     volatile sig_atomic_t signal; /* the judge was told to end */
     void (*interrupted)(void);
 } running;
 
-void child_work_in(const char *folder) { running.folder = folder; }
+void child_work_in(const char *folder)
+{
+    running.folder = folder;
+    running.began = time(NULL);
+}
+
 void child_am_inside(void) { running.inside = 1; }
+void child_hand_over(int descriptor) { running.handed = descriptor; }
 
 /* ---- in the child -------------------------------------------------------- */
 
@@ -57,17 +67,19 @@ static void set_limits(void)
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, output, output);
     limit(RLIMIT_CPU, SECONDS_COMPUTING, SECONDS_COMPUTING + 1);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__APPLE__)
+#if !defined(__APPLE__)
+    const char *sanitized = getenv("SANITIZED"); /* takes all addresses */
     const rlim_t memory = (rlim_t)MEGABYTES_MEMORY << 20;
-    limit(RLIMIT_AS, memory, memory);
+    if (!sanitized || !*sanitized) limit(RLIMIT_AS, memory, memory);
 #endif
 #if defined(__linux__)
-    /* some more than all that there are: a user's, and root has no limit */
+    /* Some more than all that there are now, whose ever they are, so that too
+     * many are seen; root has no limit, and kill_all() is all there is. */
     unsigned long all = 0;
     FILE *file = fopen("/proc/loadavg", "r");
     if (file && fscanf(file, "%*f %*f %*f %*u/%lu", &all) == 1)
-        limit(RLIMIT_NPROC, all + 4 * MOST_PROCESSES,
-              all + 4 * MOST_PROCESSES);
+        limit(RLIMIT_NPROC, all + 2 * MOST_PROCESSES,
+              all + 2 * MOST_PROCESSES);
     if (file) fclose(file);
 #endif
 }
@@ -150,7 +162,9 @@ _Noreturn static void be_the_child(void (*body)(void *), void *context,
     attach(STDIN_FILENO, "/dev/null", O_RDONLY);
     attach(STDOUT_FILENO, out, new_file);
     attach(STDERR_FILENO, err, new_file);
-    for (int fd = 3; fd < 256; fd++) close(fd);
+    const int handed = running.inside ? 0 : running.handed;
+    if (handed && dup2(handed, CHILD_DESCRIPTOR) < 0) _exit(2);
+    for (int fd = handed ? CHILD_DESCRIPTOR + 1 : 3; fd < 256; fd++) close(fd);
     set_limits();
     if (!running.inside && running.folder) {
         if (chdir(running.folder) < 0) _exit(2);
@@ -208,26 +222,30 @@ static double wall(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* What can be seen of the processes of a child. */
+/* What can be seen of the processes below this one. */
 struct sight {
-    int processes, computing; /* or could compute if the machine were free */
-    double seconds;           /* CPU time, that of their ended children too */
+    int processes, stopped, computing; /* or could, if the machine were free */
+    double seconds; /* CPU time, that of their ended children too */
 };
 
-/* Look at the processes of the child's session, and at those that left it and
- * were handed to us (a daemon is, on Linux); send them a signal, if any. */
-static int look_around(pid_t child, int signal, struct sight *sight)
-{
-    const struct sight nothing = {0, 0, 0.0};
-    *sight = nothing;
 #if defined(__linux__)
-    unsigned long ticks = 0;
+struct process {
+    int id, parent;
+    char state;
+    unsigned long ticks;
+};
+
+/* All processes of the system, or the first ones of very many; their number,
+ * or -1 where they cannot be seen. */
+static int all_processes(int most, struct process process[])
+{
+    int n = 0;
     DIR *all = opendir("/proc");
-    if (!all) return 0;
-    for (const struct dirent *d; (d = readdir(all));) {
-        char path[300], line[512], state;
-        int parent, group, session;
+    if (!all) return -1;
+    for (const struct dirent *d; n < most && (d = readdir(all));) {
+        char path[300], line[512];
         unsigned long t[4];
+        struct process *p = &process[n];
         if (d->d_name[0] < '0' || d->d_name[0] > '9') continue;
         snprintf(path, sizeof path, "/proc/%s/stat", d->d_name);
         FILE *file = fopen(path, "r");
@@ -236,40 +254,113 @@ static int look_around(pid_t child, int signal, struct sight *sight)
         fclose(file);
         const char *name_end = read ? strrchr(line, ')') : NULL;
         if (!name_end ||
-            sscanf(name_end + 1, " %c %d %d %d %*d %*d %*u %*u %*u %*u %*u "
-                                 "%lu %lu %lu %lu", &state, &parent, &group,
-                   &session, &t[0], &t[1], &t[2], &t[3]) != 8 ||
-            (session != child && parent != (int)getpid()))
+            sscanf(name_end + 1, " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u "
+                                 "%lu %lu %lu %lu", &p->state, &p->parent,
+                   &t[0], &t[1], &t[2], &t[3]) != 6)
             continue;
-        if (state == 'Z' && parent == (int)getpid()) continue; /* ended */
-        sight->processes++;
-        sight->computing += state == 'R' || state == 'D';
-        ticks += t[0] + t[1] + t[2] + t[3];
-        if (signal) kill((pid_t)atoi(d->d_name), signal);
+        p->id = atoi(d->d_name);
+        p->ticks = t[0] + t[1] + t[2] + t[3];
+        n++;
     }
     closedir(all);
+    return n;
+}
+#endif
+
+/* Look at all that descends from this process: what loses its parent is handed
+ * to us (on Linux), whatever its session is.  Send it a signal, if any. */
+static int look_around(int signal, struct sight *sight)
+{
+    const struct sight nothing = {0, 0, 0, 0.0};
+    *sight = nothing;
+#if defined(__linux__)
+    enum { MOST = 1 << 15, MOST_ID = 1 << 22 };
+    static struct process process[MOST];
+    static char ours[MOST_ID];
+    const int me = (int)getpid(), n = all_processes(MOST, process);
+    unsigned long ticks = 0;
+    if (n < 0) return 0;
+    ours[me] = 1;
+    for (int more = 1; more;) { /* most parents have the smaller number */
+        more = 0;
+        for (int k = 0; k < n; k++)
+            if (!ours[process[k].id] && ours[process[k].parent])
+                more = ours[process[k].id] = 1;
+    }
+    for (int k = 0; k < n; k++) {
+        const struct process *p = &process[k];
+        if (p->id == me || !ours[p->id]) continue;
+        ours[p->id] = 0;
+        if (p->state == 'Z' && p->parent == me) continue; /* ended */
+        sight->processes++;
+        sight->stopped += strchr("TtZX", p->state) != NULL;
+        sight->computing += p->state == 'R' || p->state == 'D';
+        ticks += p->ticks;
+        if (signal) kill((pid_t)p->id, signal);
+    }
+    ours[me] = 0;
     sight->seconds = (double)ticks / (double)sysconf(_SC_CLK_TCK);
     return 1;
 #else
-    (void)child;
     (void)signal;
     return 0;
 #endif
 }
 
-/* Kill the child's group, and all else of it that the system shows us.  What a
- * child within a child leaves is handed to the outer one, on Linux. */
+/* Go before all that a child may start, or no more, where the system allows it:
+ * it is root's means, whose children are limited in no other way. */
+static void hurry(int first)
+{
+#if defined(__linux__)
+    static int is_first;
+    const struct sched_param priority = {.sched_priority = first};
+    if (first == is_first) return;
+    if (!sched_setscheduler(0, first ? SCHED_RR : SCHED_OTHER, &priority))
+        is_first = first;
+#else
+    (void)first;
+#endif
+}
+
+/* Kill all that is left of a child: its group at once, and then all else of it
+ * that the system shows us.  What is killed makes room for what forks: so all
+ * is stopped first, and killed when nothing runs any more. */
 static void kill_all(pid_t child)
 {
+    enum { STOPPING = 500, ROUNDS = 2000 };
     struct sight sight;
+    int stopped = 0;
     if (!running.inside) kill(-child, SIGKILL);
-    for (int round = 0; round < 200; round++) {
+    for (int round = 0; round < ROUNDS; round++) {
         pid_t ended;
         while ((ended = waitpid(-1, NULL, WNOHANG)) > 0) continue;
         if (ended < 0) break; /* there is none */
-        if (!look_around(running.inside ? -1 : child, SIGKILL, &sight)) break;
-        doze(1000);
+        if (!look_around(stopped ? SIGKILL : SIGSTOP, &sight)) break;
+        if (stopped || sight.processes > sight.stopped) doze(500);
+        stopped |= sight.processes == sight.stopped || round > STOPPING;
     }
+}
+
+/* Remove the System V shared memory that children have left: made since they
+ * began, by a process that is no more, and attached to none. */
+static void remove_shared_memory(void)
+{
+#if defined(__linux__)
+    FILE *file = fopen("/proc/sysvipc/shm", "r");
+    char line[512];
+    int id, maker, uses;
+    unsigned long user;
+    long long made;
+    while (file && fgets(line, sizeof line, file)) {
+        if (sscanf(line, "%*d %d %*o %*u %d %*d %d %*u %*u %lu %*u %*u %*u "
+                         "%lld", &id, &maker, &uses, &user, &made) == 5 &&
+            user == (unsigned long)getuid() && uses == 0 &&
+            made >= (long long)running.began &&
+            kill((pid_t)maker, 0) < 0 && errno == ESRCH)
+            shmctl(id, IPC_RMID, NULL);
+    }
+    if (file) fclose(file);
+#endif
 }
 
 /* The judge is to end: the children first, in good order if they can. */
@@ -279,7 +370,7 @@ static void stop_if_told(pid_t child)
     if (!running.signal || running.inside) return;
     kill(-child, SIGTERM);
     for (int round = 0; round < 100; round++) {
-        if (!look_around(child, 0, &sight) || sight.processes == 0) break;
+        if (!look_around(0, &sight) || sight.processes == 0) break;
         doze(10000);
     }
     kill_all(child);
@@ -299,10 +390,10 @@ static int count_files(const char *folder)
 
 /* What the child's processes ran into in the `interval` since the last look,
  * where the system lets us see them. */
-static enum limit limit_seen(pid_t child, double interval, double *seconds)
+static enum limit limit_seen(double interval, double *seconds)
 {
     struct sight sight;
-    if (!look_around(child, 0, &sight)) return NO_LIMIT;
+    if (!look_around(0, &sight)) return NO_LIMIT;
     /* a thread may compute while its process is said to sleep */
     if (sight.computing == 0 && sight.seconds == *seconds)
         running.idle += interval;
@@ -365,6 +456,7 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     if (child == 0 && running.inside) be_the_child(body, context, out, err);
     if (child == 0) be_the_parent(body, context, out, err, report[1]);
     close(report[1]);
+    if (!running.inside) hurry(1);
 
     const double start = wall();
     double looked = start, seconds = 0.0;
@@ -377,17 +469,21 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
         const double now = wall();
         if (ended == child) limit = LIMIT_STOPPED;
         if (!running.inside && limit == NO_LIMIT && now - looked > 0.1) {
-            limit = limit_seen(child, now - looked, &seconds);
+            limit = limit_seen(now - looked, &seconds);
             looked = now;
         }
         if (limit == NO_LIMIT && now - start > SECONDS_WAITING)
             limit = LIMIT_IDLE;
-        if (limit != NO_LIMIT) kill(child, SIGKILL);
-        if (limit == NO_LIMIT) doze(pause);
+        if (limit != NO_LIMIT) kill(running.inside ? child : -child, SIGKILL);
+        doze(pause);
     }
     struct ending ending = ending_of(status, all_seconds() - before, limit);
     struct ending reported;
     kill_all(child);
+    if (!running.inside) {
+        hurry(0);
+        remove_shared_memory();
+    }
     if (read(report[0], &reported, sizeof reported) == sizeof reported &&
         limit == NO_LIMIT)
         ending = reported;

@@ -14,7 +14,8 @@ enum {
     MEGABYTES_OUTPUT = 8,  /* in one file */
     MOST_FILES = 64,
     MOST_PROCESSES = 128,
-    MEGABYTES_MEMORY = 1024
+    MEGABYTES_MEMORY = 1024, /* unless SANITIZED is in the environment */
+    CHILD_DESCRIPTOR = 3
 };
 
 /* What a child ran into, if anything. */
@@ -46,6 +47,9 @@ struct ending {
 struct ending child_run(void (*body)(void *), void *context, const char *out,
                         const char *err);
 void child_on_interrupt(void (*interrupted)(void));
+
+/* The next children hold this descriptor as CHILD_DESCRIPTOR; 0: none. */
+void child_hand_over(int descriptor);
 
 /*
  * From now on children work in this folder (an absolute path).  Where the

@@ -4,6 +4,12 @@
 #include "output.h" /* quit */
 
 #include <limits.h>
+#ifdef __GLIBC__
+#if __GLIBC_PREREQ(2, 33)
+#include <malloc.h>
+#define HEAP_IS_COUNTED
+#endif
+#endif
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,4 +72,27 @@ void guards_hold(void)
                       "entry %d has been changed", n - 1, i);
         }
     }
+}
+
+/* Bytes on the heap; 0 where nobody counts them. */
+static double heap_bytes(void)
+{
+#ifdef HEAP_IS_COUNTED
+    const struct mallinfo2 heap = mallinfo2();
+    return (double)heap.uordblks + (double)heap.hblkhd;
+#else
+    return 0.0;
+#endif
+}
+
+void expect_no_leak(void (*call)(void), double bytes, const char *what)
+{
+    enum { CALLS = 8 };
+    call();
+    call();
+    const double before = heap_bytes();
+    for (int k = 0; k < CALLS; k++) call();
+    const double kept = (heap_bytes() - before) / CALLS;
+    expect(kept < bytes, "each call of %s keeps %.0f bytes: free what it has "
+           "allocated, want less than %.0f", what, kept, bytes);
 }

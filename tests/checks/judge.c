@@ -9,10 +9,13 @@
 #include <math.h>
 #include <signal.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { WIDTH = 78, MAX_CLAIMS = 24, MAX_RUNS = 16 };
@@ -25,8 +28,8 @@ static struct {
                             * this one */
     const char *reference; /* program of the reference solution */
     const char *mistakes;  /* folder with the known mistakes' programs */
-    const char *prepare;   /* command that builds those that the checks named
-                            * behind it catch */
+    const char *prepare;   /* command that builds those that CAUGHT_BY= names
+                            * the check of, and judges of the JUDGED= */
     const char *result;    /* file for "verdict check slot mistakes" */
     char work[PATH_SIZE - 300]; /* folder for captured output */
     struct prediction predicted[MAX_PREDICTIONS];
@@ -103,9 +106,11 @@ static void expect_finite(const struct output *output)
     }
 }
 
+static struct output *output_of_subject(const char *options);
+
 struct output *run(const char *options)
 {
-    struct output *output = output_of(NULL, options, judging.work);
+    struct output *output = output_of_subject(options);
     const char *space = *options ? " " : "";
     pass_on(output);
     if (output->status != 0)
@@ -124,7 +129,7 @@ struct output *run(const char *options)
 static struct output *run_failing(const char *options, int status,
                                   const char *text)
 {
-    struct output *output = output_of(NULL, options, judging.work);
+    struct output *output = output_of_subject(options);
     pass_on(output);
     expect(output->status == status,
            "with %s the program must stop with exit status %d, not %d", options,
@@ -468,32 +473,37 @@ static void read_why(const char *name, char check[64], size_t size, char text[])
     fclose(file);
 }
 
-/* Whether there is such a program, and one of the checks that failed (names
- * after blanks) catches it. */
+/* Whether there is such a program, and the check that catches it is the one
+ * that failed first. */
 static int is_suspect(const char *name, const char *failed)
 {
     char path[PATH_SIZE], check[64], text[2048];
     snprintf(path, sizeof path, "%s/%s", judging.mistakes, name);
     if (strchr(name, '.') || access(path, X_OK) != 0) return 0;
     read_why(name, check, sizeof text, text);
-    const size_t n = strlen(check);
-    const char *at = failed;
-    while ((at = strstr(at, check)) != NULL) {
-        if (at > failed && at[-1] == ' ' && (at[n] == ' ' || !at[n])) return 1;
-        at += n;
-    }
-    return 0;
+    return strcmp(check, failed) == 0;
 }
 
-static void print_explanation(const char *name)
+/* What is known of the mistakes with these names (blanks between), as the one
+ * that was made or as those of which it may be one. */
+static void print_explanations(int n, const char *names)
 {
-    char check[64], text[2048];
-    read_why(name, check, sizeof text, text);
-    for (char *c = text; *c; c++)
-        if (*c == '\n') *c = ' ';
-    printf("  Your numbers are those of a program with a known mistake (%s):\n",
-           name);
-    print_wrapped("    ", text + 1);
+    char name[64], check[64], why[2048], text[2200];
+    if (n > 1)
+        printf("  Your numbers are those of a program with one of these known "
+               "mistakes:\n");
+    for (int used = 0; sscanf(names, "%63s%n", name, &used) == 1;
+         names += used) {
+        read_why(name, check, sizeof why, why);
+        for (char *c = why; *c; c++)
+            if (*c == '\n') *c = ' ';
+        if (n > 1)
+            snprintf(text, sizeof text, "(%s)%s", name, why);
+        else
+            printf("  Your numbers are those of a program with a known mistake "
+                   "(%s):\n", name);
+        print_wrapped("    ", n > 1 ? text : why + 1);
+    }
 }
 
 /* The output of the program under test. */
@@ -521,8 +531,10 @@ static int compare_seconds(const void *a, const void *b)
 }
 
 /* Whether a known mistake's program gives the outputs of the program under
- * test, and others than the right program at all. */
-static int explains(const char *name, const struct both both[])
+ * test, and others than the right program in a run that comes to its end: those
+ * that give up at once are all alike.  A number that a check has `got` tells as
+ * well as a run does. */
+static int explains(const char *name, const struct both both[], int got)
 {
     char program[PATH_SIZE];
     snprintf(program, sizeof program, "%s/%s", judging.mistakes, name);
@@ -531,28 +543,31 @@ static int explains(const char *name, const struct both both[])
         const char *options = judging.lesson->runs[both[i].run];
         struct output *other = output_of(program, options, judging.work);
         same = coincide(both[i].mine, other);
-        tells |= !coincide(both[i].right, other);
+        tells |= (got || other->status == 0) && !coincide(both[i].right, other);
         output_free(other);
     }
     return same && tells;
 }
 
-/* Say which known mistakes give the numbers of the program under test; only
- * those can be that the failed checks (names between blanks) catch.  Their
- * names, with commas between, go to `found`. */
-static void diagnose(const char *failed, size_t size, char found[])
+/* Have built what is not; 0 when that fails. */
+static int prepare(const char *variable, const char *names)
+{
+    char command[PATH_SIZE];
+    if (!judging.prepare) return 1;
+    snprintf(command, sizeof command, "%s %s='%s' >/dev/null",
+             judging.prepare, variable, names);
+    return child_command(command) == 0;
+}
+
+/* The known mistakes that give the outputs of the program under test, and that
+ * this check catches, each name after a blank; see explains(). */
+static void find_suspects(const char *check, int got, size_t size,
+                          char suspects[])
 {
     const int n_run = judging.lesson->n_run;
     struct both both[MAX_RUNS];
+    struct dirent **entry;
 
-    if (!judging.mistakes) return;
-    if (judging.prepare) {
-        char command[PATH_SIZE];
-        snprintf(command, sizeof command, "%s CAUGHT_BY='%s' >/dev/null",
-                 judging.prepare, failed);
-        if (child_command(command) != 0) return;
-    }
-    child_restart_clock();
     for (int r = 0; r < n_run; r++) {
         const char *options = judging.lesson->runs[r];
         const double before = child_seconds();
@@ -563,15 +578,13 @@ static void diagnose(const char *failed, size_t size, char found[])
     }
     /* the cheapest run tells most of them apart */
     qsort(both, (size_t)n_run, sizeof *both, compare_seconds);
-    struct dirent **entry;
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
     for (int i = 0; i < n_entry; i++) {
         const char *name = entry[i]->d_name;
-        if (child_seconds() < SECONDS_JUDGING && is_suspect(name, failed) &&
-            explains(name, both)) {
-            print_explanation(name);
-            const size_t end = strlen(found);
-            snprintf(found + end, size - end, "%s%s", end ? "," : "", name);
+        if (child_seconds() < SECONDS_JUDGING && is_suspect(name, check) &&
+            explains(name, both, got)) {
+            const size_t end = strlen(suspects);
+            snprintf(suspects + end, size - end, " %s", name);
         }
         free(entry[i]);
     }
@@ -667,14 +680,27 @@ static void explain_end(struct ending ending, struct finding *finding)
     }
 }
 
-/* In the child: the check, and the sign that it came to its end. */
+/* In the child: the check.  That it came to its end is said by a number, which
+ * the judge hands over and gets back. */
 static void run_claim(const struct claim *claim)
 {
-    char path[PATH_SIZE];
+    uint64_t number;
+    if (read(CHILD_DESCRIPTOR, &number, sizeof number) != sizeof number)
+        quit("no number for the end of a check");
     claim->check();
     guards_hold();
-    FILE *file = fopen(work_file("judge.finished", path), "w");
+    if (write(CHILD_DESCRIPTOR, &number, sizeof number) < 0) _exit(2);
+}
+
+/* A number that nobody guesses. */
+static uint64_t any_number(void)
+{
+    uint64_t number = (uint64_t)time(NULL) ^ (uint64_t)getpid() << 32;
+    FILE *file = fopen("/dev/urandom", "r");
+    if (file && fread(&number, sizeof number, 1, file) != 1)
+        quit("cannot read /dev/urandom");
     if (file) fclose(file);
+    return number;
 }
 
 /* The claim that every lesson ends with; behind it, what was predicted. */
@@ -687,14 +713,16 @@ static struct claim claim_at(const struct lesson *lesson, int i)
                           check_same_numbers_as_reference, NULL};
 }
 
-/* In the child: run the claim of this index, in the subject if there is one. */
+/* In the child: run the claim of this index, in the subject if there is one.
+ * The comparison with the reference is the judge's own: the subject does no
+ * more there than run the program. */
 static void begin_claim(void *context)
 {
     const int *index = context;
     const struct claim claim = claim_at(judging.lesson, *index);
     char number[16];
     snprintf(number, sizeof number, "%d", *index);
-    if (!judging.subject) {
+    if (!judging.subject || *index == judging.lesson->n_claim) {
         run_claim(&claim);
     } else {
         execl(judging.subject, judging.subject, "--claim", number, "--work",
@@ -709,14 +737,25 @@ static void examine(int index, struct finding *finding)
 {
     const struct claim claim = claim_at(judging.lesson, index);
     char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+    const uint64_t number = any_number();
+    uint64_t back = ~number;
+    int both_ways[2];
 
     chmod(judging.work, 0700);
     remove(work_file("judge.message", path));
-    remove(work_file("judge.finished", path));
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, both_ways) < 0 ||
+        write(both_ways[0], &number, sizeof number) < 0)
+        quit("cannot make a socket: %s", strerror(errno));
+    child_hand_over(both_ways[1]);
     const struct ending ending =
         child_run(begin_claim, &index, work_file("judge.stdout", out),
                   work_file("judge.stderr", err));
-    const int finished = access(work_file("judge.finished", path), F_OK) == 0;
+    child_hand_over(0);
+    const int finished =
+        recv(both_ways[0], &back, sizeof back, MSG_DONTWAIT) == sizeof back &&
+        back == number;
+    close(both_ways[0]);
+    close(both_ways[1]);
     snprintf(finding->slot, sizeof finding->slot, "%s",
              claim.slot ? claim.slot : "");
     finding->verdict = PASS;
@@ -729,6 +768,61 @@ static void examine(int index, struct finding *finding)
     } else {
         explain_end(ending, finding);
     }
+}
+
+/* Whether two messages have the same words and numbers, but for round-off: to
+ * 1e-6 of the larger, or 1e-9, below which there is little else. */
+static int say_the_same(const char *a, const char *b)
+{
+    while (*a && *b) {
+        char *a_end, *b_end;
+        const double x = strtod(a, &a_end), y = strtod(b, &b_end);
+        if (a_end > a && b_end > b) {
+            if (isfinite(x) != isfinite(y) ||
+                fabs(x - y) > 1e-9 + 1e-6 * fmax(fabs(x), fabs(y)))
+                return 0;
+            a = a_end;
+            b = b_end;
+        } else if (*a++ != *b++) {
+            return 0;
+        }
+    }
+    return *a == *b;
+}
+
+/* Say which known mistakes give the numbers of the program under test: its
+ * output, and what it is told by the first check that it fails, the one of this
+ * index.  Their names, with commas between, go to `found`. */
+static void diagnose(int index, const struct finding *bad, size_t size,
+                     char found[])
+{
+    const struct claim claim = claim_at(judging.lesson, index);
+    char suspects[1024] = "", names[1024] = "", name[64];
+    char path[PATH_SIZE + 64];
+    int n = 0, used = 0;
+
+    if (!judging.mistakes || !prepare("CAUGHT_BY", claim.name)) return;
+    child_restart_clock();
+    find_suspects(claim.name, strstr(bad->text, ": got ") != NULL,
+                  sizeof suspects, suspects);
+    if (!*suspects || !prepare("JUDGED", suspects)) return;
+    const char *subject = judging.subject;
+    for (const char *s = suspects; sscanf(s, "%63s%n", name, &used) == 1;
+         s += used) {
+        struct finding its = {0};
+        snprintf(path, sizeof path, "%s/%s.judge", judging.mistakes, name);
+        if (access(path, X_OK) != 0 || child_seconds() > SECONDS_JUDGING)
+            continue;
+        judging.subject = path;
+        examine(index, &its);
+        if (its.verdict != bad->verdict || !say_the_same(its.text, bad->text))
+            continue;
+        strcat(strcat(names, " "), name);
+        snprintf(found + strlen(found), size - strlen(found), "%s%s",
+                 n++ ? "," : "", name);
+    }
+    judging.subject = subject;
+    print_explanations(n, names);
 }
 
 static void write_result(const struct finding *finding, const char *check,
@@ -804,9 +898,9 @@ static void print_passed(char names[])
 }
 
 /* Run the claims, one after another, and print a line for each, or, where they
- * are many, for those that fail.  The names of these go to `failed`.  After one
- * that took all its time, or when time is up, the others are not run. */
-static int examine_all(int n, struct finding finding[], char failed[])
+ * are many, for those that fail.  After one that took all its time, or when
+ * time is up, the others are not run. */
+static int examine_all(int n, struct finding finding[])
 {
     const int most_lines = judging.n_answer ? 9 : 13; /* leave them room */
     char passed[MAX_CLAIMS * 64] = "";
@@ -831,8 +925,6 @@ static int examine_all(int n, struct finding finding[], char failed[])
             continue;
         }
         print_passed(passed);
-        if (finding[i].verdict != PASS)
-            strcat(strcat(failed, " "), claim.name);
         printf("  %-10s %s\n", verdict_name[finding[i].verdict], claim.name);
     }
     print_passed(passed);
@@ -896,12 +988,12 @@ static void print_ok(const char *number, int n)
     printf("VERDICT %s: OK, all %d checks\n", number, n);
 }
 
-/* The first check that fails, and with `search` the known mistakes; the last
- * line is the verdict. */
-static void print_failure(const char *number, const char *check,
-                          const struct finding *bad, const char *failed,
-                          int search)
+/* The first check that fails, the one of this index, and with `search` the
+ * known mistakes; the last line is the verdict. */
+static void print_failure(const char *number, int index,
+                          const struct finding *bad, int search)
 {
+    const char *check = claim_at(judging.lesson, index).name;
     char mistakes[1024] = "";
     write_result(bad, check, "");
     printf("  In %s", check);
@@ -909,7 +1001,7 @@ static void print_failure(const char *number, const char *check,
     printf(":\n");
     print_wrapped("    ", bad->text);
     if (search && (bad->verdict == WRONG || bad->verdict == NONFINITE_))
-        diagnose(failed, sizeof mistakes, mistakes);
+        diagnose(index, bad, sizeof mistakes, mistakes);
     if (*mistakes) write_result(bad, check, mistakes);
     printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
     if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
@@ -939,7 +1031,6 @@ static void be_the_subject(const struct lesson *lesson, int argc, char *argv[])
 int judge(const struct lesson *lesson, int argc, char *argv[])
 {
     struct finding finding[MAX_CLAIMS] = {0};
-    char failed[MAX_CLAIMS * 64] = "";
     const char number[3] = {lesson->name[0], lesson->name[1], '\0'};
     const int n = lesson->n_claim + 1;
 
@@ -967,14 +1058,13 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
 
     setvbuf(stdout, NULL, _IOLBF, 0);
     printf("%s\n", judging.file);
-    const int over = examine_all(n, finding, failed);
+    const int over = examine_all(n, finding);
     int first = 0;
     while (first < n && finding[first].verdict == PASS) first++;
     if (first == n)
         print_ok(number, n);
     else
-        print_failure(number, claim_at(lesson, first).name, &finding[first],
-                      failed, !over);
+        print_failure(number, first, &finding[first], !over);
     remove_work();
     return first == n ? 0 : 1;
 }

@@ -120,6 +120,12 @@ int *guarded_indices(int n, const int values[]);
  * every check. */
 void guards_hold(void);
 
+/* wrong() if each further call of `call` keeps so many bytes or more, where the
+ * C library counts what is on the heap (glibc 2.33 and later).  What a program
+ * keeps from its first call on is its own affair.  Small blocks are not counted
+ * exactly: bytes by the thousand. */
+void expect_no_leak(void (*call)(void), double bytes, const char *what);
+
 /* A program's output: its exit status, its tables, its last stderr line. */
 struct output;
 

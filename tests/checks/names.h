@@ -39,8 +39,10 @@
 #define child_seconds judge_child_seconds
 #define child_work_in judge_child_work_in
 #define guarded_alloc judge_guarded_alloc
+#define expect_no_leak judge_expect_no_leak
 #define expect_refusal judge_expect_refusal
 #define child_am_inside judge_child_am_inside
+#define child_hand_over judge_child_hand_over
 #define guarded_indices judge_guarded_indices
 #define predictions_read judge_predictions_read
 #define child_on_interrupt judge_child_on_interrupt

@@ -76,6 +76,7 @@ fay,$slug,WRONG,compile,-,-
 gil,$slug,OK,-,-,-
 two twice,$slug,two files,-,-,-
 END
+"$MAKE" "mistakes-${slug%%_*}" >said 2>&1 # their judges are not copied
 state >before
 said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
 result $? 'grade judges a class' "$said"
@@ -86,7 +87,7 @@ for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; 
     result $? "grade draws: $text" "$(ls build/grade)"
 done
 for text in "known mistake (lift_sign)" "== two twice, $slug" 'is in UTF-16' \
-    "not judged: solutions/$slug.c" \
+    'not judged: it includes a solution' \
     "aside: gil/$slug.c, two twice/$slug.c, solutions/$slug.c"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"

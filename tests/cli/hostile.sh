@@ -14,7 +14,7 @@ result() { # result STATUS WHAT WHY
 }
 
 # NAME | WHERE | LINE | VERDICT.  WHERE is slot (the first one), main, or file
-# (its head); what stands before ## in LINE goes to the head as well.  ROOT is
+# (its head); what stands before ## in LINE goes to the head as well, and @@ ends a line.  ROOT is
 # the folder of the workbook.  A verdict with | depends on the system: Linux with
 # Landlock lets a program signal its own processes only.
 programs() {
@@ -56,13 +56,26 @@ a pipe for the judge's message | slot | mkfifo("judge.message", 0600); | OK
 changes the folder | slot | if (chdir("/")) {} | OK
 changes the folder in main | main | if (chdir("/")) {} | OK
 no permissions | main | umask(0777); chmod(".", 0); | OK
-closes every descriptor | slot | for (int fd = 0; fd < 1024; fd++) close(fd); | OK|WRONG
+closes every descriptor | slot | for (int fd = 0; fd < 1024; fd++) close(fd); | CRASHED
 closes stdout | main | fclose(stdout); | WRONG
 says VERDICT OK | main | puts("VERDICT 03: OK, all 11 checks"); | WRONG
 says VERDICT OK and leaves | slot | puts("VERDICT 03: OK, all 11 checks"); exit(0); | CRASHED
-constructor with _exit(0) | file | __attribute__((constructor)) static void early(void) { _exit(0); } | CRASHED
-constructor with a loop | file | __attribute__((constructor)) static void early(void) { for (volatile int spin = 0;; spin = 1) {} } | TIMEOUT
-constructor that writes the verdict | file | __attribute__((constructor)) static void early(void) { puts("VERDICT 03: OK, all 11 checks"); fflush(stdout); FILE *f = fopen("ROOT/build/progress/03.result", "w"); if (f) { fputs("OK - - -", f); fclose(f); } _exit(0); } | CRASHED
+a constructor | file | __attribute__((constructor)) static void early(void) { write(3, "finished", 8); _exit(0); } | WRONG (refused)
+a constructor by a macro | file | #define EARLY(x) __attribute__((con##x)) @@ EARLY(structor) static void early(void) { _exit(0); } | WRONG (refused)
+a constructor behind another #line | file | #line 1 "/usr/include/stdio.h" @@ __attribute__((__constructor__)) static void early(void) { _exit(0); } | WRONG (refused)
+an entry of .init_array | file | static void early(void) { _exit(0); } static void (*at_first)(void) __attribute__((section(".init_array"), used)) = early; | WRONG (refused)
+a line of assembler | file | __asm__(".section .init_array"); | WRONG (refused)
+a string with a constructor | file | static const char *const what = "constructor"; | OK
+the solution, included | file | #include "../solutions/03_dirichlet_correction.c" | WRONG (refused)
+the solution, included by a macro | file | #define ALL "solutions/03_dirichlet_correction.c" @@ #include ALL | WRONG (refused)
+includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)
+macros of ten to the ten | file | #define A(x) x x x x x x x x x x @@ #define B(x) A(A(A(A(A(A(A(A(A(A(x)))))))))) @@ static const int many = B(+1); | WRONG (refused)
+_Exit(0) in a slot | slot | fclose(fopen("judge.finished", "w")); _Exit(0); | CRASHED
+the end of a check, said by the program | slot | for (int fd = 3; fd < 9; fd++) if (write(fd, "finished", 8)) {} _exit(0); | CRASHED
+a malloc() of its own | file | void *malloc(size_t size) { return size ? NULL : NULL; } | OK
+an _exit() of its own | file | extern char **environ; @@ _Noreturn void _exit(int status) { *environ = NULL; for (;;) status++; } | OK
+a function of the library's | file | enum status matrix_factor(struct matrix *A) { return A ? OK : NOT_SPD; } | WRONG (does not compile)
+shared memory | slot | shmget(IPC_PRIVATE, 1 << 20, 0600); | OK
 exit(0) in a slot | slot | exit(0); | CRASHED
 exit(0) in main | main | exit(0); | WRONG
 exit(1) in a slot | slot | exit(1); | CRASHED
@@ -74,12 +87,12 @@ kills its parent in main | main | kill(getppid(), SIGKILL); | CRASHED
 stops its parent | slot | kill(getppid(), SIGSTOP); | OK|CRASHED
 jumps to nowhere | slot | jmp_buf nowhere; memset(nowhere, 0, sizeof nowhere); longjmp(nowhere, 1); | CRASHED
 no output allowed | main | struct rlimit none = {0, 0}; setrlimit(RLIMIT_FSIZE, &none); | CRASHED
-no files allowed | slot | struct rlimit none = {0, 0}; setrlimit(RLIMIT_NOFILE, &none); | CRASHED
+no files allowed | slot | struct rlimit none = {0, 0}; setrlimit(RLIMIT_NOFILE, &none); | OK
 a table with a NUL in it | main | fwrite("# nul\nx\n1\0\n\n\n", 1, 13, stdout); | OK
 NaN | slot | b[0] = 0.0 / (b[0] - b[0]); | NONFINITE
 a line that is no table | slot | puts("here 3"); | WRONG
 no C | slot | this is not C | WRONG (does not compile)
-a header that never ends | file | #include "/dev/zero" | WRONG (does not compile)
+a header that never ends | file | #include "/dev/zero" | WRONG
 a header that is not there | file | #include "no such file.h" | WRONG (does not compile)
 END
 }
@@ -91,8 +104,10 @@ hostile() { # hostile WHERE LINE
             n = index(all, " ## ")
             head = n ? substr(all, 1, n - 1) : ""
             line = n ? substr(all, n + 4) : all
-            split("fcntl setjmp signal stdio stdlib string sys/resource " \
+            gsub(/ @@ /, "\n", line)
+            split("fcntl setjmp signal stdio stdlib string sys/resource sys/shm " \
                   "sys/stat unistd", header, " ")
+            print "#if defined(__linux__)\n#define _DEFAULT_SOURCE\n#endif"
             for (h = 1; h in header; h++) print "#include <" header[h] ".h>"
         }
         /^static / && !headed++ { print head; if (where == "file") print line }
@@ -221,6 +236,27 @@ tools() {
     judged 125 'a debugging line' WRONG \
         '`here 3`. stdout is for tables, so print anything else to stderr'
 
+    rm "lessons/$slug.c" && mkfifo "lessons/$slug.c"
+    judged 131 'a pipe in the place of the file' 'UNFINISHED (no file)' \
+        'is not a plain file'
+    rm "lessons/$slug.c"
+    state >../state."$(basename "$1")"
+
+    cp "solutions/$slug.c" "lessons/$slug.c"
+    said=$("$MAKE" "check-$nn" BUILD=asan CFLAGS='-O1 -fsanitize=address' 2>&1)
+    echo "$said" | grep -q -e "^VERDICT $nn: OK" -e 'cannot find.*asan'
+    result $? 'a program with the address sanitizer is OK' "$said"
+    rm -rf asan
+
+    hostile slot "chmod(\"$PWD/common/linear/matrix.h\", 0600);" >"lessons/$slug.c"
+    none 132 'a program that changes a mode' common/linear/matrix.h
+    chmod 644 common/linear/matrix.h
+    hostile slot "utimensat(AT_FDCWD, \"$PWD/common/plane/mesh.h\",
+        (struct timespec[]){{2000000000, 0}, {2000000000, 0}}, 0);" \
+        >"lessons/$slug.c"
+    none 133 'a program that changes a time' common/plane/mesh.h
+    touch -r common/linear/matrix.h common/plane/mesh.h
+
     cp "solutions/$slug.c" "lessons/$slug.c"
     CC=no-such-compiler none 126 'a missing compiler' 'make deps'
     mv common/linear/matrix.h common/linear/moved.h
@@ -262,6 +298,45 @@ tools() {
     done
 }
 
+# ---- what forks without end, where it can be contained --------------------------
+# pen COPY: COPY.make, which is make with at most 400 processes more, or not there
+pen() {
+    most=$(($(ps -A -o pid= | wc -l) + 400))
+    for at in /sys/fs/cgroup/pids /sys/fs/cgroup; do
+        group=$at/workbook.$$
+        mkdir "$group" 2>/dev/null || continue
+        echo 400 2>/dev/null >"$group/pids.max" && enter="echo \$\$ >$group/cgroup.procs" &&
+            break
+        rmdir "$group"
+    done
+    if [ ! -d "$group" ]; then
+        [ "$(id -u)" != 0 ] || return # no limit holds for root
+        enter="ulimit -u $most || ulimit -p $most"
+    fi
+    printf '#!/bin/sh\n{ %s; } 2>/dev/null || exit 9\nexec "%s" "$@"\n' \
+        "$enter" "$MAKE" >"$1.make" && chmod +x "$1.make"
+}
+bombs() {
+    prepare "$1"
+    pen "$1"
+    if ! "$1.make" -v >/dev/null 2>&1; then
+        echo "skip cli: forks without end: they cannot be contained here" >&2
+    else
+        MAKE=$1.make
+        hostile slot 'for (;;) if (fork() == 0) setsid();' >"lessons/$slug.c"
+        judged 140 'a tree of sessions without end' CRASHED 'more than 128 processes'
+        hostile slot 'for (;;) fork();' >"lessons/$slug.c"
+        judged 141 'forks without end' CRASHED
+    fi
+    rm -f "$1.make"
+    [ ! -d "$group" ] || {
+        echo 0 >"$group/pids.max"
+        xargs kill -9 <"$group/cgroup.procs"
+        sleep 0.5
+        rmdir "$group"
+    } 2>/dev/null
+}
+
 here=$PWD
 mkdir -p "$BUILD/test"
 part() { # part NAME COMMAND...: in a copy of its own
@@ -277,6 +352,7 @@ part() { # part NAME COMMAND...: in a copy of its own
 { part odd table 1; part unguarded unguarded; } >"$BUILD/test/hostile.lines" &
 part even table 0
 part tools tools
+part bombs bombs
 wait
 cat "$BUILD/test/hostile.lines"
 rm -f "$BUILD/test/hostile.lines"

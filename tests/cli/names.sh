@@ -27,6 +27,12 @@ likely='cell run column word table row energy error norm residual_of check expec
     tol PI eps dim i j k e a b x u h F J P r s t E K DIM SIZE quit judge judged
     guarded_copy word_at find_table output_free NOT_COMPARED COUNT NULL NAN wrong
     bar material LOG CUBIC fabs sqrt M_PI double static if'
+# What the judge, its libraries and programs call.
+system='_exit access atoi chdir chmod clock_gettime close closedir dup2 exit execl
+    fclose fopen fork fread free getenv getline getpid kill malloc memcpy mkdtemp
+    nanosleep open opendir perror pipe printf prctl puts qsort read readdir realloc
+    recv remove rename rmdir sched_setscheduler setrlimit setsid signal sigaction
+    snprintf socketpair strlen syscall time unlink wait waitpid write'
 
 compile() { # compile FLAGS...: $file to the judge $dir/judge
     "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' FILE="$file" \
@@ -53,8 +59,10 @@ after_includes() {
 { cat "$solution"; grep '^#include <' "$check"; } >"$file"
 { ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
     $(gsl-config --cflags) -E -dD "$file" && sed '/^[#"]/d' "$file"
-    echo auto break case continue default do else goto inline main register \
-        restrict switch while program_main; } |
+    echo auto break case char const continue default do double else enum extern \
+        float for goto if inline int long main register restrict return short \
+        signed sizeof static struct switch typedef union unsigned void volatile \
+        while program_main; } |
     sed '/^# /d' | words | comm -13 - "$dir/spoken" >"$dir/free"
 # five of them as the linker's names too
 global='quit find_table judge guarded_copy run'
@@ -67,6 +75,20 @@ judged "with $(($(wc -l <"$dir/free"))) names of the checks"
 rm -f "$dir/judge"
 ! said=$(compile NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
 result $? "$nn: without names of their own the checks do not compile" "$said"
+
+# functions of the system's names, which the lesson's headers do not have; the
+# judge calls some of them, and every second one is the linker's name too
+printf '%s\n' $system | sort >"$dir/system"
+${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon $(gsl-config --cflags) \
+    -E "$solution" | words | comm -13 - "$dir/system" >"$dir/free"
+for odd in 0 1; do
+    after_includes "$(awk -v odd=$odd '{
+        linked = NR % 2 == odd ? "" : "static "
+        print linked "int " $1 "(double, double);"
+        print linked "int " $1 "(double a, double b) { return a > b; }" }' \
+        "$dir/free")" >"$file"
+    judged "with $(($(wc -l <"$dir/free"))) functions of the system's names"
+done
 
 { cat "$solution"
     awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"

@@ -220,8 +220,10 @@ for slug in $lessons; do
                 *) grep -q "\"$what\"" "tests/checks/$slug.c" || echo "$what" ;;
                 esac
             done)"
+    rule "choices of lesson $nn have their readings (tests/tools/readings.awk)" \
+        "$(awk -f tests/tools/readings.awk "solutions/$slug.c" "$list" common/*.h)"
     rule "mistakes of lesson $nn name checks that exist" \
-        "$(sed -n 's/^caught-by: //p' "$list" | while read -r check; do
+        "$(sed -n 's/^caught-by: //p; s/^also-by: //p' "$list" | while read -r check; do
             [ "$check" = same_numbers_as_reference ] ||
                 grep -q "\"$check\"" "tests/checks/$slug.c" || echo "$check"
         done)"

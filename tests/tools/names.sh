@@ -1,19 +1,24 @@
 #!/bin/sh
-# names.sh PROGRAM NN_slug INTO - the header between a program and its checks.
+# names.sh PROGRAM NN_slug INTO - the header around a program, before its checks.
 #
-# A program may use any name, and define any macro.  Behind it (program.h) the
-# header INTO
-#   - ends each macro of its own, or brings back what the system means by it;
-#     one stays: that by which alone there is a function of the lesson;
+# A program may use any name, and define any macro.  Before it (program.h, where
+# `main` is a macro) the header INTO
+#   - gives names of its own to what the program alone defines, so that neither
+#     the checks nor the system have them too: close() may be anything.
+# Behind it, it
+#   - ends these again, and each macro of the program's, or brings back what the
+#     system means by it; one stays: that by which alone there is a function of
+#     the lesson;
 #   - gives what is declared by the checks names that no program has.
-# CPP is the compiler with its flags.
+# A program is refused, with a line "refused: WHY", that runs before its main()
+# or includes a solution.  CPP is the compiler with its flags.
 set -u
 LC_ALL=C
 export LC_ALL
 program=$1 slug=$2 into=$3
 check=tests/checks/$slug.c solution=solutions/$slug.c
 part=$into.$$
-trap 'rm -f "$part"' EXIT
+trap 'rm -f "$part" "$part.i" "$part.e"' EXIT
 trap 'exit 130' HUP INT TERM
 
 # The names that FILE defines or undefines as macros.
@@ -24,23 +29,47 @@ macros() {
 }
 # The lines that are in the first list, but not in the second.
 without() { printf '%s\n' "$1" "$2" "$2" | sort | uniq -u; }
-# The words of PROGRAM itself when its macros are replaced.
-words() {
-    $CPP -w -E "$program" 2>/dev/null | awk -v program="\"$program\"" '
-            /^#/ { own = index($0, program); next } own' | sed 's/"[^"]*"//g' |
-        tr -cs 'A-Za-z_0-9' '\n' | sort -u
+refuse() { # refuse WHY...
+    echo "refused: $*" >&2
+    exit 1
 }
-mine=$(without "$(macros "$program")" "$(macros "$solution")")
+# own KIND: those names that the program has of its own, one on each line.
+own() { printf '%s\n' "$all" | sed -n "s/^$1 //p"; }
+
+# An #include or a macro may multiply without end, in time, text or memory.
+({ ulimit -t 4; ulimit -f 8192; ulimit -v 1000000; } 2>/dev/null
+    $CPP -w -E "$program" >"$part.i" 2>"$part.e") ||
+    { [ $? -lt 128 ] && [ "$(wc -c <"$part.i")" -lt 4000000 ] &&
+        ! grep -qi -e signal -e 'out of memory' -e 'bad_alloc' "$part.e"; } ||
+    refuse 'what it includes, or its macros, have no end'
+all=$(awk -f tests/tools/own.awk "$part.i")
+why=$(own refused | head -n 1)
+[ -z "$why" ] || refuse "$why"
+macros=$(macros "$program")
+mine=$(without "$macros" "$(macros "$solution")")
+ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //' | sort -u)
+kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
+[ -z "$kept" ] || kept=$(without "$kept" "$(own word)")
+# what such a macro stands for keeps its name
+theirs=$(printf '%s\n' "$ours" "$macros"
+    for name in $kept; do
+        sed -n "s/^[[:space:]]*#[[:space:]]*define[[:space:]]*$name//p" "$program" |
+            tr -cs 'A-Za-z_0-9' '\n'
+    done)
+renamed=$(without "$(own own)" "$theirs")
 {
+    echo '#ifdef main'
+    printf '%s\n' "$renamed" | sed -n 's/..*/#define & program_own_&/p'
+    without "$(own linked)" "$theirs" | sed -n 's/..*/#pragma redefine_extname & program_own_&/p'
+    echo '#else'
+    printf '%s\n' "$renamed" | sed -n 's/..*/#undef &/p'
     if [ -n "$mine" ]; then
         system=$({ cat "$solution" && grep '^#include <' "$check"; } |
             $CPP -w -E -dM -x c -) || exit 1
-        ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //' | sort -u)
-        kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
-        [ -z "$kept" ] || kept=$(without "$kept" "$(words)" | tr '\n' ' ')
-        { echo "$mine"; echo "$system"; } | awk -v kept=" $kept " '
+        { echo "$mine"; echo "$system"; } | awk -v kept=" $(echo $kept) " '
             !/^#/ && !index(kept, " " $1 " ") { print "#undef " $1; ended[$1] }
             /^#/ { name = $2; sub(/\(.*/, "", name); if (name in ended) print }'
     fi
     awk -f tests/tools/names.awk -v slug="$slug" "$check"
+    echo '#endif'
 } >"$part" && mv -f "$part" "$into"

@@ -8,7 +8,7 @@
 set -u
 LC_ALL=C
 export LC_ALL
-: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}"
+: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}"
 command=$1
 slug=${2:-}
 nn=${slug%%_*}
@@ -17,7 +17,7 @@ state=$BUILD/progress/$nn
 mkdir -p "$BUILD/progress" "$BUILD/saved" "$BUILD/mine"
 case $BUILD in /*) built=$BUILD ;; *) built=./$BUILD ;; esac
 
-sum() { cksum <"$1" 2>/dev/null; }
+sum() { [ ! -f "$1" ] || cksum <"$1" 2>/dev/null; }
 starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
 title() { sed -n '1s/^# Lesson [0-9]*[: ]*//p' "lessons/$1.md"; }
 
@@ -83,12 +83,16 @@ explain_compile() {
     fi
     mv "$folder/log.judge" "$folder/log"
     taken=$(names 'conflicting types|redefinition|redeclared|static declaration')
+    twice=$(names 'multiple definition|duplicate symbol')
     needed=$(names 'implicit declaration|undeclared|undefined reference|few arg|many arg|type for arg')
     if grep -q program_main "$folder/log"; then
         echo "  main() must be there, and begin: int main(int argc, char *argv[])"
     elif [ -n "$taken" ]; then
         echo "  The checks have a name that your file has too: $taken."
         echo "  Give yours another one."
+    elif [ -n "$twice" ]; then
+        echo "  The library has a function that your file has too: $twice."
+        echo "  Give yours another name."
     elif [ -n "$needed" ]; then
         echo "  The checks call what your file has no more, or has with other"
         echo "  parameters: $needed. The starter's functions must stay."
@@ -98,22 +102,22 @@ explain_compile() {
     fi
 }
 
-# The programs that FILE, whose judge is compiled, includes: what is said of it
-# must not be said of them.
-included() {
-    tr ' \\' '\n\n' <"$folder/judge.d" | sed 's/:$//' | grep '\.c$' | sort -u |
-        grep -vxF -e "tests/checks/$slug.c" -e "$1" | tr '\n' ' ' | sed 's/ $//'
-}
-
-# Every file that a judgement rests on, with its sum.
+# Every file that a judgement rests on, with its sum; of those that are not built
+# also mode, owner and time.
 fingerprint() {
     cksum Makefile common/*/* solutions/*.c tests/*/* \
         "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" 2>&1
+    ls -ldn Makefile common/* solutions/*.c tests/*/* 2>&1
 }
 
 # judge FILE NAME [PREPARE]: the verdict on FILE, shown as NAME; 0 when it is OK,
 # 2 when there is none, and the reason is not FILE.
 judge() {
+    if [ -e "$1" ] && [ ! -f "$1" ]; then
+        echo "$2 is not a plain file."
+        verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
+        return 1
+    fi
     if [ ! -f "$1" ]; then
         echo "$2 is not there."
         verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
@@ -133,6 +137,12 @@ judge() {
     patiently "$MAKE" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
         >"$folder/log" 2>&1 || { not_your_fault; return 2; }
     if ! compile "$folder/judge" "$1"; then
+        why=$(sed -n 's/^refused: //p' "$folder/log")
+        if [ -n "$why" ]; then
+            echo "  $2 is not judged: $why."
+            verdict "WRONG (refused)" "WRONG compile - -" "make check-$nn"
+            return 1
+        fi
         mv "$folder/log" "$folder/log.first"
         compile "$folder/judge" "solutions/$slug.c" ||
             { not_your_fault; return 2; }
@@ -142,14 +152,9 @@ judge() {
         verdict "WRONG (does not compile)" "WRONG compile - -" "make check-$nn"
         return 1
     fi
-    others=$(included "$1")
-    if [ -n "$others" ]; then
-        echo "$2 includes another program, which is not judged: $others" |
-            tee -a "$folder/log"
-        verdict "WRONG (includes a program)" "WRONG compile - -" "make check-$nn"
-        return 1
-    fi
     sums=$(fingerprint)
+    # the judge and the checks free nothing
+    [ -z "$SANITIZED" ] || export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0}"
     patiently "$built/solutions/$slug.judge" --file "$2" \
         --source "$1" --subject "$folder/judge" --work "$folder/work" \
         --reference "$BUILD/solutions/$slug" \
@@ -158,9 +163,10 @@ judge() {
     status=$?
     if [ "$(fingerprint)" != "$sums" ]; then
         {
-            echo "While $2 was judged, files of the workbook changed:"
-            { echo "$sums"; fingerprint; } | sort | uniq -u | head -n 9 |
-                sed 's/^[0-9]* [0-9]* //; s/^/  /' | sort -u
+            echo "While $2 was judged, files of the workbook changed"
+            echo "(their text, mode or time):"
+            { echo "$sums"; fingerprint; } | sort | uniq -u |
+                awk '{ print "  " $NF }' | sort -u | head -n 9
             echo "Put them back (git status names them), and judge again."
         } >&2
         rm -f "$folder/result"
@@ -370,7 +376,8 @@ solution)
 reset)
     part=$mine.$$.part
     starter "$slug" >"$part" || exit 1
-    if cmp -s "$part" "$mine"; then
+    if [ -f "$mine" ] && cmp -s "$part" "$mine"; then
+        rm -f "$part"
         echo "$mine is the starter already."
     else
         save_mine

@@ -11,12 +11,18 @@
 # FILE is tests/mistakes/NN_slug.txt, entries of the form
 #
 #     mistake: lift_forgotten          (or  equivalent: another_way)
-#     caught-by: name_of_the_check     (mistakes only)
+#     caught-by: name_of_the_check     (mistakes only; the first that fails,
+#                                       or the mistake is never named)
+#     also-by: another_check           (which fails as well)
 #     verdict: NONFINITE               (where it is not WRONG)
 #     slot: 9c                         (where the verdict may name another slot
 #                                       than that of the first line changed)
-#     shows: no                        (where no run of the program shows it:
-#                                       it is caught, but cannot be explained)
+#     shows: no                        (where no run that ends well shows it, nor
+#                                       what the check `got`: it is caught, but
+#                                       cannot be explained)
+#     reading: 3a WORDS                (equivalents only: one reading of the
+#                                       words WORDS of that slot's contract,
+#                                       which leave a choice)
 #     why: what the student is told, two lines or so;
 #       a continuation is indented.
 #     from:

@@ -64,16 +64,20 @@ starter)
     result $? "$nn: starter is in step with its solution" "make starters" ;;
 mistake)
     judge_variant
-    check=$(field caught-by)
     verdict=$(field verdict)
     : "${verdict:=WRONG}"
-    echo "$said" | grep -q "^  [A-Z][A-Z]*  *$check\$"
-    result $? "$nn: $name is caught by $check" "$said"
+    for check in $(field caught-by,also-by); do
+        echo "$said" | grep -q "^  [A-Z][A-Z]*  *$check\$"
+        result $? "$nn: $name is caught by $check" "$said"
+    done
     echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: $verdict"
     result $? "$nn: $name gives the verdict $verdict" "$said"
     if [ "$(field shows)" != no ]; then # else no table has room for it
-        echo "$said" | grep -q "known mistake ($name)"
+        echo "$said" | grep -q "^ .*($name)" # alone, or one of several
         result $? "$nn: $name is explained" "$said"
+    elif echo "$said" | grep -q 'known mistake'; then
+        echo "$said" | grep -q "^ .*($name)"
+        result $? "$nn: $name is not taken for another mistake" "$said"
     fi
     # a slot that is named is that of the first line which differs
     slot=$(field slot)

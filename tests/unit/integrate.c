@@ -157,6 +157,30 @@ static void newton_is_exact_at_every_step(void)
     forget(model);
 }
 
+/* A bar of negative stiffness: M - dt^2 A is definite for small dt alone, and
+ * what failed is no factor for the next step. */
+static void newton_names_what_is_not_definite(void)
+{
+    struct model *model = model_bar(7, CONSISTENT);
+    struct matrix *A = matrix_copy(model->A);
+    double q[7], x[7], Mx[7], Ax[7];
+    matrix_combine(model->A, -2.0, model->A, A);
+    matrix_free(model->A);
+    model->A = A;
+    for (int k = 0; k < 4; k++) {
+        const double dt = k % 2 ? 1e-3 : 10.0;
+        for (int i = 0; i < 7; i++) q[i] = x[i] = entropy(i);
+        ck_assert_int_eq(model_newton(model, dt, x).status,
+                         k % 2 ? OK : NOT_SPD);
+        if (k % 2 == 0) continue;
+        model_mass(model, x, Mx);
+        model_force(model, x, Ax);
+        for (int i = 0; i < 7; i++)
+            close_to(Mx[i] + dt * dt * Ax[i], -q[i], 1e-12);
+    }
+    forget(model);
+}
+
 /* ---- integrate.h: a mode ------------------------------------------------- */
 
 static void modes_lose_what_the_oracle_says(void)
@@ -373,6 +397,10 @@ static void a_failed_step_leaves_the_state(void)
     for (int i = 0; i < s.n; i++)
         ck_assert(s.u[i] == start.u[i] && s.v[i] == start.v[i] &&
                   s.u_before[i] == 0.0 && s.v_before[i] == 0.0);
+    double *longer = allocate((size_t)s.n + 1, sizeof *longer);
+    longer[s.n] = NAN; /* which is no one's */
+    ck_assert_int_eq(state_accept(&s, longer, longer), OK);
+    free(longer);
     free(g);
     state_free(&s);
     state_free(&start);
@@ -548,6 +576,7 @@ static const struct unit_law laws[] = {
     {"acceleration_is_the_force_over_the_mass",
      acceleration_is_the_force_over_the_mass},
     {"newton_is_exact_at_every_step", newton_is_exact_at_every_step},
+    {"newton_names_what_is_not_definite", newton_names_what_is_not_definite},
     {"modes_lose_what_the_oracle_says", modes_lose_what_the_oracle_says},
     {"orders_and_constants_are_due", orders_and_constants_are_due},
     {"invariants_are_kept", invariants_are_kept},

@@ -320,6 +320,16 @@ static void not_written(void) { todo("0b"); }
 static void write_behind(void) { guarded_alloc(3)[3] = 2.385; }
 static void write_before(void) { guarded_alloc(3)[-1] = 2.385; }
 static void change_behind(void) { guarded_alloc(3)[3] += 2.385; }
+static double *kept[32];
+static int n_kept;
+static void keep_some(void) { kept[n_kept++ % 32] = malloc(40000); }
+static void keep_none(void)
+{
+    keep_some();
+    free(kept[--n_kept]);
+}
+static void leak(void) { expect_no_leak(keep_some, 32000.0, "keep_some()"); }
+static void no_leak(void) { expect_no_leak(keep_none, 32000.0, "it"); }
 static void stay_inside(void)
 {
     const double values[] = {2.385, -1.247};
@@ -351,6 +361,9 @@ static void look_at_descriptors(void)
 
 static void every_end_has_its_verdict(void)
 {
+    const double before = heap_bytes();
+    keep_some();
+    const int counted = heap_bytes() > before + 32000.0;
     begin();
     const int open_one = dup(STDOUT_FILENO);
     expect_finding(leave, CRASHED, "with exit(0)");
@@ -363,6 +376,9 @@ static void every_end_has_its_verdict(void)
     expect_finding(look_at_descriptors, PASS, "");
     expect_finding(daemonise, PASS, "");
     expect_finding(stay_inside, PASS, "");
+    expect_finding(no_leak, PASS, "");
+    if (counted)
+        expect_finding(leak, WRONG, "each call of keep_some() keeps 40");
     expect_finding(write_behind, WRONG, "entries 0 to 2, and entry 3");
     expect_finding(write_before, WRONG, "entries 0 to 2, and entry -1");
     expect_finding(change_behind, WRONG, "entries 0 to 2, and entry 3");
@@ -371,13 +387,57 @@ static void every_end_has_its_verdict(void)
     remove_work();
 }
 
-/* Only a program that one of the failed checks catches is a suspect. */
-static void suspects_are_caught_by_what_failed(void)
+/* Of a student's program `mine` all runs are like `text` with this status; the
+ * right one prints HISTORY.  Is a program that prints `other` so explained? */
+static int explained(const char *mine, int my_status, const char *other,
+                     int other_status, int got)
+{
+    static const char *const runs[] = {""};
+    struct lesson lesson = *judging.lesson;
+    const struct lesson *before = judging.lesson;
+    struct both both = {.mine = printed(mine, my_status),
+                        .right = printed(HISTORY, 0)};
+    char path[PATH_SIZE];
+    FILE *file = fopen(work_file("mistake", path), "w");
+    fprintf(file, "#!/bin/sh\nprintf '%s'\nexit %d\n", other, other_status);
+    fclose(file);
+    chmod(path, 0700);
+    lesson.runs = runs;
+    lesson.n_run = 1;
+    judging.lesson = &lesson;
+    const int is = explains("mistake", &both, got);
+    judging.lesson = before;
+    output_free(both.mine);
+    output_free(both.right);
+    return is;
+}
+
+/* A program that gives up at once is like every other that does, unless a check
+ * has got a number from it. */
+static void what_gives_up_at_once_explains_nothing(void)
+{
+    static const char *const one = "# t\nx\n1\n\n\n";
+    static const char *const two = "# t\nx\n1\n2.385\n\n\n";
+    begin();
+    judging.mistakes = judging.work;
+    ck_assert(explained(two, 0, two, 0, 0));
+    ck_assert(!explained(one, 0, two, 0, 0) && !explained(two, 0, one, 0, 0));
+    ck_assert(!explained(two, 0, two, 1, 0) && !explained(two, 1, two, 0, 1));
+    ck_assert(!explained(HISTORY, 0, HISTORY, 0, 1)); /* the right numbers */
+    ck_assert(!explained(one, 1, one, 1, 0));
+    ck_assert(explained(one, 1, one, 1, 1));
+    judging.mistakes = NULL;
+    remove_work();
+}
+
+/* Only a program is a suspect that the check catches which failed first. */
+static void suspects_are_caught_by_what_failed_first(void)
 {
     static const char *const failed[][2] = {
-        {" lift_is_there", "yes"},   {" a_b lift_is_there c", "yes"},
-        {" lift_is_there_too", ""},  {" no_lift_is_there", ""},
-        {" lift_is_there_too lift_is_there", "yes"}, {"", ""},
+        {"lift_is_there", "yes"},
+        {"lift_is_there_too", ""},
+        {"no_lift_is_there", ""},
+        {"", ""},
     };
     char path[PATH_SIZE], check[64], told[80];
     begin();
@@ -385,7 +445,7 @@ static void suspects_are_caught_by_what_failed(void)
     FILE *why = fopen(work_file("lost.why", path), "w");
     fputs("lift_is_there\nThe lift is lost.\n", why);
     fclose(why);
-    ck_assert(!is_suspect("lost", " lift_is_there")); /* there is none */
+    ck_assert(!is_suspect("lost", "lift_is_there")); /* there is none */
     fclose(fopen(work_file("lost", path), "w"));
     chmod(path, 0700);
     for (int i = 0; i < COUNT(failed); i++) {
@@ -399,8 +459,38 @@ static void suspects_are_caught_by_what_failed(void)
     remove_work();
 }
 
+static void messages_agree_but_for_round_off(void)
+{
+    static const char *const mine = "u at node 3: got -0.914, want 2e-17";
+    static const struct {
+        const char *other;
+        int same;
+    } trial[] = {
+        {"u at node 3: got -0.914, want 2e-17", 1},
+        {"u at node 3: got -0.9140000002, want -5e-16", 1},
+        {"u at node 3: got -0.91401, want 2e-17", 0},
+        {"u at node 3: got 0.914, want 2e-17", 0},
+        {"u at node 3: got -0.914, want 2e-7", 0},
+        {"u at node 2: got -0.914, want 2e-17", 0},
+        {"v at node 3: got -0.914, want 2e-17", 0},
+        {"u at node 3: got nan, want 2e-17", 0},
+        {"u at node 3: got -0.914, want", 0},
+        {"u at node 3: got -0.914, want 2e-17 m", 0},
+        {"", 0},
+    };
+    for (int i = 0; i < COUNT(trial); i++) {
+        ck_assert_int_eq(say_the_same(mine, trial[i].other), trial[i].same);
+        ck_assert_int_eq(say_the_same(trial[i].other, mine), trial[i].same);
+    }
+    ck_assert(say_the_same("nan is", "nan is"));
+}
+
 static const struct unit_law laws[] = {
-    {"suspects_are_caught_by_what_failed", suspects_are_caught_by_what_failed},
+    {"suspects_are_caught_by_what_failed_first",
+     suspects_are_caught_by_what_failed_first},
+    {"what_gives_up_at_once_explains_nothing",
+     what_gives_up_at_once_explains_nothing},
+    {"messages_agree_but_for_round_off", messages_agree_but_for_round_off},
     {"cells_are_numbers_or_words", cells_are_numbers_or_words},
     {"every_row_keeps_its_cells", every_row_keeps_its_cells},
     {"unreadable_output_is_named", unreadable_output_is_named},

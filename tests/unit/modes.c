@@ -215,6 +215,7 @@ static void a_column_is_pressed_and_pushed(void)
 static void traction_pulls_a_column_by_its_end(void)
 {
     struct scene_setting set = scene_column(CUBIC, 40, 0.0);
+    ck_assert(set.rho == 0.0 && set.dt == 1.0); /* quasistatic */
     set.reading = TRACTION;
     set.force = 10.0;
     struct scene *scene = scene_alloc(&set);

@@ -17,6 +17,8 @@ static void a_norm_is_the_root_of_the_squares(void)
     const mat2 A = {{{1.0, -2.0}, {4.0, 10.0}}};
     close_to(mat2_norm(A), 11.0, 1e-14);
     close_to(mat2_norm(mat2_scale(-0.5, A)), 5.5, 1e-14);
+    close_to(mat2_norm(mat2_add(A, A)), 22.0, 1e-14);
+    close_to(mat2_norm(mat2_subtract(A, mat2_scale(3.0, A))), 22.0, 1e-14);
 }
 
 /* Between two looks at the system's clock, and the part below a second too. */

@@ -6,6 +6,7 @@
 #include "unit.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -386,6 +387,58 @@ static void tables_have_their_names(void)
     ck_assert_ptr_nonnull(strstr(got.out, "# particles\nx\ty\tv_x"));
 }
 
+/* Where both components stand: v = (k, -k) and next = (2 k, 3 k) at node k. */
+static struct cloud printed;
+
+static void print_cloud(void)
+{
+    static struct particle_report report;
+    const struct material material = {LOG, 3.7, 2.3};
+    cloud_tables(printed, &report);
+    table_begin("energies", "t k elastic p_kin g_kin n_kin E m_x m_y L");
+    cloud_energies(printed, &material, 0.0, &report);
+    table_end();
+}
+
+static void both_components_are_printed(void)
+{
+    printed = cloud_block(2);
+    struct grid *grid = printed.grid;
+    int rows = 0;
+    for (int a = 0; a < grid->n_node; a++) {
+        grid->mass[a] = a % 3 == 0 ? 1.0 : 0.0;
+        for (int i = 0; i < 2; i++) {
+            grid->v[2 * a + i] = i ? -a : a;
+            grid->next[2 * a + i] = (2 + i) * a;
+        }
+    }
+    for (int q = 0; q < printed.p->n; q++) {
+        printed.p->v[2 * q] = 2.385;
+        printed.p->v[2 * q + 1] = -1.247;
+    }
+    const struct moments of = particles_moments(printed.p);
+    const struct outcome outcome = outcome_of(print_cloud);
+    double w[10];
+    const char *line = strstr(outcome.out, "# step");
+    for (; line && strncmp(line, "\n\n", 2) != 0; line = strchr(line + 1, '\n'))
+        if (sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf", &w[0], &w[1], &w[2],
+                   &w[3], &w[4], &w[5], &w[6], &w[7]) == 8) {
+            ck_assert(w[4] == w[0] && w[5] == -w[0]);
+            ck_assert(w[6] == 2.0 * w[0] && w[7] == 3.0 * w[0]);
+            rows++;
+        }
+    ck_assert_int_eq(rows, (grid->n_node + 2) / 3);
+    line = strstr(outcome.out, "# energies");
+    ck_assert_ptr_nonnull(line);
+    line = strchr(strchr(line, '\n') + 1, '\n');
+    ck_assert_int_eq(sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf %lf %lf",
+                            &w[0], &w[1], &w[2], &w[3], &w[4], &w[5], &w[6],
+                            &w[7], &w[8], &w[9]), 10);
+    close_to(w[7], of.momentum[0], 1e-12);
+    close_to(w[8], of.momentum[1], 1e-12);
+    cloud_free(printed);
+}
+
 static const struct unit_law laws[] = {
     {"a_map_begins_with_no_unknowns", a_map_begins_with_no_unknowns},
     {"steps_are_the_oracles", steps_are_the_oracles},
@@ -402,6 +455,7 @@ static const struct unit_law laws[] = {
     {"projection_goes_on_where_A_is_indefinite",
      projection_goes_on_where_A_is_indefinite},
     {"tables_have_their_names", tables_have_their_names},
+    {"both_components_are_printed", both_components_are_printed},
 };
 
 UNIT_MAIN("steps", laws)

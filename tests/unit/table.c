@@ -16,6 +16,7 @@ static void print_tables(void)
     table_begin("first", "x u");
     table_row(0, 0.1);
     table_row(1, -2.0 / 3.0);
+    table_row(cell_rounded(2, 14.0), cell_rounded(4, -0.02384999));
     table_end();
     table_begin_note("second", "k", "n = %d", 7);
     table_row(3);
@@ -30,7 +31,8 @@ static void tables_have_their_format(void)
     ck_assert_str_eq(end.err, "");
     ck_assert_str_eq(end.out,
                      "# first\nx\tu\n0\t0.10000000000000001\n"
-                     "1\t-0.66666666666666663\n\n\n"
+                     "1\t-0.66666666666666663\n"
+                     "1.4e+01\t-2.385e-02\n\n\n"
                      "# second\n# n = 7\nk\n3\n\n\n");
 }
 

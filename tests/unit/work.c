@@ -248,6 +248,15 @@ static void parts_are_what_they_should_be(const struct sweep *s)
     sweep_parts(s, &set, finer);
     ck_assert(finer[SPACE] < 0.5 * part[SPACE]);
     ck_assert(finer[TIME] > part[TIME] && finer[SOLVER] > 0.0);
+    /* the finest steps: what they leave is the solver's */
+    set.method = IMPLICIT_MIDPOINT;
+    set.steps = 0;
+    for (int k = 0; k < s->count; k++)
+        if (s->set[k].dynamic && s->set[k].method == set.method &&
+            s->set[k].n == 8 && s->set[k].steps > set.steps)
+            set.steps = s->set[k].steps;
+    sweep_parts(s, &set, finer);
+    ck_assert(finer[TIME] == 0.0 && finer[SOLVER] > 0.0);
     /* a straight column; the coarsest mesh would not have seen it */
     set = setting(BUCKLE, LINEAR, 0, 8, 1, BACKWARD_EULER);
     set.tolerance = 1e-2;

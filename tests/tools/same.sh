@@ -1,0 +1,52 @@
+#!/bin/sh
+# same.sh KIND - are the numbers of the build KIND (tests/same.mk) those of the
+# others?  KIND is here: are the figures drawn from this machine's own numbers,
+# byte by byte, those in figures/?  Only where gnuplot is the one that drew them.
+#
+# Its tables against those of v8, cell by cell (same.awk); the book, filled from
+# its tables, against the book; and every figure of SCRIPTS, drawn from its
+# tables, against the one drawn from this machine's own, byte by byte.  A claim
+# that does not hold has left an empty table.  Prints ok and FAIL lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}"
+kind=$1 test=$BUILD/test dir=$BUILD/test/$1/data
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok $kind: $2"; else echo "FAIL $kind: $2: $3"; fi
+}
+if [ "$kind" = here ]; then
+    for script in $SCRIPTS; do
+        drawn=$test/figures.$(echo "$script" | tr / .).svg
+        if [ -f "$drawn" ] && [ "$(grep -m 1 Produced "$drawn")" = \
+            "$(grep -m 1 Produced "figures/$script.svg")" ]; then
+            cmp -s "$drawn" "figures/$script.svg"
+            result $? "figure $script is that of figures/" 'make figures'
+        fi
+    done
+    exit
+fi
+if [ "$kind" = v2 ]; then echo 'skip same numbers by clang: not here'; fi
+for data in $(cd "$dir" && find . -name '*.tsv' | sed 's|^\./||' | sort); do
+    [ "$data" != many/many.tsv ] || continue
+    [ -s "$dir/$data" ]
+    result $? "${data%.tsv} runs, and what it claims holds" "$(cat "$dir/$data.said")"
+    [ "$kind" != v8 ] && [ -s "$dir/$data" ] || continue
+    said=$(awk -f tests/tools/same.awk "$test/v8/data/$data" "$dir/$data")
+    result $? "the tables of ${data%.tsv} are those of v8" "$said"
+done
+mkdir -p "$dir/many" && cp "$BUILD/data/many/many.tsv" "$dir/many/"
+said=$(BUILD=$test/$kind sh tests/tools/workbook.sh check)
+result $? 'the book is in step' "$said"
+for script in $SCRIPTS; do
+    study=$script
+    [ -f "figures/$script.c" ] || study=${script%/*}
+    cmp -s "$dir/$study.tsv" "$BUILD/data/$study.tsv" ||
+        for drawn in "$test"/figures.$(echo "$script" | tr / .).*; do
+            case $drawn in *.svg | *.gif) ;; *) continue ;; esac
+            said=$(sh tests/tools/figure.sh "figures/$script.gp" "$dir/$study.tsv" \
+                "$dir/picture.${drawn##*.}" 2>&1) &&
+                cmp -s "$dir/picture.${drawn##*.}" "$drawn"
+            result $? "figure $script is the same" "$said"
+        done
+done
