@@ -43,26 +43,25 @@ own() { printf '%s\n' "$all" | sed -n "s/^$1 //p"; }
         ! grep -qi -e signal -e 'out of memory' -e 'bad_alloc' "$part.e"; } ||
     refuse 'what it includes, or its macros, have no end'
 all=$(awk -f tests/tools/own.awk "$part.i")
-why=$(own refused | head -n 1)
-[ -z "$why" ] || refuse "$why"
+case $all in refused*) refuse "$(own refused | head -n 1)" ;; esac
 macros=$(macros "$program")
 mine=$(without "$macros" "$(macros "$solution")")
 ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //' | sort -u)
-kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
+kept=
+[ -z "$mine" ] || kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
 [ -z "$kept" ] || kept=$(without "$kept" "$(own word)")
 # what such a macro stands for keeps its name
-theirs=$(printf '%s\n' "$ours" "$macros"
-    for name in $kept; do
-        sed -n "s/^[[:space:]]*#[[:space:]]*define[[:space:]]*$name//p" "$program" |
-            tr -cs 'A-Za-z_0-9' '\n'
-    done)
-renamed=$(without "$(own own)" "$theirs")
+theirs=$(echo $ours $macros; for name in $kept; do
+    sed -n "s/^[[:space:]]*#[[:space:]]*define[[:space:]]*$name//p" "$program" |
+        tr -cs 'A-Za-z_0-9' ' '; done)
 {
     echo '#ifdef main'
-    printf '%s\n' "$renamed" | sed -n 's/..*/#define & program_own_&/p'
-    without "$(own linked)" "$theirs" | sed -n 's/..*/#pragma redefine_extname & program_own_&/p'
-    echo '#else'
-    printf '%s\n' "$renamed" | sed -n 's/..*/#undef &/p'
+    printf '%s\n' "$all" | awk -v theirs="$(echo $theirs)" '
+        BEGIN { n = split(theirs, name, " "); while (n) kept[name[n--]] }
+        $2 in kept { next }
+        $1 == "own" { print "#define " $2 " program_own_" $2; own[$2] }
+        $1 == "linked" { print "#pragma redefine_extname", $2, "program_own_" $2 }
+        END { print "#else"; for (k in own) print "#undef " k }'
     if [ -n "$mine" ]; then
         system=$({ cat "$solution" && grep '^#include <' "$check"; } |
             $CPP -w -E -dM -x c -) || exit 1
