@@ -7,7 +7,7 @@
 # the clock counts how often it is asked, so that no second need be excepted.
 # tests/tools/same.sh compares their tables, and what becomes of them.
 
-WITH_VEC := banded front readable
+WITH_VEC := $(filter %/tiles.o %/front.o %/readable.o,$(OBJECTS:$(BUILD)/%=%))
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
 vec_flags = $(if $(filter v8,$1),$(ALL_NATIVE) -DVEC_WIDTH=8,-DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang
@@ -15,13 +15,12 @@ $(T)/clang/%: override CFLAGS := -O1
 
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
-$(WITH_VEC:%=$(T)/$1/common/%.o): $(T)/$1/common/%.o: common/%.c Makefile
+$(WITH_VEC:%=$(T)/$1/%): $(T)/$1/%.o: %.c Makefile
 	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$(call vec_flags,$1) $$< $$(OBJECT)
 $(T)/$1/clock.o: tests/tools/clock.c common/base/clock.h Makefile
 	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$< $$(OBJECT)
-$(T)/$1/libworkbook.a: $(T)/$1/clock.o $(WITH_VEC:%=$(T)/$1/common/%.o) \
-        $(patsubst %,$2/common/%.o,$(filter-out clock $(WITH_VEC),$(notdir \
-        $(OBJECTS:.o=))))
+$(T)/$1/libworkbook.a: $(T)/$1/clock.o $(WITH_VEC:%=$(T)/$1/%) \
+        $(addprefix $2/,$(filter-out %/clock.o $(WITH_VEC),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
 $(PARTS:$(BUILD)/%=$(T)/$1/%): $(T)/$1/%: $2/%.o $(T)/$1/libworkbook.a
 	$(Q)mkdir -p $$(@D) && $$(CC) $$(CFLAGS) $$^ -o $$@ $$(LDFLAGS) $(GSL_LIBS)
@@ -45,10 +44,10 @@ SAME_RUN = mkdir -p $(@D) && { $< > $@.part 2> $@.said || : > $@.part; } && \
            mv $@.part $@
 $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))
-$(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(WITH_VEC:%=$(BUILD)/common/%.o),\
+$(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(WITH_VEC:%=$(BUILD)/%), \
     $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c Makefile
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
--include $(wildcard $(T)/*/common/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)
+-include $(wildcard $(T)/*/common/*/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)
 # the figures in the tree are no prerequisites: they would be drawn
 .PHONY: always
 $(T)/same-here.result: $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \

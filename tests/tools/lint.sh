@@ -42,8 +42,8 @@ rule 'solutions include libc, GSL and common/; studies also their own folder' \
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
 rule 'only options, pointer, study, table and status print in common/' \
-    "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*.c |
-        grep -vE 'common/(options|pointer|study|table|status)\.c')"
+    "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*/*.c |
+        grep -vE '/(options|pointer|study|table|status)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \
@@ -221,7 +221,7 @@ for slug in $lessons; do
                 esac
             done)"
     rule "choices of lesson $nn have their readings (tests/tools/readings.awk)" \
-        "$(awk -f tests/tools/readings.awk "solutions/$slug.c" "$list" common/*.h)"
+        "$(awk -f tests/tools/readings.awk "solutions/$slug.c" "$list" common/*/*.h)"
     rule "mistakes of lesson $nn name checks that exist" \
         "$(sed -n 's/^caught-by: //p; s/^also-by: //p' "$list" | while read -r check; do
             [ "$check" = same_numbers_as_reference ] ||

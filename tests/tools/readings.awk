@@ -1,7 +1,7 @@
 # readings.awk - a contract that leaves a choice, and a program per reading.
 #
 #     awk -f tests/tools/readings.awk solutions/NN_slug.c \
-#         tests/mistakes/NN_slug.txt common/*.h
+#         tests/mistakes/NN_slug.txt common/*/*.h
 #
 # prints a line for each slot whose contract (the comment before its function
 # and the SLOT comment) has one of the words below and no `reading: SLOT WORDS`

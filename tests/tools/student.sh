@@ -107,7 +107,7 @@ explain_compile() {
 fingerprint() {
     cksum Makefile common/*/* solutions/*.c tests/*/* \
         "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" 2>&1
-    ls -ldn Makefile common/* solutions/*.c tests/*/* 2>&1
+    ls -ldn Makefile common/*/* solutions/*.c tests/*/* 2>&1
 }
 
 # judge FILE NAME [PREPARE]: the verdict on FILE, shown as NAME; 0 when it is OK,
