@@ -157,7 +157,7 @@ $(PARTS:=.o): $(BUILD)/%.o: %.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(OBJECT)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
-	$(Q)$(CC) $(CFLAGS) $< $(PLACED)
+	$(Q)$(WHOLE) $(CC) $(CFLAGS) $(PLACED)
 
 $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(call say,cc,$<)

@@ -1,6 +1,6 @@
 /*
- * clock.c - a clock for comparing tables, in the place of clock.c of the library:
- * it counts how often it is asked, so that what is measured is the same twice.
+ * clock.c - a clock for comparing tables, in place of the library's: it counts
+ * how often it is asked, so that what is measured is the same twice.
  */
 #include "base/clock.h"
 
