@@ -171,7 +171,7 @@ static void compare_unknowns(const struct grid *on, enum wall wall)
     for (int i = 0; i < BESIDE; i++)
         expect(room[i] == 0 && got->equation[n_all + i] == 0,
                "equation[] has entries 0 to %d; one beyond is written", n_all);
-    expect(got->n == want->n, "wall %s, order %d: %d unknowns, expected %d",
+    expect(got->n == want->n, "wall %s, order %d: got %d unknowns, want %d",
            what, on->order, got->n, want->n);
     for (int s = 0; s < n_all; s++) {
         const int moves = want->equation[s] >= 0;

@@ -70,9 +70,9 @@ longest() {
     done
 }
 rule 'main() has at most 50 lines' \
-    "$(longest "$(ls solutions/*.c)" 50 '^int main\(')"
+    "$(longest "$(ls solutions/*.c)" 50 '^int main[(]')"
 rule 'a function has at most 60 lines' \
-    "$(longest "$sources" 60 '^[a-z_].*\(')"
+    "$(longest "$sources" 60 '^[a-z_].*[(]')"
 rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
