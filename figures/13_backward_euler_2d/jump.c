@@ -61,6 +61,7 @@ int main(void)
 {
     const double jumps[] = {0.25, 0.5,  0.6,  0.7, 0.75, 0.8, 0.85,
                             0.9,  0.95, 1.05, 1.5, 3.0};
+    const enum law law[2] = {LOG, CUBIC};
     double limit[2] = {0.0, 0.0}, least_J = 1.0;
     int lifted = 0, most = 0, unused;
 
@@ -69,25 +70,28 @@ int main(void)
                      "log_lifted cubic_lifted min_J",
                      "n = %d; iterations; min_J of the solution, cubic", N);
     for (int k = 0; k < COUNT(jumps); k++) {
-        enum status status[4];
-        struct cell iterations[4];
+        enum status status[2], status_lifted[2]; /* log, cubic */
+        struct cell plain[2], lift[2];           /* iterations */
         double min_J = 0.0;
-        for (int c = 0; c < 4; c++) { /* log, cubic; the same lifted */
-            struct scene *s = at_rest(c % 2 ? CUBIC : LOG);
+        for (int l = 0; l < 2; l++) {
             int count;
-            status[c] = jump_step(s, jumps[k], c / 2, &count);
-            iterations[c] = cell_if(status[c] == OK, count);
-            if (c >= 2) most = status[c] == OK && count > most ? count : most;
-            min_J = body_min_J(s->body, s->u);
+            struct scene *s = at_rest(law[l]);
+            status[l] = jump_step(s, jumps[k], 0, &count);
+            plain[l] = cell_if(status[l] == OK, count);
+            if (status[l] == OK) limit[l] = jumps[k];
+            scene_free(s);
+
+            s = at_rest(law[l]);
+            status_lifted[l] = jump_step(s, jumps[k], 1, &count);
+            lift[l] = cell_if(status_lifted[l] == OK, count);
+            if (status_lifted[l] == OK && count > most) most = count;
+            min_J = body_min_J(s->body, s->u); /* the cubic law's is left */
             scene_free(s);
         }
-        table_row(jumps[k], iterations[0], status_name(status[0]),
-                  iterations[1], status_name(status[1]), iterations[2],
-                  iterations[3], min_J);
-        for (int c = 0; c < 2; c++)
-            if (status[c] == OK) limit[c] = jumps[k];
+        table_row(jumps[k], plain[0], status_name(status[0]), plain[1],
+                  status_name(status[1]), lift[0], lift[1], min_J);
         if (jumps[k] == 0.85) least_J = min_J;
-        lifted += status[2] == OK && status[3] == OK;
+        lifted += status_lifted[0] == OK && status_lifted[1] == OK;
     }
     table_end();
 
