@@ -3,9 +3,9 @@
  * nu is there more than one?
  *
  * One element of the cubic law without load, from 71 starts; for small nu its
- * stress returns to 0 far beyond the limit load (limit.h).  Tables: the nu below
- * which there are a limit load and another state of rest, and above which the
- * log law has a limit load; where the runs end.
+ * stress returns to 0 far beyond the limit load (limit.h).  Tables: the nu
+ * below which there are a limit load and another state of rest, and above which
+ * the log law has a limit load; where the runs end.
  */
 #include "limit.h"
 #include "stretch.h"
