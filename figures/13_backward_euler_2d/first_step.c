@@ -48,10 +48,10 @@ static void print_first_step(const char *name, enum law law, int from[METHODS])
             struct scene *s = square(size[k], law);
             const struct step_control control = step_method(method[m]);
             const struct step_report r = scene_step(s, &control);
-            const enum status with_cholesky = r.indefinite ? NOT_SPD : r.status;
+            const enum status strict = r.indefinite ? NOT_SPD : r.status;
             *next++ = CELL(step_reason(&control, r.status));
             *next++ = cell_if(r.status == OK, r.iterations);
-            if (m == NOTES) *next++ = CELL(status_name(with_cholesky));
+            if (m == NOTES) *next++ = CELL(status_name(strict));
             if (r.status != OK && from[m] == 0) from[m] = size[k];
             scene_free(s);
         }
@@ -76,7 +76,8 @@ static struct step_report print_history(const char *name, int m)
         report = step_solve(s->body, &one, s->set.dt, s->v, NULL, s->u);
         if (report.status != MAX_ITERATIONS) break;
         if (k > 0 && report.increment > 0.5) break;
-        table_row(k, k > 0 ? cell_rounded(5, report.increment) : cell_word(MISSING),
+        table_row(k, k > 0 ? cell_rounded(5, report.increment)
+                           : cell_word(MISSING),
                   cell_rounded(5, report.residual),
                   cell_rounded(5, body_min_J(s->body, s->u)));
     }
