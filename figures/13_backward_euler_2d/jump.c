@@ -20,7 +20,7 @@
 enum { N = 8 };
 static const double h = 2.0 / N;
 
-static struct scene *at_rest(enum law law)
+static struct scene *square_at_rest(enum law law)
 {
     const struct scene_setting set = scene_notes(RIGID, law, N);
     return scene_alloc(&set);
@@ -73,7 +73,7 @@ int main(void)
         struct cell iterations[4];
         double min_J = 0.0;
         for (int c = 0; c < 4; c++) { /* log, cubic; the same lifted */
-            struct scene *s = at_rest(c % 2 ? CUBIC : LOG);
+            struct scene *s = square_at_rest(c % 2 ? CUBIC : LOG);
             int count;
             status[c] = jump_step(s, jumps[k], c / 2, &count);
             iterations[c] = cell_if(status[c] == OK, count);
@@ -91,7 +91,7 @@ int main(void)
     }
     table_end();
 
-    struct scene *s = at_rest(CUBIC);
+    struct scene *s = square_at_rest(CUBIC);
     table_begin_note("guess", "scene t J x0 y0 x1 y1 x2 y2",
                      "t = 0: u0 and boundary values; t = dt: the solution");
     shift(s, 0.85);
