@@ -104,7 +104,8 @@ static void solve(int n, double error[2], double closest[2])
     body_free(s->body);
     s->body =
         body_alloc(s->mesh, material_notes(CUBIC), 1.0, CONSISTENT, s->held);
-    if (step_solve(s->body, &control, set.dt, s->g, s->f, s->u).status != OK)
+    const struct incremental Phi = {set.dt, s->g, s->f};
+    if (step_solve(s->body, &control, Phi, s->u).status != OK)
         die("the smooth step fails");
     smooth_error(s->body, s->u, &error[0], &error[1]);
     for (int a = 0; a < s->mesh->n_vertex; a++)

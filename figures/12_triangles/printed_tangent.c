@@ -89,8 +89,9 @@ static int let_go(double angle, int slip, double residual[])
             s->u[r] = 1.2385 * row[0] * X[0] + row[1] * X[1] - X[i];
             w[r] = s->u[r] + set.dt * velocity[i];
         }
+    const struct incremental Phi = {set.dt, w, NULL};
     for (int k = 0; k <= CAP && iterations < 0; k++) {
-        body_assemble(s->body, set.dt, w, NULL, s->u, NO_TANGENT, q);
+        body_assemble(s->body, Phi, s->u, NO_TANGENT, q);
         const double size = body_max_free(s->body, q);
         if (!(size < 1e12)) break;
         residual[k] = size;

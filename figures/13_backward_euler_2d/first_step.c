@@ -71,9 +71,10 @@ static struct step_report print_history(const char *name, int m)
     scene_hold(s, s->set.dt);
     step_boundary(s->body, s->g, one.lift, s->u);
     table_begin(name, "iteration increment residual min_J");
+    const struct incremental Phi = {s->set.dt, s->v, NULL};
     for (int k = 0;; k++) {
         one.max_iterations = k > 0;
-        report = step_solve(s->body, &one, s->set.dt, s->v, NULL, s->u);
+        report = step_solve(s->body, &one, Phi, s->u);
         if (report.status != MAX_ITERATIONS) break;
         if (k > 0 && report.increment > 0.5) break;
         table_row(k, k > 0 ? cell_rounded(5, report.increment)

@@ -20,7 +20,7 @@
 enum { N = 8 };
 static const double h = 2.0 / N;
 
-static struct scene *at_rest(enum law law)
+static struct scene *square_at_rest(enum law law)
 {
     const struct scene_setting set = scene_notes(RIGID, law, N);
     return scene_alloc(&set);
@@ -60,7 +60,7 @@ static void print_triangles(const struct scene *s, double t)
 /* A jump of 0.85 h, which needs the lift; the least J of the start. */
 static double print_guess(void)
 {
-    struct scene *s = at_rest(CUBIC);
+    struct scene *s = square_at_rest(CUBIC);
     int unused;
 
     table_begin_note("guess", "scene t J x0 y0 x1 y1 x2 y2",
@@ -95,13 +95,13 @@ int main(void)
         double min_J = 0.0;
         for (int l = 0; l < 2; l++) {
             int count;
-            struct scene *s = at_rest(law[l]);
+            struct scene *s = square_at_rest(law[l]);
             status[l] = jump_step(s, jumps[k], 0, &count);
             plain[l] = cell_if(status[l] == OK, count);
             if (status[l] == OK) limit[l] = jumps[k];
             scene_free(s);
 
-            s = at_rest(law[l]);
+            s = square_at_rest(law[l]);
             status_lifted[l] = jump_step(s, jumps[k], 1, &count);
             lift[l] = cell_if(status_lifted[l] == OK, count);
             if (status_lifted[l] == OK && count > most) most = count;

@@ -52,7 +52,8 @@ static int move(int which, enum law law, struct step_control control,
         *systems += report.iterations;
         ok = report.status == OK;
     }
-    if (which == PRESSED && ok) ok = step_certify(s->body, 1.0, s->u) == OK;
+    if (which == PRESSED && ok)
+        ok = step_certify(s->body, at_rest(NULL), s->u) == OK;
     scene_free(s);
     return ok;
 }
@@ -84,10 +85,11 @@ static int let_go(int which, int k, enum law law, struct step_control control,
     if (which == CRUSHED) release_place(body, RELEASE_CRUSHED[k].F, u);
     if (which != CRUSHED) release_scramble(body, (unsigned)k + 1, u);
     control.max_iterations = 1;
+    const struct incremental Phi = {1.0, w, NULL};
     enum status s = MAX_ITERATIONS;
     while (s == MAX_ITERATIONS && *systems < 200 && !rest) {
         memcpy(w, u, sizeof w);
-        s = step_solve(body, &control, 1.0, w, NULL, u).status;
+        s = step_solve(body, &control, Phi, u).status;
         rest = body_energy(body, u, &energy) == OK &&
                energy <= RELEASE_ENERGY && body_min_J(body, u) > 0.0;
         ++*systems;

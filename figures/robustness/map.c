@@ -76,8 +76,8 @@ static int starts_definite(struct scene *s, double dt)
     memset(s->u, 0, (size_t)s->n_dof * sizeof *s->u);
     scene_hold(s, dt);
     step_boundary(s->body, s->g, 0, s->u);
-    const int definite = body_assemble(s->body, dt, rest, NULL, s->u, EXACT,
-                                       q) == OK &&
+    const struct incremental Phi = {dt, rest, NULL};
+    const int definite = body_assemble(s->body, Phi, s->u, EXACT, q) == OK &&
                          matrix_factor(s->body->K) == OK;
     free(q);
     free(rest);

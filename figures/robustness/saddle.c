@@ -55,7 +55,8 @@ static struct answer squeeze(const char *method)
     a.report = scene_step(s, &last);
     a.phi = potential(s, w);
     a.min_J = body_min_J(s->body, s->u);
-    body_assemble(s->body, set.dt, w, NULL, s->u, EXACT, q);
+    const struct incremental Phi = {set.dt, w, NULL};
+    body_assemble(s->body, Phi, s->u, EXACT, q);
     a.definite = matrix_factor(s->body->K) == OK;
     free(w);
     free(q);

@@ -36,12 +36,12 @@ static enum end settle(struct scene *s, int start, int seed, const char *name,
     scene_scatter(s, seed, amplitude[start] * 2.0 / s->set.n);
     memcpy(s->v, s->u, (size_t)s->n_dof * sizeof *s->u); /* is kept */
     const struct step_report to =
-        step_solve(s->body, &control, 1.0, s->v, NULL, s->u);
+        step_solve(s->body, &control, at_rest(NULL), s->u);
     if (to.status == NOT_SPD && control.line_search) return STOPPED;
     if (to.status != OK) return FAILS;
     times_record(systems, to.iterations, 1);
     if (fabs(s->u[cblas_idamax(s->n_dof, s->u, 1)]) < 1e-6) return REST;
-    body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g);
+    body_assemble(s->body, at_rest(NULL), s->u, EXACT, s->g);
     return matrix_factor(s->body->K) == OK ? MINIMUM : NO_MINIMUM;
 }
 
