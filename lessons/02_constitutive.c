@@ -21,6 +21,7 @@
  */
 #include "material/material.h"
 #include "base/options.h"
+#include "base/status.h"
 #include "base/table.h"
 
 #include <math.h>

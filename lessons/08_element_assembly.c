@@ -76,7 +76,8 @@ static void element(double x0, double x1, field *beta, field *f,
 }
 
 /*
- * A and b of all elements, no boundary condition yet [alg:element-assembly].
+ * A and b of all elements, no boundary condition yet [alg:element-assembly]:
+ * eight parameters, a problem, a mesh and a rule in, a system out.
  *
  * x      in   nodes x[0..n]
  * order  in   the elements 0..n-1 in the order in which to visit them

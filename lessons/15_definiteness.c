@@ -126,7 +126,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
         double d[3] = {0.0, 0.0, 0.0};
         scene_rest(s);
         scene_press(s, load[k], 1e-3);
-        if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+        if (k == 2) step_solve(s->body, &control, at_rest(NULL), s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
             direction(s->body, (enum projection)m, s->u, q, du, &definite);
             for (int r = 0; r < s->n_dof; r++) d[m] += q[r] * du[r];
@@ -172,7 +172,7 @@ static enum status direction(struct body *body, enum projection projection,
     enum status status = OK;
     double *b = allocate((size_t)body->n_equation, sizeof *b);
     /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
-     * by body_assemble(body, 1.0, u, NULL, u, EXACT or PROJECTED, q), b[] by
+     * by body_assemble(body, at_rest(NULL), u, EXACT or PROJECTED, q), b[] by
      * body_gather().  matrix_factor() overwrites K with what matrix_solve()
      * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
     todo("15d", body, projection, u, q, du, definite, b, &status);

@@ -110,9 +110,10 @@ static struct release_report release(struct body *body, double u[])
     double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
     double *du = q + 2 * body->mesh->n_vertex;
     struct release_report report = {.status = MAX_ITERATIONS};
-    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
-     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
-     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
+     * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
+     * matrix_factor() for body->K; body_max_free(), _increment(), _energy(),
+     * _min_J(). */
     todo("16d", body, u, small, q, du, &report);
     /* END 16d */
     free(q);

@@ -108,7 +108,7 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
 }
 
 /* A u = b with n_fixed prescribed nodes; A and b are corrected in place.
- * Cholesky looks at the lower triangle of A only. */
+ * Cholesky looks at A's lower triangle only.  Parameters: as in 3b, and u. */
 static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
                                     const int node[], const double g[],
                                     enum diagonal diagonal, double u[])

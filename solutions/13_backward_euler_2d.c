@@ -113,7 +113,7 @@ static enum status equation(const struct body *body, double dt,
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
         q[r] = dt * dt * q[r] - b[r];
     add_mass(body, u, q);
-    if (status == OK) status = body_stiffness(body, u, K);
+    if (status == OK) status = body_stiffness(body, u, EXACT, K);
     body_mass_matrix(body, A);
     matrix_combine(A, dt * dt, K, A);
     /* END 13c */

@@ -151,7 +151,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
         double d[3] = {0.0, 0.0, 0.0};
         scene_rest(s);
         scene_press(s, load[k], 1e-3);
-        if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+        if (k == 2) step_solve(s->body, &control, at_rest(NULL), s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
             direction(s->body, (enum projection)m, s->u, q, du, &definite);
             for (int r = 0; r < s->n_dof; r++) d[m] += q[r] * du[r];
@@ -197,15 +197,15 @@ static enum status direction(struct body *body, enum projection projection,
     enum status status = OK;
     double *b = allocate((size_t)body->n_equation, sizeof *b);
     /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
-     * by body_assemble(body, 1.0, u, NULL, u, EXACT or PROJECTED, q), b[] by
+     * by body_assemble(body, at_rest(NULL), u, EXACT or PROJECTED, q), b[] by
      * body_gather().  matrix_factor() overwrites K with what matrix_solve()
      * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
-    status = body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+    status = body_assemble(body, at_rest(NULL), u, EXACT, q);
     *definite = status == OK && matrix_factor(body->K) == OK;
     const int project = projection == ALWAYS ||
                         (projection == ON_DEMAND && !*definite);
     if (status == OK && (project || !*definite))
-        status = body_assemble(body, 1.0, u, NULL, u,
+        status = body_assemble(body, at_rest(NULL), u,
                                project ? PROJECTED : EXACT, q);
     if (status == OK && project) status = matrix_factor(body->K);
     body_gather(body, q, b);

@@ -128,11 +128,12 @@ static struct release_report release(struct body *body, double u[])
     double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
     double *du = q + 2 * body->mesh->n_vertex;
     struct release_report report = {.status = MAX_ITERATIONS};
-    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
-     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
-     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
+     * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
+     * matrix_factor() for body->K; body_max_free(), _increment(), _energy(),
+     * _min_J(). */
     for (;;) {
-        report.status = body_assemble(body, 1.0, u, NULL, u, PROJECTED, q);
+        report.status = body_assemble(body, at_rest(NULL), u, PROJECTED, q);
         if (report.status != OK || body_max_free(body, q) <= small) break;
         report.status = MAX_ITERATIONS;
         if (report.iterations == CAP) break;
@@ -144,7 +145,7 @@ static struct release_report release(struct body *body, double u[])
         report.iterations++;
     }
     if (report.status == OK) {
-        body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+        body_assemble(body, at_rest(NULL), u, EXACT, q);
         release_shift(body);
         if (matrix_factor(body->K) != OK) report.status = SADDLE;
     }

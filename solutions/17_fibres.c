@@ -239,7 +239,7 @@ int main(int argc, char *argv[])
     s->body->add = add_fibres;
     s->body->added = &fibres;
     const enum status square =
-        step_solve(s->body, &newton, 1.0, s->g, s->f, s->u).status;
+        step_solve(s->body, &newton, at_rest(s->f), s->u).status;
     print_field(s, &fibres);
     if (status != OK || square != OK)
         die("strip: %s, square: %s", status_name(status), status_name(square));

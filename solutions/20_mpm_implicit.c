@@ -147,7 +147,7 @@ static struct particle_report newton(const struct particle_body *body,
             particle_stiffness(of, u, map->equation, map->sign, A);
             particle_mass_matrix(body, step->consistent,
                                  step->rate * step->rate, map, A);
-            weight = matrix_weight(A);
+            weight = matrix_max_diagonal(A);
             report.status = matrix_factor(A);
         }
         if (report.status != OK) break;

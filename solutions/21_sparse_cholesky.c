@@ -82,9 +82,9 @@ static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
     return next;
 }
 
-/* The same by nested dissection [alg:dissection]: a rectangle of more than leaf
- * vertices (leaf >= 4) is cut by a line of vertices across its longer side, in
- * the middle.  Lines and small rectangles are numbered row by row. */
+/* The same by nested dissection [alg:dissection], with its parameters and leaf,
+ * leaf >= 4: a rectangle of more vertices is cut by a line of vertices across
+ * its longer side, in the middle.  Lines and small rectangles go row by row. */
 static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
                    int next, int place[])
 {

@@ -78,7 +78,8 @@ static double dot(int n, const double x[], const double y[])
  * Conjugate gradients from x = 0 [alg:cg]; z := B r is precondition(context, r,
  * z).  OK: |r| <= tolerance |b|, Euclidean norms; NOT_SPD: p.Kp or r.z is not
  * positive; NONFINITE: a number is not finite; MAX_ITERATIONS: not done after
- * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.
+ * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.  Eight
+ * parameters: K, B and its context, b, x, and when to stop.
  */
 static void cg(const struct csr *K, preconditioner *precondition,
                const void *context, double tolerance, int cap,

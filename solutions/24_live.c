@@ -117,11 +117,11 @@ static int count_knots(const struct mesh *mesh, const double u[])
  * u := u0 with the held values g, and what that does to the rest: the first
  * iteration of Newton's method, in which the jump enters linearly
  * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are of body_assemble() with dt, w and no f.
+ * `tangent` and q are those of Phi, by body_assemble().
  * OK, or the status of an assembly or of the factorisation, or NONFINITE:
  * something would move by more than LIVE_LEAP.
  */
-static enum status elastic_lift(struct body *body, double dt, const double w[],
+static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],
                                 enum tangent tangent, double u[])
 {
@@ -134,16 +134,15 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
         size = fmax(size, fabs(move[r]));
     }
     const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
-    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
-     * &status): n numbers each; K_fh move is the central difference of q over
-     * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
+    /* SLOT 24c(body, Phi, u0, tangent, u, move, q, ahead, behind, e, &status):
+     * n numbers each; K_fh move is the central difference of q over u0 - e move
+     * and u0 + e move; body_assemble(), body_increment(). */
     for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
-    status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
+    status = body_assemble(body, Phi, u, NO_TANGENT, ahead);
     for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
     if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
-    if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
+        status = body_assemble(body, Phi, u, NO_TANGENT, behind);
+    if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
     for (int r = 0; r < n && status == OK && e > 0.0; r++)
         q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
@@ -174,11 +173,12 @@ static enum status downhill(struct live *live, double u[], double v[],
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    const struct incremental Phi = {dt, w, NULL};
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, &status, &control): w
-     * and g are to be filled; live->g has the held values at the end of the
-     * way. */
+    /* SLOT 24d(live, dt, u0, v0, n, w, Phi, g, u, v, report, &status,
+     * &control): w and g are to be filled; live->g has the held values at the
+     * end of the way. */
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
     report->part = 1.0;
     for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
@@ -187,8 +187,8 @@ static enum status downhill(struct live *live, double u[], double v[],
         for (int r = 0; r < n; r++)
             g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
         report->systems++;
-        status = elastic_lift(live->body, dt, w, u0, g, PROJECTED, u);
-        if (status == OK) status = live_start(live, w, g, u);
+        status = elastic_lift(live->body, Phi, u0, g, PROJECTED, u);
+        if (status == OK) status = live_start(live, Phi, g, u);
     }
     if (status != OK) {
         report->part = 0.0;
@@ -196,7 +196,7 @@ static enum status downhill(struct live *live, double u[], double v[],
     }
     control.max_iterations = FRAME_SYSTEMS - report->systems;
     const struct step_report newton =
-        step_solve(live->body, &control, dt, w, NULL, u);
+        step_solve(live->body, &control, Phi, u);
     report->systems += newton.iterations;
     status = newton.status;
     const int whole = status == OK && report->part == 1.0;

@@ -29,7 +29,8 @@ enum load { MIDPOINT_RULE, GAUSS2_RULE, EXACT_LOAD, FITTED };
 static struct poisson_error errors_of(int companion, enum load load, int n)
 {
     field *beta = companion ? field_one : bvp_beta;
-    double *x = allocate(2 * ((size_t)n + 1), sizeof *x), *u = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
     grid_make(0.0, 1.0, n, 1.0, x);
@@ -45,6 +46,7 @@ static struct poisson_error errors_of(int companion, enum load load, int n)
                        companion ? companion_exact_dx : bvp_exact_dx);
     matrix_free(A);
     free(x);
+    free(u);
     return error;
 }
 

@@ -523,14 +523,14 @@ static void agrees_with_the_fast_fibres(void)
     struct scene *s = skew_scene(&fibres, angle);
     for (int c = 0; c < 6; c++) {
         const enum tangent kind = kinds[c % 3];
+        const struct incremental Phi = {0.7371, s->u, NULL};
         struct matrix *K = NULL; /* the program's */
         fibres.fibre = *one_of(c / 3 ? CORD : MUSCLE);
         for (int fast = 0; fast < 2; fast++) {
             s->body->add = add_fibres;
             if (fast) fibres_attach(s->body, &fibres);
             expect(body_energy(s->body, s->u, &energy[fast]) == OK &&
-                       body_assemble(s->body, 0.7371, s->u, NULL, s->u,
-                                     kind, q[fast]) == OK,
+                       body_assemble(s->body, Phi, s->u, kind, q[fast]) == OK,
                    "the body with fibres has no energy or no force");
             if (!fast) K = matrix_copy(s->body->K);
         }

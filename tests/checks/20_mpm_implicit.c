@@ -391,7 +391,7 @@ static double next_increment(const struct trial_body *t, const double u[],
     particle_stiffness(&t->of, u, map->equation, map->sign, A);
     particle_mass_matrix(&t->of, 0, t->how.rate * t->how.rate, map, A);
     unknowns_gather(map, r, y);
-    *residual = unknowns_largest(map, y) / matrix_weight(A);
+    *residual = unknowns_largest(map, y) / matrix_max_diagonal(A);
     expect(matrix_factor(A) == OK, "A must be positive definite");
     matrix_solve(A, y);
     const double largest = unknowns_largest(map, y);
