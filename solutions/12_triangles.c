@@ -6,7 +6,7 @@
  *
  * Problem.  A body (-1, 1)^2 of Neo-Hookean material: some vertices are held,
  * u = g, and forces f act on the vertices.  Find the u at which no free vertex
- * is pulled: [eq:body-q] with dt = 1 and rho = 0, which is
+ * is pulled: [eq:body-q] at rest, which is
  *
  *     q_a = sum_e area_e P(F_e) grad N_a - f_a = 0
  *

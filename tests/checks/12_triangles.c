@@ -640,7 +640,7 @@ static void agrees_with_the_fast_solver(void)
         struct scene *s = scene_alloc(&set);
         const struct step_control control = {1e-12, 50, FROM_LAST, 0, 0, 0,
                                              NEVER};
-        double u[72], zero[72] = {0.0};
+        double u[72];
         scene_hold(s, 1.238);
         step_boundary(s->body, s->g, 1, s->u);
         memcpy(u, s->u, sizeof u);
