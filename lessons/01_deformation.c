@@ -28,18 +28,6 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* The maps of the notes' Figure 4. */
-static double sine(double X) { return sin(2.0 * M_PI * X); }
-static double square(double X) { return X * X; }
-
-/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
-static void push(double s, const double X[2], double x[2])
-{
-    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
-    x[0] = X[0] + s * p * p * q * q;
-    x[1] = X[1];
-}
-
 /*
  * F of the bar element whose ends X0 and X1 (X0 > X1 is allowed) are now at x0
  * and x1.  Returns the sign of F [eq:deformation-gradient]: 1 upright, -1
@@ -55,6 +43,48 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
     todo("1a", X0, X1, x0, x1, size, F, sign);
     /* END 1a */
     return sign;
+}
+
+/*
+ * F of a triangle whose vertices, in either sense of rotation, went from X to
+ * x: it takes every reference edge to its deformed edge [eq:triangle-gradient].
+ * Coordinate i of vertex a is X[2 a + i], x[2 a + i].  Returns J = det F
+ * [eq:jacobian], negative when the triangle is inverted.
+ */
+static double triangle_gradient(const int node[3], const double X[],
+                                const double x[], mat2 *F)
+{
+    double J = 0.0;
+    /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
+     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+    todo("1b", node, X, x, F, J);
+    /* END 1b */
+    return J;
+}
+
+/*
+ * Three strains of F, all zero for F = I:
+ * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
+ * *green   out  (F^T F - I)/2      [eq:green-strain]
+ * *left    out  (F F^T - I)/2      [eq:left-strain]
+ */
+static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
+{
+    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
+    todo("1c", &F, linear, green, left);
+    /* END 1c */
+}
+
+/* The maps of the notes' Figure 4. */
+static double sine(double X) { return sin(2.0 * M_PI * X); }
+static double square(double X) { return X * X; }
+
+/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
+static void push(double s, const double X[2], double x[2])
+{
+    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
+    x[0] = X[0] + s * p * p * q * q;
+    x[1] = X[1];
 }
 
 /* F of n equal elements of (a, 1) under phi. */
@@ -76,23 +106,6 @@ static void print_bar(field *phi, double a, int n)
     }
     table_end();
     free(X);
-}
-
-/*
- * F of a triangle whose vertices, in either sense of rotation, went from X to
- * x: it takes every reference edge to its deformed edge [eq:triangle-gradient].
- * Coordinate i of vertex a is X[2 a + i], x[2 a + i].  Returns J = det F
- * [eq:jacobian], negative when the triangle is inverted.
- */
-static double triangle_gradient(const int node[3], const double X[],
-                                const double x[], mat2 *F)
-{
-    double J = 0.0;
-    /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
-    todo("1b", node, X, x, F, J);
-    /* END 1b */
-    return J;
 }
 
 /* F and J of every triangle of the pushed square, and sums over them.  Every
@@ -123,19 +136,6 @@ static void print_square(const struct mesh *mesh, double s)
     table_row(s, inverted, min_J, sum, absolute);
     table_end();
     free(x);
-}
-
-/*
- * Three strains of F, all zero for F = I:
- * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
- * *green   out  (F^T F - I)/2      [eq:green-strain]
- * *left    out  (F F^T - I)/2      [eq:left-strain]
- */
-static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
-{
-    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
-    todo("1c", &F, linear, green, left);
-    /* END 1c */
 }
 
 /* The strains of a body that is stretched along x and then turned. */

@@ -29,15 +29,49 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
-static void print_nodes(int n, const double x[], const double u[])
+/*
+ * v^T A v without A [eq:quadratic-form], with beta at the middle of each
+ * element, as the midpoint rule has it.
+ *
+ * x, v   in   nodes and nodal values, 0..n
+ */
+static double quadratic_form(int n, const double x[], field *beta,
+                             const double v[])
 {
-    double mean = 0.0;
-    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
-    table_begin("nodes", "x u exact");
-    for (int i = 0; i <= n; i++)
-        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
-    table_end();
+    double sum = 0.0;
+    /* SLOT 4a(n, x, beta, v, sum): add up the elements; element j joins nodes
+     * j - 1 and j, and its h_j is its own. */
+    todo("4a", n, x, beta, v, sum);
+    /* END 4a */
+    return sum;
+}
+
+/*
+ * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
+ *
+ * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
+ *               the same sum of absolute values
+ * INCOMPATIBLE  otherwise (a NaN as well)
+ */
+static enum status compatibility(int N, const double b[], double *defect)
+{
+    double scale = 0.0;
+    *defect = 0.0;
+    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
+     * status; eps is DBL_EPSILON. */
+    todo("4b", N, b, defect, scale);
+    /* END 4b */
+}
+
+/*
+ * b := the nearest right-hand side for which A u = b is solvable: its
+ * orthogonal projection onto the range of A.
+ */
+static void project(int N, double b[])
+{
+    /* SLOT 4c(N, b): project b in its place. */
+    todo("4c", N, b);
+    /* END 4c */
 }
 
 /* Solve A u = b with equation k replaced by u_k = 0 (lesson 03). */
@@ -56,20 +90,33 @@ static enum status solve_pinned(const struct matrix *A, const double b[],
 }
 
 /*
- * v^T A v without A [eq:quadratic-form], with beta at the middle of each
- * element, as the midpoint rule has it.
+ * The solution of A u = b that has the smallest sum_i u_i^2
+ * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
+ * and is left alone.
  *
- * x, v   in   nodes and nodal values, 0..n
+ * OK            u is the solution
+ * INCOMPATIBLE  b is not in the range of A; u stays as it is
+ * NOT_SPD       even with one node pinned A is not positive definite
  */
-static double quadratic_form(int n, const double x[], field *beta,
-                             const double v[])
+static enum status solve_neumann(const struct matrix *A, const double b[],
+                                 double u[])
 {
-    double sum = 0.0;
-    /* SLOT 4a(n, x, beta, v, sum): add up the elements; element j joins nodes
-     * j - 1 and j, and its h_j is its own. */
-    todo("4a", n, x, beta, v, sum);
-    /* END 4a */
-    return sum;
+    const int N = A->n;
+    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
+     * solution with a pinned node; then move along the family. */
+    todo("4d", N, A, b, u, solve_pinned);
+    /* END 4d */
+}
+
+/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
+static void print_nodes(int n, const double x[], const double u[])
+{
+    double mean = 0.0;
+    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
+    table_begin("nodes", "x u exact");
+    for (int i = 0; i <= n; i++)
+        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
+    table_end();
 }
 
 /* v^T A v of four v, from the differences and from A, for beta = 1 + x. */
@@ -97,23 +144,6 @@ static void print_quadratic_form(int n, const double x[])
     free(v);
 }
 
-/*
- * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
- *
- * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
- *               the same sum of absolute values
- * INCOMPATIBLE  otherwise (a NaN as well)
- */
-static enum status compatibility(int N, const double b[], double *defect)
-{
-    double scale = 0.0;
-    *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
-     * status; eps is DBL_EPSILON. */
-    todo("4b", N, b, defect, scale);
-    /* END 4b */
-}
-
 /* b as assembled and c as used, and whether they are compatible. */
 static void print_loads(int N, const double b[], const double c[])
 {
@@ -127,36 +157,6 @@ static void print_loads(int N, const double b[], const double c[])
     status = compatibility(N, c, &defect);
     table_row("used", defect, status_name(status));
     table_end();
-}
-
-/*
- * b := the nearest right-hand side for which A u = b is solvable: its
- * orthogonal projection onto the range of A.
- */
-static void project(int N, double b[])
-{
-    /* SLOT 4c(N, b): project b in its place. */
-    todo("4c", N, b);
-    /* END 4c */
-}
-
-/*
- * The solution of A u = b that has the smallest sum_i u_i^2
- * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
- * and is left alone.
- *
- * OK            u is the solution
- * INCOMPATIBLE  b is not in the range of A; u stays as it is
- * NOT_SPD       even with one node pinned A is not positive definite
- */
-static enum status solve_neumann(const struct matrix *A, const double b[],
-                                 double u[])
-{
-    const int N = A->n;
-    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
-     * solution with a pinned node; then move along the family. */
-    todo("4d", N, A, b, u, solve_pinned);
-    /* END 4d */
 }
 
 int main(int argc, char *argv[])

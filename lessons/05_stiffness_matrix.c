@@ -46,6 +46,46 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
     /* END 5a */
 }
 
+/*
+ * The k-th smallest eigenvalue, k = 1, 2, ..., of the stiffness matrix of n
+ * elements of length h, rows and columns of fixed ends struck out: its order
+ * is n + 1, n or n - 1 [eq:stiffness-eigenvalues].
+ */
+static double eigenvalue_exact(enum ends ends, int n, double h, int k)
+{
+    /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
+     * fixed the smallest, k = 1, is 0 [eq:stiffness-eigenvalues]. */
+    todo("5b", ends, n, h, k);
+    /* END 5b */
+}
+
+/* What a symmetric matrix costs; real numbers, for N^3 exceeds any int. */
+struct cost {
+    double numbers; /* kept in storage */
+    double flops;   /* of its Cholesky factorisation */
+};
+
+/*
+ * Cost of order N and half bandwidth p, 0 <= p < N [eq:band-cost]; p is not
+ * looked at when dense.  Numbers: what struct matrix keeps.  Flops: each
+ * + - * / and square root counts one in the textbook loop
+ *
+ *     for k = 0 .. N-1:                           m = rows below k in the band
+ *         L_kk = sqrt(A_kk)                       1 flop
+ *         L_ik = A_ik / L_kk, i below k           m flops
+ *         A_ij -= L_ik L_jk, i >= j below k       2 m (m + 1) / 2 flops
+ */
+static struct cost cholesky_cost(enum storage storage, int N, int p)
+{
+    struct cost cost = {0.0, 0.0};
+    /* SLOT 5c(storage, N, p, cost.numbers): set cost.numbers and cost.flops,
+     * exactly and not only to leading order; a real N keeps N * N from
+     * overflowing [eq:band-cost]. */
+    todo("5c", storage, N, p, cost.numbers);
+    /* END 5c */
+    return cost;
+}
+
 /* The rows of A as a vertex sees them: left neighbour, itself, right one. */
 static void print_rows(const char *name, int n, double grading)
 {
@@ -66,19 +106,6 @@ static void print_rows(const char *name, int n, double grading)
     table_end();
     matrix_free(A);
     free(x);
-}
-
-/*
- * The k-th smallest eigenvalue, k = 1, 2, ..., of the stiffness matrix of n
- * elements of length h, rows and columns of fixed ends struck out: its order
- * is n + 1, n or n - 1 [eq:stiffness-eigenvalues].
- */
-static double eigenvalue_exact(enum ends ends, int n, double h, int k)
-{
-    /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
-     * fixed the smallest, k = 1, is 0 [eq:stiffness-eigenvalues]. */
-    todo("5b", ends, n, h, k);
-    /* END 5b */
 }
 
 /*
@@ -109,33 +136,6 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     matrix_free(free_part);
     matrix_free(A);
     free(x);
-}
-
-/* What a symmetric matrix costs; real numbers, for N^3 exceeds any int. */
-struct cost {
-    double numbers; /* kept in storage */
-    double flops;   /* of its Cholesky factorisation */
-};
-
-/*
- * Cost of order N and half bandwidth p, 0 <= p < N [eq:band-cost]; p is not
- * looked at when dense.  Numbers: what struct matrix keeps.  Flops: each
- * + - * / and square root counts one in the textbook loop
- *
- *     for k = 0 .. N-1:                           m = rows below k in the band
- *         L_kk = sqrt(A_kk)                       1 flop
- *         L_ik = A_ik / L_kk, i below k           m flops
- *         A_ij -= L_ik L_jk, i >= j below k       2 m (m + 1) / 2 flops
- */
-static struct cost cholesky_cost(enum storage storage, int N, int p)
-{
-    struct cost cost = {0.0, 0.0};
-    /* SLOT 5c(storage, N, p, cost.numbers): set cost.numbers and cost.flops,
-     * exactly and not only to leading order; a real N keeps N * N from
-     * overflowing [eq:band-cost]. */
-    todo("5c", storage, N, p, cost.numbers);
-    /* END 5c */
-    return cost;
 }
 
 int main(int argc, char *argv[])

@@ -90,20 +90,6 @@ static enum status response1(const struct material *material, double F,
     return OK;
 }
 
-/* Figure 6: a law where it is defined, F = -1 ... 3. */
-static void print_curve(const struct material *material, int n)
-{
-    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
-    table_begin(name[material->law], "F psi P dP");
-    for (int i = 0; i <= n; i++) {
-        const double F = (4.0 * i - n) / n;
-        struct response1 out;
-        if (response1(material, F, &out) == OK)
-            table_row(F, out.psi, out.P, out.dP);
-    }
-    table_end();
-}
-
 /*
  * Two dimensions, J = det F and cof F = dJ/dF, written out: F may be singular.
  *     psi = mu/2 (F:F - 2) - mu r + lambda/2 r^2        [eq:psi-neohookean]
@@ -137,22 +123,6 @@ static enum status response2(const struct material *material, mat2 F,
     return OK;
 }
 
-/* A row of table state: r, r', r'', psi and P at F, where they exist. */
-static void print_state(const struct material *material, mat2 F)
-{
-    struct volumetric v = {0};
-    double psi = 0.0;
-    mat2 P = F;
-    const double J = mat2_det(F);
-    const int ok = volumetric(material->law, J, &v) == OK &&
-                   response2(material, F, &psi, &P) == OK;
-    const int r = ok && material->law != LINEAR;
-    table_row(material_law(material->law), J, cell_if(r, v.r),
-              cell_if(r, v.dr), cell_if(r, v.ddr), cell_if(ok, psi),
-              cell_if(ok, P.m[0][0]), cell_if(ok, P.m[0][1]),
-              cell_if(ok, P.m[1][0]), cell_if(ok, P.m[1][1]));
-}
-
 /* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
  * symmetric, A : dP(F; B) = B : dP(F; A). */
 static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
@@ -179,6 +149,36 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     }
     /* END 2d */
     return OK;
+}
+
+/* Figure 6: a law where it is defined, F = -1 ... 3. */
+static void print_curve(const struct material *material, int n)
+{
+    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
+    table_begin(name[material->law], "F psi P dP");
+    for (int i = 0; i <= n; i++) {
+        const double F = (4.0 * i - n) / n;
+        struct response1 out;
+        if (response1(material, F, &out) == OK)
+            table_row(F, out.psi, out.P, out.dP);
+    }
+    table_end();
+}
+
+/* A row of table state: r, r', r'', psi and P at F, where they exist. */
+static void print_state(const struct material *material, mat2 F)
+{
+    struct volumetric v = {0};
+    double psi = 0.0;
+    mat2 P = F;
+    const double J = mat2_det(F);
+    const int ok = volumetric(material->law, J, &v) == OK &&
+                   response2(material, F, &psi, &P) == OK;
+    const int r = ok && material->law != LINEAR;
+    table_row(material_law(material->law), J, cell_if(r, v.r),
+              cell_if(r, v.dr), cell_if(r, v.ddr), cell_if(ok, psi),
+              cell_if(ok, P.m[0][0]), cell_if(ok, P.m[0][1]),
+              cell_if(ok, P.m[1][0]), cell_if(ok, P.m[1][1]));
 }
 
 /* Four rows of table tangent: dP when one entry of F grows by 1. */

@@ -44,30 +44,6 @@ static void assemble(int n, double beta, double f, double A[], double b[])
     }
 }
 
-static void print_matrix(const char *name, int N, const double A[])
-{
-    table_begin(name, "i j value");
-    for (int i = 0; i < N; i++)
-        for (int j = 0; j < N; j++) table_row(i, j, A[i * N + j]);
-    table_end();
-}
-
-enum { LEFT, RIGHT, BOTH, THREE };
-
-/* Of the nodes 0, 2n/3 and n and their values g, keep those that --fix names;
- * returns how many they are. */
-static int prescribe(int fix, int node[3], double g[3])
-{
-    const int wanted[3] = {fix != RIGHT, fix == THREE, fix != LEFT};
-    int n_fixed = 0;
-    for (int k = 0; k < 3; k++) {
-        if (!wanted[k]) continue;
-        node[n_fixed] = node[k];
-        g[n_fixed++] = g[k];
-    }
-    return n_fixed;
-}
-
 /*
  * First half of the correction: b of the equations that are left, in which
  * the prescribed values are known [eq:dirichlet-correction].
@@ -107,6 +83,21 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
     /* END 3b */
 }
 
+/*
+ * r_k := the force that holds prescribed node k [eq:reaction], and what the
+ * same expression gives at the others; A and b are those before the correction.
+ */
+static void reactions(int N, const double A[], const double b[],
+                      const double u[], double r[])
+{
+    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
+    for (int i = 0; i < N; i++) {
+        r[i] = -b[i];
+        for (int j = 0; j < N; j++) r[i] += A[i * N + j] * u[j];
+    }
+    /* END 3c */
+}
+
 /* A u = b with n_fixed prescribed nodes; A and b are corrected in place.
  * Cholesky looks at the lower triangle of A only. */
 static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
@@ -127,19 +118,28 @@ static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
     return status;
 }
 
-/*
- * r_k := the force that holds prescribed node k [eq:reaction], and what the
- * same expression gives at the others; A and b are those before the correction.
- */
-static void reactions(int N, const double A[], const double b[],
-                      const double u[], double r[])
+static void print_matrix(const char *name, int N, const double A[])
 {
-    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
-    for (int i = 0; i < N; i++) {
-        r[i] = -b[i];
-        for (int j = 0; j < N; j++) r[i] += A[i * N + j] * u[j];
+    table_begin(name, "i j value");
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++) table_row(i, j, A[i * N + j]);
+    table_end();
+}
+
+enum { LEFT, RIGHT, BOTH, THREE };
+
+/* Of the nodes 0, 2n/3 and n and their values g, keep those that --fix names;
+ * returns how many they are. */
+static int prescribe(int fix, int node[3], double g[3])
+{
+    const int wanted[3] = {fix != RIGHT, fix == THREE, fix != LEFT};
+    int n_fixed = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!wanted[k]) continue;
+        node[n_fixed] = node[k];
+        g[n_fixed++] = g[k];
     }
-    /* END 3c */
+    return n_fixed;
 }
 
 int main(int argc, char *argv[])

@@ -29,32 +29,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
-static void print_nodes(int n, const double x[], const double u[])
-{
-    double mean = 0.0;
-    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
-    table_begin("nodes", "x u exact");
-    for (int i = 0; i <= n; i++)
-        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
-    table_end();
-}
-
-/* Solve A u = b with equation k replaced by u_k = 0 (lesson 03). */
-static enum status solve_pinned(const struct matrix *A, const double b[],
-                                int k, double u[])
-{
-    struct matrix *L = matrix_copy(A);
-    const double zero = 0.0;
-
-    for (int i = 0; i < A->n; i++) u[i] = b[i];
-    matrix_dirichlet(L, u, 1, &k, &zero, KEEP_DIAGONAL);
-    const enum status status = matrix_factor(L);
-    if (status == OK) matrix_solve(L, u);
-    matrix_free(L);
-    return status;
-}
-
 /*
  * v^T A v without A [eq:quadratic-form], with beta at the middle of each
  * element, as the midpoint rule has it.
@@ -74,6 +48,91 @@ static double quadratic_form(int n, const double x[], field *beta,
     }
     /* END 4a */
     return sum;
+}
+
+/*
+ * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
+ *
+ * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
+ *               the same sum of absolute values
+ * INCOMPATIBLE  otherwise (a NaN as well)
+ */
+static enum status compatibility(int N, const double b[], double *defect)
+{
+    double scale = 0.0;
+    *defect = 0.0;
+    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
+     * status; eps is DBL_EPSILON. */
+    for (int i = 0; i < N; i++) {
+        *defect += b[i];
+        scale += fabs(b[i]);
+    }
+    return fabs(*defect) <= N * DBL_EPSILON * scale ? OK : INCOMPATIBLE;
+    /* END 4b */
+}
+
+/*
+ * b := the nearest right-hand side for which A u = b is solvable: its
+ * orthogonal projection onto the range of A.
+ */
+static void project(int N, double b[])
+{
+    /* SLOT 4c(N, b): project b in its place. */
+    double mean = 0.0;
+    for (int i = 0; i < N; i++) mean += b[i] / N;
+    for (int i = 0; i < N; i++) b[i] -= mean;
+    /* END 4c */
+}
+
+/* Solve A u = b with equation k replaced by u_k = 0 (lesson 03). */
+static enum status solve_pinned(const struct matrix *A, const double b[],
+                                int k, double u[])
+{
+    struct matrix *L = matrix_copy(A);
+    const double zero = 0.0;
+
+    for (int i = 0; i < A->n; i++) u[i] = b[i];
+    matrix_dirichlet(L, u, 1, &k, &zero, KEEP_DIAGONAL);
+    const enum status status = matrix_factor(L);
+    if (status == OK) matrix_solve(L, u);
+    matrix_free(L);
+    return status;
+}
+
+/*
+ * The solution of A u = b that has the smallest sum_i u_i^2
+ * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
+ * and is left alone.
+ *
+ * OK            u is the solution
+ * INCOMPATIBLE  b is not in the range of A; u stays as it is
+ * NOT_SPD       even with one node pinned A is not positive definite
+ */
+static enum status solve_neumann(const struct matrix *A, const double b[],
+                                 double u[])
+{
+    const int N = A->n;
+    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
+     * solution with a pinned node; then move along the family. */
+    double defect, mean = 0.0;
+    enum status status = compatibility(N, b, &defect);
+    if (status == OK) status = solve_pinned(A, b, 0, u);
+    if (status != OK) return status;
+    for (int i = 0; i < N; i++) mean += u[i] / N;
+    for (int i = 0; i < N; i++) u[i] -= mean;
+    return OK;
+    /* END 4d */
+}
+
+/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
+static void print_nodes(int n, const double x[], const double u[])
+{
+    double mean = 0.0;
+    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
+    table_begin("nodes", "x u exact");
+    for (int i = 0; i <= n; i++)
+        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
+    table_end();
 }
 
 /* v^T A v of four v, from the differences and from A, for beta = 1 + x. */
@@ -101,27 +160,6 @@ static void print_quadratic_form(int n, const double x[])
     free(v);
 }
 
-/*
- * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
- *
- * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
- *               the same sum of absolute values
- * INCOMPATIBLE  otherwise (a NaN as well)
- */
-static enum status compatibility(int N, const double b[], double *defect)
-{
-    double scale = 0.0;
-    *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
-     * status; eps is DBL_EPSILON. */
-    for (int i = 0; i < N; i++) {
-        *defect += b[i];
-        scale += fabs(b[i]);
-    }
-    return fabs(*defect) <= N * DBL_EPSILON * scale ? OK : INCOMPATIBLE;
-    /* END 4b */
-}
-
 /* b as assembled and c as used, and whether they are compatible. */
 static void print_loads(int N, const double b[], const double c[])
 {
@@ -135,44 +173,6 @@ static void print_loads(int N, const double b[], const double c[])
     status = compatibility(N, c, &defect);
     table_row("used", defect, status_name(status));
     table_end();
-}
-
-/*
- * b := the nearest right-hand side for which A u = b is solvable: its
- * orthogonal projection onto the range of A.
- */
-static void project(int N, double b[])
-{
-    /* SLOT 4c(N, b): project b in its place. */
-    double mean = 0.0;
-    for (int i = 0; i < N; i++) mean += b[i] / N;
-    for (int i = 0; i < N; i++) b[i] -= mean;
-    /* END 4c */
-}
-
-/*
- * The solution of A u = b that has the smallest sum_i u_i^2
- * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
- * and is left alone.
- *
- * OK            u is the solution
- * INCOMPATIBLE  b is not in the range of A; u stays as it is
- * NOT_SPD       even with one node pinned A is not positive definite
- */
-static enum status solve_neumann(const struct matrix *A, const double b[],
-                                 double u[])
-{
-    const int N = A->n;
-    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
-     * solution with a pinned node; then move along the family. */
-    double defect, mean = 0.0;
-    enum status status = compatibility(N, b, &defect);
-    if (status == OK) status = solve_pinned(A, b, 0, u);
-    if (status != OK) return status;
-    for (int i = 0; i < N; i++) mean += u[i] / N;
-    for (int i = 0; i < N; i++) u[i] -= mean;
-    return OK;
-    /* END 4d */
 }
 
 int main(int argc, char *argv[])

@@ -42,20 +42,6 @@ static mat2 deformation(const int t[3], const double g[6], const double u[])
     return F;
 }
 
-/* q of a held vertex is the force that holds it; hold: all of the left side. */
-static void print_solution(const struct scene *s, const double q[])
-{
-    const struct scene_measures m = scene_measure(s);
-    double hold[2] = {0.0, 0.0};
-    for (int r = 0; r < s->n_dof; r++)
-        if (s->mesh->X[r / 2 * 2] == -1.0) hold[r % 2] += q[r];
-    history_nodes(s, "q", q);
-    table_begin("result", "scene law elastic external min_J hold_x hold_y");
-    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
-              m.external, m.min_J, hold[0], hold[1]);
-    table_end();
-}
-
 /* q_a = sum_e area_e P(F_e) grad N_a - f_a [eq:element-force], at all vertices.
  * INVERTED where the material is not defined; q is then incomplete. */
 static enum status residual(const struct scene *s, const double u[], double q[])
@@ -204,6 +190,20 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     matrix_free(K);
     free(q);
     return report;
+}
+
+/* q of a held vertex is the force that holds it; hold: all of the left side. */
+static void print_solution(const struct scene *s, const double q[])
+{
+    const struct scene_measures m = scene_measure(s);
+    double hold[2] = {0.0, 0.0};
+    for (int r = 0; r < s->n_dof; r++)
+        if (s->mesh->X[r / 2 * 2] == -1.0) hold[r % 2] += q[r];
+    history_nodes(s, "q", q);
+    table_begin("result", "scene law elastic external min_J hold_x hold_y");
+    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
+              m.external, m.min_J, hold[0], hold[1]);
+    table_end();
 }
 
 int main(int argc, char *argv[])
