@@ -91,7 +91,8 @@ static void push(double s, const double X[2], double x[2])
 static void print_bar(field *phi, double a, int n)
 {
     static const char *const word[] = {"inverted", "collapsed", "upright"};
-    double *X = allocate(2 * (size_t)(n + 1), sizeof *X), *x = X + n + 1;
+    double *X = allocate((size_t)n + 1, sizeof *X);
+    double *x = allocate((size_t)n + 1, sizeof *x);
     double size = 0.0, F = 0.0;
 
     grid_make(a, 1.0, n, 1.0, X);
@@ -106,6 +107,7 @@ static void print_bar(field *phi, double a, int n)
     }
     table_end();
     free(X);
+    free(x);
 }
 
 /* F and J of every triangle of the pushed square, and sums over them.  Every

@@ -138,15 +138,16 @@ static void print_state(const struct material *material, mat2 F)
 /* Four rows of table tangent: dP when one entry of F grows by 1. */
 static void print_tangent(const struct material *material, mat2 F)
 {
-    static const char *const entry[] = {"F11", "F12", "F21", "F22"};
-    for (int k = 0; k < 4; k++) {
-        mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
-        dF.m[k / 2][k % 2] = 1.0;
-        const int ok = tangent2(material, F, dF, &dP) == OK;
-        table_row(material_law(material->law), entry[k],
-                  cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
-                  cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
-    }
+    static const char *const entry[2][2] = {{"F11", "F12"}, {"F21", "F22"}};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
+            dF.m[i][j] = 1.0;
+            const int ok = tangent2(material, F, dF, &dP) == OK;
+            table_row(material_law(material->law), entry[i][j],
+                      cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
+                      cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
+        }
 }
 
 int main(int argc, char *argv[])

@@ -124,7 +124,8 @@ static void print_quadratic_form(int n, const double x[])
 {
     const char *const name[] = {"constant", "linear", "alternating", "end_hat"};
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    double *v = allocate(2 * (size_t)(n + 1), sizeof *v), *Av = v + n + 1;
+    double *v = allocate((size_t)n + 1, sizeof *v);
+    double *Av = allocate((size_t)n + 1, sizeof *Av);
 
     poisson_assemble(n, x, bvp_beta, field_one, &MIDPOINT, A, Av);
     table_begin_note("quadratic_form", "v differences matrix",
@@ -142,6 +143,7 @@ static void print_quadratic_form(int n, const double x[])
     table_end();
     matrix_free(A);
     free(v);
+    free(Av);
 }
 
 /* b as assembled and c as used, and whether they are compatible. */
@@ -157,6 +159,21 @@ static void print_loads(int N, const double b[], const double c[])
     status = compatibility(N, c, &defect);
     table_row("used", defect, status_name(status));
     table_end();
+}
+
+/* The solution of A u = c, or the reason why there is none. */
+static void print_solution(const struct matrix *A, const double c[],
+                           int projecting, const double x[])
+{
+    double *u = allocate((size_t)A->n, sizeof *u), defect;
+    const enum status status = solve_neumann(A, c, u);
+    compatibility(A->n, c, &defect);
+    if (status == INCOMPATIBLE)
+        die("the linear system is INCOMPATIBLE: sum_i b_i is %.6g, not 0%s",
+            defect, projecting ? "" : "; --project yes would remove it");
+    if (status != OK) die("the pinned matrix is %s", status_name(status));
+    print_nodes(A->n - 1, x, u);
+    free(u);
 }
 
 int main(int argc, char *argv[])
@@ -182,8 +199,9 @@ int main(int argc, char *argv[])
     const double load = expm1(1.0), flux = -load + excess;
     const int N = n + 1;
     struct matrix *A = matrix_alloc(BANDED, N, 1);
-    double *x = allocate(4 * (size_t)N, sizeof *x);
-    double *b = x + N, *c = x + 2 * N, *u = x + 3 * N, defect;
+    double *x = allocate((size_t)N, sizeof *x);
+    double *b = allocate((size_t)N, sizeof *b);
+    double *c = allocate((size_t)N, sizeof *c);
 
     grid_make(0.0, 1.0, n, grading, x);
     poisson_assemble(n, x, field_one, exp, rules[rule], A, b);
@@ -196,14 +214,10 @@ int main(int argc, char *argv[])
     if (!(fabs(load + flux) <= 1e-10 * load))
         die("the problem is INCOMPATIBLE: int f dx + q_a + q_b is %.6g, not 0; "
             "no mesh can cure that", load + flux);
-    const enum status status = solve_neumann(A, c, u);
-    compatibility(N, c, &defect);
-    if (status == INCOMPATIBLE)
-        die("the linear system is INCOMPATIBLE: sum_i b_i is %.6g, not 0%s",
-            defect, projecting ? "" : "; --project yes would remove it");
-    if (status != OK) die("the pinned matrix is %s", status_name(status));
-    print_nodes(n, x, u);
+    print_solution(A, c, projecting, x);
     matrix_free(A);
     free(x);
+    free(b);
+    free(c);
     return table_finish();
 }

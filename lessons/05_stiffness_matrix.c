@@ -119,7 +119,8 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     const int order = n + 1 - (int)ends;
     const double h = 1.0 / n;
     const double shift = 0.5 * (int)ends - 1.0; /* -1, -1/2, 0 */
-    double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *lambda = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *lambda = allocate((size_t)n + 1, sizeof *lambda);
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
     grid_make(0.0, 1.0, n, 1.0, x);
@@ -135,6 +136,7 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     table_end();
     matrix_free(free_part);
     matrix_free(A);
+    free(lambda);
     free(x);
 }
 

@@ -156,8 +156,9 @@ int main(int argc, char *argv[])
     const struct quadrature rule = quadrature_rule((enum rule)kind);
     const double qa = held == LEFT ? 0.0 : -2.0; /* beta u' n */
     const double qb = held == LEFT ? 2.0 * exp(1.0) * cos(2.0) : 0.0;
-    double *x = allocate(3 * (size_t)(n + 1), sizeof *x);
-    double *mean = x + n + 1, *u = mean + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *mean = allocate((size_t)n + 1, sizeof *mean);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     grid_make(0.0, 1.0, n, grading, x);
     element_means(n, x, smooth_beta, &rule, mean);
 
@@ -175,5 +176,7 @@ int main(int argc, char *argv[])
     for (int j = 0; j <= n; j++) table_row(x[j], u[j], smooth_exact(x[j]));
     table_end();
     free(x);
+    free(mean);
+    free(u);
     return table_finish();
 }

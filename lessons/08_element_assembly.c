@@ -112,7 +112,7 @@ static struct point measure(const struct matrix *A, const double b[],
     return point;
 }
 
-/* A system on a grid; x owns the memory of x, b and u. */
+/* A system on a grid; its memory is its own. */
 struct system {
     int n;
     double *x, *b, *u;
@@ -122,6 +122,8 @@ struct system {
 static void system_free(struct system *s)
 {
     free(s->x);
+    free(s->b);
+    free(s->u);
     matrix_free(s->A);
 }
 
@@ -129,8 +131,10 @@ static void system_free(struct system *s)
 static struct system system_make(enum storage storage, int n, double grading,
                                  const struct quadrature *rule, int reversed)
 {
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
+    const size_t N = (size_t)n + 1;
+    const struct system s = {n, allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
                              matrix_alloc(storage, n + 1, 1)};
     int *order = allocate((size_t)n, sizeof *order);
     grid_make(0.0, 1.0, n, grading, s.x);

@@ -160,8 +160,9 @@ int main(int argc, char *argv[])
     const struct bar_scene s = scene_of_options(argc, argv, &nu);
     const size_t size = (size_t)s.n + 1;
     struct matrix *K = matrix_alloc(BANDED, s.n + 1, 1);
-    double *b = allocate(4 * size, sizeof *b), *u = b + size;
-    double *P = u + size, *f_mid = P + size;
+    double *b = allocate(size, sizeof *b), *u = allocate(size, sizeof *u);
+    double *P = allocate(size, sizeof *P);
+    double *f_mid = allocate(size, sizeof *f_mid);
 
     bar_scene_force(&s, f_mid);
     const struct elastic m = elastic_make(1000.0, nu);
@@ -172,5 +173,8 @@ int main(int argc, char *argv[])
     if (status != OK) die("%s: the bar has no solution", status_name(status));
     matrix_free(K);
     free(b);
+    free(u);
+    free(P);
+    free(f_mid);
     return table_finish();
 }

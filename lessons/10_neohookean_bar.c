@@ -109,15 +109,18 @@ static struct newton_report newton(const struct bar *bar,
 {
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
-    double *q = allocate(2 * (size_t)K->n, sizeof *q), *du = q + K->n;
+    double *q = allocate((size_t)K->n, sizeof *q);
+    double *du = allocate((size_t)K->n, sizeof *du);
     /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
      * increment): the loop, with report filled on the way; bar_max_free() of
-     * bar.h is max |v_i| of free nodes. */
+     * bar.h is max |v_i| of free nodes.  It is the course's first loop of
+     * Newton's; the later ones each change something in this one. */
     todo("10e", bar, control, u, &report, K, q, du, residual, tangent,
          increment);
     /* END 10e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
 }
 
@@ -149,7 +152,8 @@ static void print_stages(const struct bar_scene *scene)
     struct bar_state *s = bar_state_by(load_vector, scene);
     const int N = scene->n + 1;
     struct matrix *K = matrix_alloc(BANDED, N, 1);
-    double *q = allocate(2 * (size_t)N, sizeof *q), *du = q + N;
+    double *q = allocate((size_t)N, sizeof *q);
+    double *du = allocate((size_t)N, sizeof *du);
 
     for (int i = 0; i < N; i++) s->u[i] = 0.5 * s->bar.h * sin(2.385 * i);
     table_vector("b", N, s->b);
@@ -158,6 +162,7 @@ static void print_stages(const struct bar_scene *scene)
     if (increment(&s->bar, K, q, du) == OK) table_vector("du", N, du);
     matrix_free(K);
     free(q);
+    free(du);
     bar_state_free(s);
 }
 

@@ -106,16 +106,19 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     const double weight = material_modulus(&s->body->material);
     struct history report = {.status = MAX_ITERATIONS};
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *du = allocate((size_t)s->n_dof, sizeof *du);
 
     /* SLOT 12e(s, tolerance, cap, weight, u, &report, K, q, du, residual,
      * tangent, increment): the loop, which fills report (history.h) on its way;
-     * body_max_free() is the size of q and du. */
+     * body_max_free() is the size of q and du.  New since 10e: report keeps the
+     * sizes of all iterations, and du is looked at before u takes it. */
     todo("12e", s, tolerance, cap, weight, u, &report, K, q, du, residual,
          tangent, increment);
     /* END 12e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
 }
 
@@ -124,8 +127,11 @@ static void print_solution(const struct scene *s, const double q[])
 {
     const struct scene_measures m = scene_measure(s);
     double hold[2] = {0.0, 0.0};
-    for (int r = 0; r < s->n_dof; r++)
-        if (s->mesh->X[r / 2 * 2] == -1.0) hold[r % 2] += q[r];
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        if (s->mesh->X[2 * a] != -1.0) continue;
+        hold[0] += q[2 * a];
+        hold[1] += q[2 * a + 1];
+    }
     history_nodes(s, "q", q);
     table_begin("result", "scene law elastic external min_J hold_x hold_y");
     table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,

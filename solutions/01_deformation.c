@@ -41,6 +41,7 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
     /* SLOT 1a(X0, X1, x0, x1, size, F, sign): set *F, and set sign to 1, -1
      * or 0 [eq:deformation-gradient]. */
     *F = (x1 - x0) / (X1 - X0);
+    /* a length below round-off has no sign, though F would have one */
     if (fabs(x1 - x0) > 16.0 * DBL_EPSILON * size) sign = *F > 0.0 ? 1 : -1;
     /* END 1a */
     return sign;
@@ -58,6 +59,7 @@ static double triangle_gradient(const int node[3], const double X[],
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
      * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+    /* column k: the edge from node[0] to node[k + 1] */
     mat2 Dm, Ds;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
@@ -67,6 +69,7 @@ static double triangle_gradient(const int node[3], const double X[],
     const double det = Dm.m[0][0] * Dm.m[1][1] - Dm.m[0][1] * Dm.m[1][0];
     const mat2 inverse = {{{Dm.m[1][1] / det, -Dm.m[0][1] / det},
                            {-Dm.m[1][0] / det, Dm.m[0][0] / det}}};
+    /* Ds = F Dm, column by column */
     *F = mat2_multiply(Ds, inverse);
     J = F->m[0][0] * F->m[1][1] - F->m[0][1] * F->m[1][0];
     /* END 1b */
@@ -85,6 +88,7 @@ static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
             const double delta = i == j ? 1.0 : 0.0;
+            /* F^T F sums over the first index of F, F F^T over the second */
             double right_product = 0.0, left_product = 0.0;
             for (int k = 0; k < 2; k++) {
                 right_product += F.m[k][i] * F.m[k][j];
@@ -113,7 +117,8 @@ static void push(double s, const double X[2], double x[2])
 static void print_bar(field *phi, double a, int n)
 {
     static const char *const word[] = {"inverted", "collapsed", "upright"};
-    double *X = allocate(2 * (size_t)(n + 1), sizeof *X), *x = X + n + 1;
+    double *X = allocate((size_t)n + 1, sizeof *X);
+    double *x = allocate((size_t)n + 1, sizeof *x);
     double size = 0.0, F = 0.0;
 
     grid_make(a, 1.0, n, 1.0, X);
@@ -128,6 +133,7 @@ static void print_bar(field *phi, double a, int n)
     }
     table_end();
     free(X);
+    free(x);
 }
 
 /* F and J of every triangle of the pushed square, and sums over them.  Every

@@ -49,6 +49,7 @@ static enum status volumetric(enum law law, double J, struct volumetric *v)
         if (!(J > 0.0)) return INVERTED; /* NaN as well */
         *v = (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
     } else {
+        /* ln(1 + s) = s - s^2/2 + s^3/3 - ..., cut off behind s^3 */
         const double s = J - 1.0;
         v->r = s - s * s / 2.0 + s * s * s / 3.0;
         v->dr = 1.0 - s + s * s;
@@ -84,6 +85,7 @@ static enum status response1(const struct material *material, double F,
         out->psi = 0.5 * mu * (F * F - 1.0) - mu * v.r +
                    0.5 * lambda * v.r * v.r;
         out->P = mu * F + dg * v.dr;
+        /* mu + g'' r'^2 + g' r'', and g'' = lambda */
         out->dP = mu + lambda * v.dr * v.dr + dg * v.ddr;
     }
     /* END 2b */
@@ -112,6 +114,7 @@ static enum status response2(const struct material *material, mat2 F,
         *P = mat2_add(mat2_scale(2.0 * mu, eps),
                       mat2_scale(lambda * trace, mat2_identity()));
     } else {
+        /* cof F = dJ/dF; J F^-T is the same, but divides by J */
         const mat2 cof = {
             {{F.m[1][1], -F.m[1][0]}, {-F.m[0][1], F.m[0][0]}}};
         const double dg = (lambda * v.r - mu) * v.dr;
@@ -134,6 +137,7 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
      * of P in the direction dF. */
     if (material->law == LINEAR) {
+        /* P is linear in F: its own formula, of dF */
         const mat2 eps = mat2_scale(0.5, mat2_add(dF, mat2_transpose(dF)));
         *dP = mat2_add(mat2_scale(2.0 * mu, eps),
                        mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
@@ -143,6 +147,7 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
         const double dg = (lambda * v.r - mu) * v.dr;
         const double ddg =
             lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+        /* in two dimensions cof is linear too: d(cof F) = cof dF */
         *dP = mat2_add(mat2_scale(mu, dF),
                        mat2_add(mat2_scale(ddg * dJ, cof),
                                 mat2_scale(dg, mat2_cofactor(dF))));
@@ -184,15 +189,16 @@ static void print_state(const struct material *material, mat2 F)
 /* Four rows of table tangent: dP when one entry of F grows by 1. */
 static void print_tangent(const struct material *material, mat2 F)
 {
-    static const char *const entry[] = {"F11", "F12", "F21", "F22"};
-    for (int k = 0; k < 4; k++) {
-        mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
-        dF.m[k / 2][k % 2] = 1.0;
-        const int ok = tangent2(material, F, dF, &dP) == OK;
-        table_row(material_law(material->law), entry[k],
-                  cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
-                  cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
-    }
+    static const char *const entry[2][2] = {{"F11", "F12"}, {"F21", "F22"}};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
+            dF.m[i][j] = 1.0;
+            const int ok = tangent2(material, F, dF, &dP) == OK;
+            table_row(material_law(material->law), entry[i][j],
+                      cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
+                      cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
+        }
 }
 
 int main(int argc, char *argv[])

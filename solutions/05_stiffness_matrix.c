@@ -45,6 +45,7 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
     for (int j = 0; j <= n; j++) {
         const double left = j > 0 ? 1.0 / (x[j] - x[j - 1]) : 0.0;
         const double right = j < n ? 1.0 / (x[j + 1] - x[j]) : 0.0;
+        /* each row adds up to 0: A maps a constant, which has no slope, to 0 */
         matrix_add(A, j, j, left + right);
         if (j > 0) matrix_add(A, j, j - 1, -left);
         if (j < n) matrix_add(A, j, j + 1, -right);
@@ -94,6 +95,8 @@ static struct cost cholesky_cost(enum storage storage, int N, int p)
     const double order = N;
     const double q = storage == DENSE ? order - 1.0 : p;
     cost.numbers = order * (q + 1.0);
+    /* a column costs 1 + m + m (m + 1) = (m + 1)^2: order - q of them
+     * with m = q, and then m = q - 1, ..., 0 */
     cost.flops = (order - q) * (q + 1.0) * (q + 1.0) +
                  q * (q + 1.0) * (2.0 * q + 1.0) / 6.0;
     /* END 5c */
@@ -133,7 +136,8 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     const int order = n + 1 - (int)ends;
     const double h = 1.0 / n;
     const double shift = 0.5 * (int)ends - 1.0; /* -1, -1/2, 0 */
-    double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *lambda = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *lambda = allocate((size_t)n + 1, sizeof *lambda);
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
     grid_make(0.0, 1.0, n, 1.0, x);
@@ -149,6 +153,7 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     table_end();
     matrix_free(free_part);
     matrix_free(A);
+    free(lambda);
     free(x);
 }
 

@@ -57,6 +57,7 @@ static void element(double x0, double x1, field *beta, field *f,
         r[0] += load * (1.0 - s);
         r[1] += load * s;
     }
+    /* mean(beta) h (-+ 1/h) (-+ 1/h) */
     K[0][0] = K[1][1] = beta_mean / h;
     K[0][1] = K[1][0] = -beta_mean / h;
     /* END 8a */
@@ -84,6 +85,7 @@ static void assemble(int n, const double x[], field *beta, field *f,
         const int e = order[k];
         double K[2][2], r[2];
         element(x[e], x[e + 1], beta, f, rule, K, r);
+        /* numbers 0 and 1 in the element are the nodes e and e + 1 */
         for (int a = 0; a < 2; a++) {
             b[e + a] += r[a];
             for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
@@ -140,6 +142,7 @@ static struct point measure(const struct matrix *A, const double b[],
         struct matrix *L = matrix_copy(A);
         memcpy(u, b, (size_t)A->n * sizeof *u);
 
+        /* copies are no part of the method: they are made off the clock */
         const double start = clock_seconds();
         point.status = matrix_factor(L);
         if (point.status == OK) matrix_solve(L, u);
@@ -149,6 +152,7 @@ static struct point measure(const struct matrix *A, const double b[],
         matrix_free(L);
     }
     if (point.status == OK) {
+        /* of A itself: matrix_factor() has overwritten the copy */
         point.backward = matrix_backward_error(A, u, b);
         point.valid = point.backward <= BACKWARD_EPS; /* false for NaN */
     }
@@ -157,7 +161,7 @@ static struct point measure(const struct matrix *A, const double b[],
     return point;
 }
 
-/* A system on a grid; x owns the memory of x, b and u. */
+/* A system on a grid; its memory is its own. */
 struct system {
     int n;
     double *x, *b, *u;
@@ -167,6 +171,8 @@ struct system {
 static void system_free(struct system *s)
 {
     free(s->x);
+    free(s->b);
+    free(s->u);
     matrix_free(s->A);
 }
 
@@ -174,8 +180,10 @@ static void system_free(struct system *s)
 static struct system system_make(enum storage storage, int n, double grading,
                                  const struct quadrature *rule, int reversed)
 {
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
+    const size_t N = (size_t)n + 1;
+    const struct system s = {n, allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
                              matrix_alloc(storage, n + 1, 1)};
     int *order = allocate((size_t)n, sizeof *order);
     grid_make(0.0, 1.0, n, grading, s.x);

@@ -42,6 +42,7 @@ static struct elastic elastic_make(double E, double nu)
     /* SLOT 9a(E, nu, m): fill m.mu, m.lambda and m.modulus. */
     m.mu = E / (2.0 * (1.0 + nu));
     m.lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    /* uniaxial strain, eps = tr eps = u': P = 2 mu u' + lambda u' */
     m.modulus = 2.0 * m.mu + m.lambda;
     /* END 9a */
     return m;
@@ -64,6 +65,7 @@ static void assemble(const struct bar_scene *s, double modulus,
      * and e + 1, to K and to b, then the tractions of the free ends to b. */
     const double h = 1.0 / s->n, k = modulus / h;
     for (int e = 0; e < s->n; e++) {
+        /* N_e = N_{e+1} = 1/2 at the middle */
         const double half = 0.5 * h * f_mid[e];
         matrix_add(K, e, e, k);
         matrix_add(K, e, e + 1, -k);
@@ -72,6 +74,7 @@ static void assemble(const struct bar_scene *s, double modulus,
         b[e] += half;
         b[e + 1] += half;
     }
+    /* h = P n has the sign of n in it already */
     if (!s->held[0]) b[0] += s->pull[0];
     if (!s->held[1]) b[s->n] += s->pull[1];
     /* END 9b */
@@ -105,19 +108,24 @@ static enum status solve(const struct bar_scene *s, const struct matrix *K,
         scale += fabs(b[i]);
     }
     if (n_held == 0) {
+        /* K u adds up to 0 for every u; a NaN is refused as well */
         if (!(fabs(sum) <= (s->n + 1) * DBL_EPSILON * scale))
             return INCOMPATIBLE;
+        /* u + c solves it too: take the one with u_0 = 0 */
         node[0] = 0;
         value[0] = 0.0;
         n_held = 1;
     }
+    /* in x: u stays as it is where A cannot be factored */
     struct matrix *A = matrix_copy(K);
     double *x = allocate((size_t)s->n + 1, sizeof *x);
     for (int i = 0; i <= s->n; i++) x[i] = b[i];
     matrix_dirichlet(A, x, n_held, node, value, KEEP_DIAGONAL);
     const enum status status = matrix_factor(A);
-    if (status == OK) matrix_solve(A, x);
-    for (int i = 0; i <= s->n && status == OK; i++) u[i] = x[i];
+    if (status == OK) {
+        matrix_solve(A, x);
+        for (int i = 0; i <= s->n; i++) u[i] = x[i];
+    }
     matrix_free(A);
     free(x);
     return status;
@@ -138,6 +146,7 @@ static void stress_and_reactions(const struct bar_scene *s, double modulus,
      * the last row of K u are made of the first and the last of them. */
     const int n = s->n;
     for (int e = 1; e <= n; e++) P[e - 1] = modulus * (u[e] - u[e - 1]) * n;
+    /* row 0 of K u is -P_1, row n is P_n: the inner forces at the ends */
     reaction[0] = -P[0] - b[0];
     reaction[1] = P[n - 1] - b[n];
     /* END 9d */
@@ -204,8 +213,9 @@ int main(int argc, char *argv[])
     const struct bar_scene s = scene_of_options(argc, argv, &nu);
     const size_t size = (size_t)s.n + 1;
     struct matrix *K = matrix_alloc(BANDED, s.n + 1, 1);
-    double *b = allocate(4 * size, sizeof *b), *u = b + size;
-    double *P = u + size, *f_mid = P + size;
+    double *b = allocate(size, sizeof *b), *u = allocate(size, sizeof *u);
+    double *P = allocate(size, sizeof *P);
+    double *f_mid = allocate(size, sizeof *f_mid);
 
     bar_scene_force(&s, f_mid);
     const struct elastic m = elastic_make(1000.0, nu);
@@ -216,5 +226,8 @@ int main(int argc, char *argv[])
     if (status != OK) die("%s: the bar has no solution", status_name(status));
     matrix_free(K);
     free(b);
+    free(u);
+    free(P);
+    free(f_mid);
     return table_finish();
 }

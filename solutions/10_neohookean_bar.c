@@ -41,6 +41,7 @@ static void load_vector(int n, double h, const double f_mid[],
     /* SLOT 10a(n, h, f_mid, pull, b): element by element, then the ends. */
     for (int i = 0; i <= n; i++) b[i] = 0.0;
     for (int e = 1; e <= n; e++) {
+        /* both hats are 1/2 at the middle of the element */
         b[e - 1] += 0.5 * h * f_mid[e - 1];
         b[e] += 0.5 * h * f_mid[e - 1];
     }
@@ -64,6 +65,7 @@ static enum status residual(const struct bar *bar, const double u[],
         const double F = 1.0 + (u[e] - u[e - 1]) / bar->h;
         if (!material_defined(&bar->material, F)) return INVERTED;
         const double P = material1_pk1(&bar->material, F);
+        /* int P N' dX with N' = -1/h and 1/h: h cancels */
         q[e - 1] -= P;
         q[e] += P;
     }
@@ -84,6 +86,7 @@ static enum status tangent(const struct bar *bar, const double u[],
     for (int e = 1; e <= bar->n; e++) {
         const double F = 1.0 + (u[e] - u[e - 1]) / bar->h;
         if (!material_defined(&bar->material, F)) return INVERTED;
+        /* dF = du / h, and q has no h left */
         const double k = material1_dpk1(&bar->material, F) / bar->h;
         matrix_add(K, e - 1, e - 1, k);
         matrix_add(K, e - 1, e, -k);
@@ -114,6 +117,7 @@ static enum status increment(const struct bar *bar, struct matrix *K,
     const int n_held = bar->held[0] + bar->held[1];
 
     for (int i = 0; i <= last; i++) du[i] = -q[i];
+    /* a held node has its value in u already: it does not move */
     matrix_dirichlet(K, du, n_held, &ends[first], zero, UNIT_DIAGONAL);
     status = matrix_factor(K);
     if (status == OK) matrix_solve(K, du);
@@ -139,10 +143,12 @@ static struct newton_report newton(const struct bar *bar,
 {
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
-    double *q = allocate(2 * (size_t)K->n, sizeof *q), *du = q + K->n;
+    double *q = allocate((size_t)K->n, sizeof *q);
+    double *du = allocate((size_t)K->n, sizeof *du);
     /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
      * increment): the loop, with report filled on the way; bar_max_free() of
-     * bar.h is max |v_i| of free nodes. */
+     * bar.h is max |v_i| of free nodes.  It is the course's first loop of
+     * Newton's; the later ones each change something in this one. */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 
@@ -150,16 +156,20 @@ static struct newton_report newton(const struct bar *bar,
         report.status = residual(bar, u, q);
         if (report.status != OK) break;
         report.residual = bar_max_free(bar, q);
+        /* the status comes first, then the break that it is the reason of */
         report.status = NONFINITE;
         if (!isfinite(report.residual) || !isfinite(report.increment)) break;
         report.status = OK;
+        /* at rest before the first step */
         if (report.residual == 0.0 && report.iterations == 0) break;
+        /* increment is of the step that led to this u */
         if (report.residual <= force && report.iterations > 0 &&
             report.increment <= length)
             break;
         report.status = MAX_ITERATIONS;
         if (report.iterations == control->max_iterations) break;
 
+        /* u := u - K(u)^-1 q(u) */
         report.status = tangent(bar, u, K);
         if (report.status == OK) report.status = increment(bar, K, q, du);
         if (report.status != OK) break;
@@ -170,6 +180,7 @@ static struct newton_report newton(const struct bar *bar,
     /* END 10e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
 }
 
@@ -201,7 +212,8 @@ static void print_stages(const struct bar_scene *scene)
     struct bar_state *s = bar_state_by(load_vector, scene);
     const int N = scene->n + 1;
     struct matrix *K = matrix_alloc(BANDED, N, 1);
-    double *q = allocate(2 * (size_t)N, sizeof *q), *du = q + N;
+    double *q = allocate((size_t)N, sizeof *q);
+    double *du = allocate((size_t)N, sizeof *du);
 
     for (int i = 0; i < N; i++) s->u[i] = 0.5 * s->bar.h * sin(2.385 * i);
     table_vector("b", N, s->b);
@@ -210,6 +222,7 @@ static void print_stages(const struct bar_scene *scene)
     if (increment(&s->bar, K, q, du) == OK) table_vector("du", N, du);
     matrix_free(K);
     free(q);
+    free(du);
     bar_state_free(s);
 }
 
