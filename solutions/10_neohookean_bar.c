@@ -41,7 +41,6 @@ static void load_vector(int n, double h, const double f_mid[],
     /* SLOT 10a(n, h, f_mid, pull, b): element by element, then the ends. */
     for (int i = 0; i <= n; i++) b[i] = 0.0;
     for (int e = 1; e <= n; e++) {
-        /* both hats are 1/2 at the middle of the element */
         b[e - 1] += 0.5 * h * f_mid[e - 1];
         b[e] += 0.5 * h * f_mid[e - 1];
     }
@@ -160,7 +159,6 @@ static struct newton_report newton(const struct bar *bar,
         report.status = NONFINITE;
         if (!isfinite(report.residual) || !isfinite(report.increment)) break;
         report.status = OK;
-        /* at rest before the first step */
         if (report.residual == 0.0 && report.iterations == 0) break;
         /* increment is of the step that led to this u */
         if (report.residual <= force && report.iterations > 0 &&

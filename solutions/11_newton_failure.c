@@ -114,7 +114,6 @@ static enum status line_search(const struct material *material, double p,
         if (!material_defined(material, trial)) continue;
         const double w_trial =
             material1_psi(material, trial) - p * (trial - 1.0);
-        /* a ten-thousandth of the fall that the slope promises, or round-off */
         if (w_trial <= w + 1e-4 * *length * slope + noise) return OK;
     }
     return STALLED;
@@ -163,7 +162,6 @@ static struct outcome load_stepping(const struct material *material, double p,
     while (s < 1.0 && state.status == OK) {
         const int left = budget - state.iterations;
         attempt.max_iterations = left < patience ? left : patience;
-        /* the last step ends at s = 1 */
         ds = fmin(ds, 1.0 - s);
         const struct outcome trial = solve(
             material, (s + ds) * p, state.F - ds * jump, &attempt);

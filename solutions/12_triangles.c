@@ -190,7 +190,6 @@ static struct history equilibrium(const struct scene *s, double tolerance,
         report.status = MAX_ITERATIONS;
         if (k == cap) break;
 
-        /* u := u - K(u)^-1 q(u) */
         report.status = tangent(s, u, K);
         if (report.status == OK) report.status = increment(s, K, q, du);
         if (report.status != OK) break;
