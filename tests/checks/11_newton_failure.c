@@ -15,7 +15,7 @@
 #include "judge.h"
 
 #include "../oracle/11_newton_failure.h"
-#include "stretch.c"
+#include "figures/11_newton_failure/stretch.c"
 
 #include <float.h>
 

@@ -77,6 +77,11 @@ rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
         [ "$n" -le 8 ] || echo "$f: $n"; done)"
+slots() { awk -v rule="$1" -f tests/tools/slots.awk solutions/*.c; }
+rule 'the first slot of a solution begins before line 70' "$(slots first)"
+rule 'slots stand in the order of their letters' "$(slots order)"
+rule 'no function with a slot is declared before it is defined' "$(slots declared)"
+rule 'slots have a comment for every 15 lines' "$(slots comments)"
 rule 'a study ends in its claim, and takes no options' \
     "$(for f in $studies; do
         case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
