@@ -172,10 +172,11 @@ static struct history step(struct scene *s, double tolerance, int cap,
         for (size_t r = 0; r < n_dof; r++) next[r] += du[r];
         report.iterations++;
     }
-    for (size_t r = 0; r < n_dof && report.status == OK; r++) {
-        s->v[r] = (next[r] - s->u[r]) / dt;
-        s->u[r] = next[r];
-    }
+    if (report.status == OK)
+        for (size_t r = 0; r < n_dof; r++) {
+            s->v[r] = (next[r] - s->u[r]) / dt;
+            s->u[r] = next[r];
+        }
     /* END 13d */
     s->steps += report.status == OK;
     matrix_free(A);

@@ -106,7 +106,7 @@ static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
             }
         for (int k = 0, r = 2 * q; k < 2; k++, r++) {
             p->v[r] = scheme == FLIP ? p->v[r] + change[k] : after[k];
-            /* by FLIP too with the grid, so that neighbours move alike */
+            /* with the grid, by FLIP too, so that neighbours move alike */
             p->x[r] += dt * after[k];
         }
         p->B[q] = B;

@@ -103,21 +103,23 @@ static void transfer(int n, int down, double coarse[], double fine[])
 {
     /* SLOT 22b(n, down, coarse, fine): a vertex has the mean of the one, two or
      * four coarse ones around it; held ones count with 0. */
-    for (int v = 0; v < (n - 1) * (n + 1); v++)
-        for (int c = 0; c < 4; c++) {
-            /* i / 2 and (i + 1) / 2: an even i is met twice by itself, an odd
-             * one by its two neighbours; with j four meetings of 1/4. */
-            const int I = (v % (n - 1) + 1 + c % 2) / 2;
-            const int J = (v / (n - 1) + c / 2) / 2;
-            const int V = J * (n / 2 - 1) + I - 1;
-            if (I == 0 || I == n / 2) continue;
-            for (int k = 0; k < 2; k++)
-                /* The same number both ways: what goes down is by P^T. */
-                if (down)
-                    coarse[2 * V + k] += 0.25 * fine[2 * v + k];
-                else
-                    fine[2 * v + k] += 0.25 * coarse[2 * V + k];
-        }
+    for (int j = 0; j <= n; j++)
+        for (int i = 1; i < n; i++)
+            for (int b = 0; b < 2; b++)
+                for (int a = 0; a < 2; a++) {
+                    /* Four meetings of 1/4: an even i meets i / 2 twice, an odd
+                     * one the two beside it, and so does j. */
+                    const int I = (i + a) / 2, J = (j + b) / 2;
+                    const int v = j * (n - 1) + i - 1;
+                    const int V = J * (n / 2 - 1) + I - 1;
+                    if (I == 0 || I == n / 2) continue;
+                    for (int k = 0; k < 2; k++)
+                        /* the same number both ways: down it is P^T */
+                        if (down)
+                            coarse[2 * V + k] += 0.25 * fine[2 * v + k];
+                        else
+                            fine[2 * v + k] += 0.25 * coarse[2 * V + k];
+                }
     /* END 22b */
 }
 

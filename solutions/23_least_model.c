@@ -49,7 +49,8 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
     }
     part[GEOMETRY] = most > 0.0 ? forgotten / most : 0.0;
     part[LAW] = J[0] > 0.0 ? 0.0 : 1.0;
-    for (int k = 0; k < 2 && J[0] > 0.0; k++) {
+    if (!(J[0] > 0.0)) return; /* the log law has no stress there */
+    for (int k = 0; k < 2; k++) {
         const double P = material1_pk1(&logarithm, J[k]);
         const double off = fabs(material1_pk1(&cubic, J[k]) - P);
         /* at J = 1 it would be 0 / 0 */
