@@ -102,7 +102,7 @@ static void add_fibres(const struct body *body, double dt, const double u[],
         const mat2 F = body_deformation(body, u, e);
         for (int c = 0; c < 6; c++) {
             const int column = 2 * t[c / 2] + c % 2; /* vertex, component */
-            mat2 dF = {{{0.0}}}, P, dP; /* dF/du of that unknown */
+            mat2 dF = {{{0.0}}}, P, dP;              /* dF/du of that unknown */
             for (int m = 0; m < 2; m++) dF.m[c % 2][m] = G[c / 2 * 2 + m];
             const double l = stress(&fibres->fibre, g, F, dF, kind, &P, &dP);
             if (energy && !c) *energy += area * tension(&fibres->fibre, l).W;
@@ -149,7 +149,7 @@ static enum status strip(const struct material *material,
         const double a = dP.m[0][0], b = dP.m[1][1];
         const double c = material2_dpk1(material, F, dw).m[1][1];
         if (!(a > 0.0) || !(a * c > b * b)) return NOT_SPD; /* (a b; b c) */
-        x[0] -= (c * q[0] - b * q[1]) / (a * c - b * b); /* Cramer's rule */
+        x[0] -= (c * q[0] - b * q[1]) / (a * c - b * b);    /* Cramer's rule */
         x[1] -= (a * q[1] - b * q[0]) / (a * c - b * b);
     }
     /* END 17d */
