@@ -29,49 +29,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Entries of K's lower triangle and of L; m in a column are m^2 flops. */
-struct cost {
-    double unknowns, matrix, entries, flops, residual;
-    enum status status;
-};
-
-static void print_costs(const struct cost cost[2])
-{
-    table_begin("cost", "order unknowns matrix entries flops residual status");
-    for (int k = 0; k < 2; k++)
-        table_row(k ? "dissection" : "rows", cost[k].unknowns, cost[k].matrix,
-                  cost[k].entries, cost[k].flops,
-                  cell_if(cost[k].status == OK, cost[k].residual),
-                  status_name(cost[k].status));
-    table_end();
-    if (cost[0].status != OK || cost[1].status != OK)
-        die("a factorisation ends with NOT_SPD");
-}
-
-static void print_tree(const char *name, int n, const int parent[],
-                       const int count[])
-{
-    table_begin(name, "k parent count");
-    for (int k = 0; k < n; k++)
-        table_row(k, cell_if(parent[k] >= 0, parent[k]), count[k]);
-    table_end();
-}
-
-/* The place of every vertex (i, j), and its increment in both orders. */
-static void print_vertices(const struct system *s, const int place[],
-                           const double du[])
-{
-    const int width = s->scene->mesh->n - 1;
-    table_begin("vertices",
-                "i j place rows_x rows_y dissection_x dissection_y");
-    for (int v = 0; v < s->n_vertex; v++) {
-        const double *rows = &du[2 * v], *other = &rows[2 * s->n_vertex];
-        table_row(v % width, v / width, place[v], rows[0], rows[1], other[0],
-                  other[1]);
-    }
-    table_end();
-}
-
 /* Number the vertices of columns i0 <= i < i1 and rows j0 <= j < j1 row by row:
  * place[j * width + i] = next, next + 1, ...  Returns the next free number. */
 static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
@@ -123,6 +80,49 @@ static enum status factor_row(const struct csr *K, int k, const int parent[],
     /* END 21c */
 }
 
+/* Entries of K's lower triangle and of L; m in a column are m^2 flops. */
+struct cost {
+    double unknowns, matrix, entries, flops, residual;
+    enum status status;
+};
+
+static void print_costs(const struct cost cost[2])
+{
+    table_begin("cost", "order unknowns matrix entries flops residual status");
+    for (int k = 0; k < 2; k++)
+        table_row(k ? "dissection" : "rows", cost[k].unknowns, cost[k].matrix,
+                  cost[k].entries, cost[k].flops,
+                  cell_if(cost[k].status == OK, cost[k].residual),
+                  status_name(cost[k].status));
+    table_end();
+    if (cost[0].status != OK || cost[1].status != OK)
+        die("a factorisation ends with NOT_SPD");
+}
+
+static void print_tree(const char *name, int n, const int parent[],
+                       const int count[])
+{
+    table_begin(name, "k parent count");
+    for (int k = 0; k < n; k++)
+        table_row(k, cell_if(parent[k] >= 0, parent[k]), count[k]);
+    table_end();
+}
+
+/* The place of every vertex (i, j), and its increment in both orders. */
+static void print_vertices(const struct system *s, const int place[],
+                           const double du[])
+{
+    const int width = s->scene->mesh->n - 1;
+    table_begin("vertices",
+                "i j place rows_x rows_y dissection_x dissection_y");
+    for (int v = 0; v < s->n_vertex; v++) {
+        const double *rows = &du[2 * v], *other = &rows[2 * s->n_vertex];
+        table_row(v % width, v / width, place[v], rows[0], rows[1], other[0],
+                  other[1]);
+    }
+    table_end();
+}
+
 /* The system in one order, with a table of this name; the solution at the
  * vertices goes to du, none when the status is NOT_SPD. */
 static struct cost solve_in(const char *name, const struct system *s,
@@ -131,25 +131,33 @@ static struct cost solve_in(const char *name, const struct system *s,
     struct csr *K = system_matrix(s, place);
     const int n = K->n;
     struct cost cost = {n, (K->start[n] + n) / 2.0, 0.0, 0.0, 0.0, OK};
-    int *parent = allocate(4 * (size_t)n, sizeof *parent), *count = parent + n;
-    double *x = allocate(2 * (size_t)n, sizeof *x), *b = x + n;
+    int *parent = allocate((size_t)n, sizeof *parent);
+    int *count = allocate((size_t)n, sizeof *count);
+    int *mark = allocate((size_t)n, sizeof *mark);
+    int *list = allocate((size_t)n, sizeof *list);
+    double *x = allocate((size_t)n, sizeof *x);
+    double *b = allocate((size_t)n, sizeof *b);
     analyse(K, parent, count);
     print_tree(name, n, parent, count);
     struct factor *L = factor_alloc(n, count);
     for (int j = 0; j < n; j++) {
         cost.entries += count[j];
         cost.flops += (double)count[j] * count[j];
-        count[n + j] = -1; /* the marks; the list is behind them */
+        mark[j] = -1;
     }
     for (int k = 0; k < n && cost.status == OK; k++)
-        cost.status = factor_row(K, k, parent, L, x, count + n, count + 2 * n);
+        cost.status = factor_row(K, k, parent, L, x, mark, list);
     system_right_side(s, place, b);
     system_right_side(s, place, x);
     if (cost.status == OK) factor_solve(L, x);
     cost.residual = csr_residual(K, x, b);
     system_back(s, place, x, du);
     factor_free(L);
+    free(b);
     free(x);
+    free(list);
+    free(mark);
+    free(count);
     free(parent);
     csr_free(K);
     return cost;

@@ -32,37 +32,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is counted over all frames. */
-struct summary {
-    int frames, lost, downhill, most;
-    double energy; /* the largest (J) */
-};
-
-static void print_summary(const struct live *live, const struct summary *sum)
-{
-    double u = 0.0;
-    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
-    table_begin("summary", "frames lost downhill most_systems most_energy "
-                           "last_max_u");
-    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
-    table_end();
-}
-
-/* A row of the table, and what is counted. */
-static void print_frame(const struct live *live, int knots, struct cell ms,
-                        const struct live_report *report, struct summary *sum)
-{
-    const double energy = live_energy(live);
-    table_row(++sum->frames, report->rung, report->first,
-              status_name(report->status), report->systems, report->part,
-              body_min_J(live->body, live->now.u), knots, energy,
-              live->hand[0], live->hand[1], ms);
-    sum->lost += strcmp(report->rung, "lost") == 0;
-    sum->downhill += strcmp(report->rung, "downhill") == 0;
-    if (report->systems > sum->most) sum->most = report->systems;
-    if (energy > sum->energy) sum->energy = energy;
-}
-
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
  * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
  * LIVE_REACH [eq:live-hand]. */
@@ -151,6 +120,37 @@ static enum status downhill(struct live *live, double u[], double v[],
     /* END 24d */
     free(w);
     return status;
+}
+
+/* What is counted over all frames. */
+struct summary {
+    int frames, lost, downhill, most;
+    double energy; /* the largest (J) */
+};
+
+static void print_summary(const struct live *live, const struct summary *sum)
+{
+    double u = 0.0;
+    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
+    table_begin("summary", "frames lost downhill most_systems most_energy "
+                           "last_max_u");
+    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
+    table_end();
+}
+
+/* A row of the table, and what is counted. */
+static void print_frame(const struct live *live, int knots, struct cell ms,
+                        const struct live_report *report, struct summary *sum)
+{
+    const double energy = live_energy(live);
+    table_row(++sum->frames, report->rung, report->first,
+              status_name(report->status), report->systems, report->part,
+              body_min_J(live->body, live->now.u), knots, energy,
+              live->hand[0], live->hand[1], ms);
+    sum->lost += strcmp(report->rung, "lost") == 0;
+    sum->downhill += strcmp(report->rung, "downhill") == 0;
+    if (report->systems > sum->most) sum->most = report->systems;
+    if (energy > sum->energy) sum->energy = energy;
 }
 
 /* One frame of input: the hand, the solver, a row of the table, a picture. */

@@ -40,33 +40,6 @@ struct report {
     double residual[CAP + 1], curvature[CAP + 1];
 };
 
-/* The last row is that of an iteration that was not made. */
-static void print_history(const struct report *report)
-{
-    table_begin("history", "k residual curvature");
-    for (int k = 0; k <= report->iterations; k++)
-        table_row(k, report->residual[k],
-                  cell_if(report->curvature[k] != 0.0, report->curvature[k]));
-    table_end();
-}
-
-static void print_grids(const struct multigrid *m)
-{
-    table_begin("grids", "n unknowns entries");
-    for (int g = 0; g < m->grids; g++)
-        table_row(m->n[g], m->K[g]->n, m->K[g]->start[m->K[g]->n]);
-    table_end();
-}
-
-static void print_solution(const struct system *s, const double x[])
-{
-    const int width = s->scene->mesh->n - 1;
-    table_begin("vertices", "i j x y");
-    for (int v = 0; v < s->n_vertex; v++)
-        table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
-    table_end();
-}
-
 static double dot(int n, const double x[], const double y[])
 {
     double sum = 0.0;
@@ -92,10 +65,12 @@ static void cg(const struct csr *K, preconditioner *precondition,
     memset(report, 0, sizeof *report);
     /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n,
      * bytes, r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
+    /* p is 0: the first direction is z, whatever this is. */
     double before = 1.0;
     memset(x, 0, bytes);
     memcpy(r, b, bytes);
     for (int k = 0;; k++) {
+        /* left = 0, or not a number, is the residual itself: b may be 0. */
         const double left = dot(n, r, r);
         report->iterations = k;
         report->residual[k] = left > 0.0 ? sqrt(left / dot(n, b, b)) : left;
@@ -105,12 +80,14 @@ static void cg(const struct csr *K, preconditioner *precondition,
         if (report->status == NONFINITE || k == cap) break;
         precondition(context, r, z);
         const double rz = dot(n, r, z);
+        /* p = z + beta p, so that p.K p = 0 with every p before it */
         for (int i = 0; i < n; i++) p[i] = z[i] + rz / before * p[i];
         csr_multiply(K, p, Kp);
         const double pKp = dot(n, p, Kp);
         report->curvature[k] = pKp / dot(n, p, p);
         report->status = isfinite(pKp) ? NOT_SPD : NONFINITE;
         if (!(rz > 0.0 && pKp > 0.0)) break;
+        /* to the least x.Kx / 2 - b.x along p; r = b - K x goes with it */
         for (int i = 0; i < n; i++) x[i] += rz / pKp * p[i];
         for (int i = 0; i < n; i++) r[i] -= rz / pKp * Kp[i];
         before = rz;
@@ -127,18 +104,23 @@ static void transfer(int n, int down, double coarse[], double fine[])
 {
     /* SLOT 22b(n, down, coarse, fine): a vertex has the mean of the one, two or
      * four coarse ones around it; held ones count with 0. */
-    for (int v = 0; v < (n - 1) * (n + 1); v++)
-        for (int c = 0; c < 4; c++) {
-            const int I = (v % (n - 1) + 1 + c % 2) / 2;
-            const int J = (v / (n - 1) + c / 2) / 2;
-            const int V = J * (n / 2 - 1) + I - 1;
-            if (I == 0 || I == n / 2) continue;
-            for (int k = 0; k < 2; k++)
-                if (down)
-                    coarse[2 * V + k] += 0.25 * fine[2 * v + k];
-                else
-                    fine[2 * v + k] += 0.25 * coarse[2 * V + k];
-        }
+    for (int j = 0; j <= n; j++)
+        for (int i = 1; i < n; i++)
+            for (int b = 0; b < 2; b++)
+                for (int a = 0; a < 2; a++) {
+                    /* Four meetings of 1/4: an even i meets i / 2 twice, an odd
+                     * one the two beside it, and so does j. */
+                    const int I = (i + a) / 2, J = (j + b) / 2;
+                    const int v = j * (n - 1) + i - 1;
+                    const int V = J * (n / 2 - 1) + I - 1;
+                    if (I == 0 || I == n / 2) continue;
+                    for (int k = 0; k < 2; k++)
+                        /* the same number both ways: down it is P^T */
+                        if (down)
+                            coarse[2 * V + k] += 0.25 * fine[2 * v + k];
+                        else
+                            fine[2 * v + k] += 0.25 * coarse[2 * V + k];
+                }
     /* END 22b */
 }
 
@@ -152,6 +134,7 @@ static void cycle(const struct multigrid *m, int g)
     /* SLOT 22c(m, g, K, x, b, r, transfer, cycle): x starts from 0;
      * multigrid_sweep(); for the last grid matrix_solve() with m->coarsest. */
     memset(x, 0, (size_t)K->n * sizeof *x);
+    /* On the coarsest grid there are few unknowns: a solve. */
     if (g == m->grids - 1) {
         memcpy(x, b, (size_t)K->n * sizeof *x);
         matrix_solve(m->coarsest, x);
@@ -160,10 +143,12 @@ static void cycle(const struct multigrid *m, int g)
     for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 0, x);
     csr_multiply(K, x, r);
     for (int i = 0; i < K->n; i++) r[i] = b[i] - r[i];
+    /* The coarser grid finds the correction for what is left. */
     memset(m->b[g + 1], 0, (size_t)m->K[g + 1]->n * sizeof *b);
     transfer(m->n[g], 1, m->b[g + 1], r);
     cycle(m, g + 1);
     transfer(m->n[g], 0, m->x[g + 1], x);
+    /* backward, so that the whole is symmetric, as cg() needs it */
     for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 1, x);
     /* END 22c */
 }
@@ -176,6 +161,33 @@ static void v_cycle(const void *context, const double r[], double z[])
     memcpy(m->b[0], r, bytes);
     cycle(m, 0);
     memcpy(z, m->x[0], bytes);
+}
+
+/* The last row is that of an iteration that was not made. */
+static void print_history(const struct report *report)
+{
+    table_begin("history", "k residual curvature");
+    for (int k = 0; k <= report->iterations; k++)
+        table_row(k, report->residual[k],
+                  cell_if(report->curvature[k] != 0.0, report->curvature[k]));
+    table_end();
+}
+
+static void print_grids(const struct multigrid *m)
+{
+    table_begin("grids", "n unknowns entries");
+    for (int g = 0; g < m->grids; g++)
+        table_row(m->n[g], m->K[g]->n, m->K[g]->start[m->K[g]->n]);
+    table_end();
+}
+
+static void print_solution(const struct system *s, const double x[])
+{
+    const int width = s->scene->mesh->n - 1;
+    table_begin("vertices", "i j x y");
+    for (int v = 0; v < s->n_vertex; v++)
+        table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
+    table_end();
 }
 
 int main(int argc, char *argv[])

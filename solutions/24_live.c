@@ -32,37 +32,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is counted over all frames. */
-struct summary {
-    int frames, lost, downhill, most;
-    double energy; /* the largest (J) */
-};
-
-static void print_summary(const struct live *live, const struct summary *sum)
-{
-    double u = 0.0;
-    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
-    table_begin("summary", "frames lost downhill most_systems most_energy "
-                           "last_max_u");
-    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
-    table_end();
-}
-
-/* A row of the table, and what is counted. */
-static void print_frame(const struct live *live, int knots, struct cell ms,
-                        const struct live_report *report, struct summary *sum)
-{
-    const double energy = live_energy(live);
-    table_row(++sum->frames, report->rung, report->first,
-              status_name(report->status), report->systems, report->part,
-              body_min_J(live->body, live->now.u), knots, energy,
-              live->hand[0], live->hand[1], ms);
-    sum->lost += strcmp(report->rung, "lost") == 0;
-    sum->downhill += strcmp(report->rung, "downhill") == 0;
-    if (report->systems > sum->most) sum->most = report->systems;
-    if (energy > sum->energy) sum->energy = energy;
-}
-
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
  * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
  * LIVE_REACH [eq:live-hand]. */
@@ -73,6 +42,7 @@ static void hand_next(const double from[2], const struct pointer *pointer,
     const double target[2] = {fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x)),
                               fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y))};
     const double way = hypot(target[0] - from[0], target[1] - from[1]);
+    /* all of the way, or as much of it as one frame allows */
     const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
     for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);
     /* END 24a */
@@ -95,6 +65,7 @@ static int count_knots(const struct mesh *mesh, const double u[])
         for (int k = 0; k < 3; k++) {
             const int *t = &mesh->triangle[3 * e];
             double side[2][2];
+            /* the sides from vertex k, and the angle between them */
             for (int s = 0; s < 2; s++)
                 for (int i = 0; i < 2; i++) {
                     const int to = 2 * t[(k + 1 + s) % 3] + i;
@@ -106,6 +77,7 @@ static int count_knots(const struct mesh *mesh, const double u[])
                 side[0][0] * side[1][0] + side[0][1] * side[1][1]);
         }
     for (int a = 0; a < mesh->n_vertex; a++)
+        /* The sum is a multiple of 2 pi, but for round-off. */
         knots += fabs(X[2 * a]) < 1.0 && fabs(X[2 * a + 1]) < 1.0 &&
                  fabs(angle[a] - 2.0 * M_PI) > M_PI;
     /* END 24b */
@@ -144,9 +116,11 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
         status = body_assemble(body, Phi, u, NO_TANGENT, behind);
     if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
     for (int r = 0; r < n && status == OK && e > 0.0; r++)
+        /* q_f + K_fh move: what the jump of the held ones does to q */
         q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
     for (int r = 0; r < n && status == OK; r++) {
+        /* du, whose size is looked at before it is added */
         u[r] += move[r];
         if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
         u[r] += u0[r];
@@ -182,6 +156,7 @@ static enum status downhill(struct live *live, double u[], double v[],
     for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
     report->part = 1.0;
     for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
+        /* The last system is for Newton's method. */
         if (report->systems == FRAME_SYSTEMS - 1) break;
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
@@ -191,6 +166,7 @@ static enum status downhill(struct live *live, double u[], double v[],
         if (status == OK) status = live_start(live, Phi, g, u);
     }
     if (status != OK) {
+        /* The hand waits: from u0, Newton's method can always begin. */
         report->part = 0.0;
         memcpy(u, u0, (size_t)n * sizeof *u);
     }
@@ -199,11 +175,43 @@ static enum status downhill(struct live *live, double u[], double v[],
         step_solve(live->body, &control, Phi, u);
     report->systems += newton.iterations;
     status = newton.status;
+    /* A body that was held back must not keep the speed of the attempt. */
     const int whole = status == OK && report->part == 1.0;
     for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
     /* END 24d */
     free(w);
     return status;
+}
+
+/* What is counted over all frames. */
+struct summary {
+    int frames, lost, downhill, most;
+    double energy; /* the largest (J) */
+};
+
+static void print_summary(const struct live *live, const struct summary *sum)
+{
+    double u = 0.0;
+    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
+    table_begin("summary", "frames lost downhill most_systems most_energy "
+                           "last_max_u");
+    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
+    table_end();
+}
+
+/* A row of the table, and what is counted. */
+static void print_frame(const struct live *live, int knots, struct cell ms,
+                        const struct live_report *report, struct summary *sum)
+{
+    const double energy = live_energy(live);
+    table_row(++sum->frames, report->rung, report->first,
+              status_name(report->status), report->systems, report->part,
+              body_min_J(live->body, live->now.u), knots, energy,
+              live->hand[0], live->hand[1], ms);
+    sum->lost += strcmp(report->rung, "lost") == 0;
+    sum->downhill += strcmp(report->rung, "downhill") == 0;
+    if (report->systems > sum->most) sum->most = report->systems;
+    if (energy > sum->energy) sum->energy = energy;
 }
 
 /* One frame of input: the hand, the solver, a row of the table, a picture. */
