@@ -85,6 +85,17 @@ BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
 DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED) many/many)
 workbook: $(DATA)
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill
+# of one lesson: only the data that its two files show
+pages = $(wildcard lessons/$1.md solutions/$1.md)
+shown = $(patsubst %,$(BUILD)/data/%.tsv,$(sort $(shell grep -ohE \
+    '<!-- (table|n) [0-9a-z_/]+' /dev/null $(call pages,$1) | awk '{ print $$3 }')))
+define workbook_rule
+.PHONY: workbook-$(call number,$1)
+workbook-$(call number,$1): $$$$(call shown,$1)
+	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill $(call pages,$1)
+	@BUILD='$(BUILD)' sh tests/tools/workbook.sh lead
+endef
+$(foreach l,$(LESSONS),$(eval $(call workbook_rule,$l)))
 
 # ---- each lesson ------------------------------------------------------------
 
@@ -114,9 +125,11 @@ $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
 .PHONY: verify-$(call number,$1)
 verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result) \
         $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
-	@cat $$^ | sh tests/tools/count.sh
+	@{ cat $$^; sh tests/tools/lint.sh $1; } | sh tests/tools/count.sh
 endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
+.PHONY: lint
+lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
         $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
