@@ -10,6 +10,10 @@ set output out
 limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
+# n where the number of iterations is another one than one step before
+was = row = 0
+changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
+    was = k, row = column("n"), new ? ended("OK") : NaN)
 array Limit[2] = [limit("boundary_step", 2), limit("boundary_step", 3)]
 set logscale xy
 set xrange [0.0018:1.15]
@@ -51,7 +55,7 @@ do for [k = 1:4] {
         nohead lw 1.5 dt 2 lc rgb "black" front
     plot data index name using "dt":(ended("OK")):"iterations" \
              with points pt 5 ps 1.05 lc palette, \
-         data index name using "dt":(ended("OK")): \
+         data index name using "dt":(changed(0)): \
              (sprintf("%d", column("iterations"))): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
              font ",8" textcolor rgb variable, \

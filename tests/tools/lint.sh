@@ -80,9 +80,9 @@ longest() {
     done
 }
 rule 'main() has at most 50 lines' \
-    "$(longest "$(ls solutions/*.c)" 50 '^int main\(')"
+    "$(longest "$(ls solutions/*.c)" 50 '^int main[(]')"
 rule 'a function has at most 60 lines' \
-    "$(longest "$sources" 60 '^[a-z_].*\(')"
+    "$(longest "$sources" 60 '^[a-z_].*[(]')"
 rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
@@ -113,8 +113,8 @@ rule 'nothing is left to write (TODO)' \
         sed '1s/^/\
 /')"
 rule 'CONTRIBUTING.md has every rule of lint by its name' \
-    "$(sed -n "s/^ *rule ['\"]\(.*\)['\"] .*/\1/p
-               s/.*| row ['\"]\([^'\"]*\)['\"].*/\1/p" \
+    "$(sed -n "s/^ *rule '\([^']*\)'.*/\1/p; s/^ *rule \"\([^\"]*\)\".*/\1/p
+               s/.*| row '\([^']*\)'.*/\1/p; s/.*echo .*ok lint: \([a-z][^\"]*\)}.*/\1/p" \
             tests/tools/lint.sh tests/tools/sizes.sh |
         sed 's/\$nn/NN/g; s/\$equations/workbook.md/g' | while read -r name; do
         tr -s ' \n' '  ' <CONTRIBUTING.md | grep -qF -e "- $name" || echo "$name"
@@ -284,8 +284,9 @@ rule 'every figure is in the book' \
 rule 'the map of the course shows what the chapters say (make figures)' \
     "$( (awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md |
         cmp - figures/map.svg) 2>&1)"
-rule 'a figure has at most 250 kB, a moving one 400' \
-    "$(find figures -name '*.svg' -size +250k; find figures -name '*.gif' -size +400k)"
+rule 'a figure has at most 250 kB, one of make bench 280, a moving one 400' \
+    "$(find figures -name '*.svg' -size +250k ! -path 'figures/speed/*'
+        find figures/speed -name '*.svg' -size +280k find figures -name '*.gif' -size +400k)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"
