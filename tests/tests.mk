@@ -209,7 +209,7 @@ $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
 look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
-EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/*/* solutions/*.c \
+EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
               lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
@@ -244,7 +244,7 @@ $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade limits): $(T)/%.result: tests/cli/%.sh \
+$(patsubst %,$(T)/%.result,hostile grade limits new): $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(call mistakes_of,$(TRIED))
@@ -261,7 +261,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/many.result $(SAME_RESULTS) \
+           $(T)/limits.result $(T)/new.result $(T)/many.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

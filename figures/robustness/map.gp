@@ -24,14 +24,14 @@ set xtics ("1/480" 1.0/480, "1/240" 1.0/240, "1/120" 1.0/120, "1/60" 1.0/60, \
 unset mxtics
 unset grid
 unset key
-set label 11 "converged, with its iterations" at screen 0.09, 0.975 \
+set label 11 "converged; iterations where they change" at screen 0.09, 0.975 \
     point pt 5 ps 1.4 lc rgb "#9CC6E3" offset 1, 0
-set label 12 "blows up or wanders" at screen 0.37, 0.975 point pt 2 ps 0.8 \
+set label 12 "blows up or wanders" at screen 0.395, 0.975 point pt 2 ps 0.8 \
     lw 1.5 lc rgb "#D55E00" offset 1, 0
-set label 13 "inverted" at screen 0.57, 0.975 point pt 1 ps 0.8 lw 1.5 \
+set label 13 "inverted" at screen 0.565, 0.975 point pt 1 ps 0.8 lw 1.5 \
     lc rgb "#CC79A7" offset 1, 0
 set label 14 "limit of Δg / h: measured" at screen 0.68, 0.975 offset 1, 0
-set arrow 14 from screen 0.65, 0.975 to screen 0.68, 0.975 nohead lw 2 \
+set arrow 14 from screen 0.66, 0.975 to screen 0.685, 0.975 nohead lw 2 \
     lc rgb "black"
 set label 15 "0.95" at screen 0.92, 0.975 offset 1, 0
 set arrow 15 from screen 0.89, 0.975 to screen 0.92, 0.975 nohead lw 1.5 \

@@ -10,13 +10,6 @@ export LC_ALL
 lines() { # lines FILES: "lines file" of each that exists
     for f in "$@"; do [ -f "$f" ] && echo "$(($(wc -l <"$f"))) $f"; done
 }
-shares() { # per cent of a starter that comes after its last slot
-    for f in solutions/[0-9][0-9]_*.c; do
-        awk -f tests/tools/starter.awk "$f" | awk -v f="lessons/${f##*/}" '
-            / todo\("[0-9]+[a-z]"/ { last = NR }
-            END { printf "%d %s\n", 100 * (NR - last) / NR, f }'
-    done
-}
 starters() { # what the student gets, whatever stands in lessons/ now
     for f in solutions/[0-9][0-9]_*.c; do
         echo "$(($(awk -f tests/tools/starter.awk "$f" | wc -l))) lessons/${f##*/}"
@@ -50,7 +43,6 @@ lines $(ls solutions/*.c | grep -v 24_live) |
     row 'lines of a solution' 230 250
 lines solutions/24_live.c | row 'lines of the live solution' - 275
 starters | row 'lines of a starter' 180 220
-shares | row 'per cent after the last slot' - 35
 shared() { # shared yes|no FILES: those that several studies share, or the others
     want=$1; shift
     for f in "$@"; do
