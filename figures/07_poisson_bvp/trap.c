@@ -92,6 +92,7 @@ int main(void)
               "2 is %g", order[4][two[k]]);
     claim(fabs(order[3][GAUSS2_] - 4.0) < 2e-2, "two-point Gauss: order 4 (%g)",
           order[3][GAUSS2_]);
-    claim(noise < round_off, "exact integrals: round-off at the nodes (%g)", noise);
+    claim(noise < round_off, "exact integrals: round-off at the nodes (%g)",
+          noise);
     return table_finish();
 }
