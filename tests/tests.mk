@@ -250,6 +250,7 @@ $(patsubst %,$(T)/%.result,hostile grade limits new): $(T)/%.result: tests/cli/%
         $(call mistakes_of,$(TRIED))
 	$(call say,test,$*)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
+$(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
