@@ -161,8 +161,10 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
                              enum tangent tangent, double leap, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    double *move = allocate((size_t)n, sizeof *move), size = 0.0;
+    double *q = allocate((size_t)n, sizeof *q);
+    double *ahead = allocate((size_t)n, sizeof *ahead);
+    double *behind = allocate((size_t)n, sizeof *behind);
     enum status status;
     for (int r = 0; r < n; r++) {
         move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
@@ -176,8 +178,9 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
         status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
     if (status == OK)
         status = body_assemble(body, dt, w, NULL, u0, tangent, q);
-    for (int r = 0; r < n && status == OK && e > 0.0; r++)
-        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+    if (status == OK && e > 0.0)
+        for (int r = 0; r < n; r++)
+            q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
     for (int r = 0; r < n && status == OK; r++) {
         u[r] += move[r];
@@ -185,6 +188,9 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
         u[r] += u0[r];
     }
     free(move);
+    free(q);
+    free(ahead);
+    free(behind);
     return status;
 }
 
@@ -211,7 +217,8 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     const int n = live->n_dof;
     const int midpoint = live->set.method == IMPLICIT_MIDPOINT;
     const double d = midpoint ? 0.5 * live->dt : live->dt;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     enum status status = OK;
     for (int r = 0; r < n; r++) {
         w[r] = now->u[r] + d * now->v[r];
@@ -239,6 +246,7 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
         }
     }
     free(w);
+    free(g);
     double unused; /* the doubled state may be one that there is not */
     if (status == OK) status = body_energy(live->body, u, &unused);
     return status;
@@ -249,7 +257,8 @@ enum status live_start(const struct live *live, const double w[],
 {
     const struct body *body = live->body;
     const int n = live->n_dof;
-    double *left = allocate(3 * (size_t)n, sizeof *left), *work = left + n;
+    double *left = allocate((size_t)n, sizeof *left);
+    double *work = allocate(2 * (size_t)n, sizeof *work);
     double lifted, phi, noise;
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
@@ -260,6 +269,7 @@ enum status live_start(const struct live *live, const double w[],
         lifted > phi + 16.0 * DBL_EPSILON * noise)
         status = STALLED;
     free(left);
+    free(work);
     return status;
 }
 
@@ -270,7 +280,8 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     struct step_control rest = *control;
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
@@ -296,6 +307,7 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
     for (int r = 0; r < n; r++)
         v[r] = whole ? (u[r] - now->u[r]) / live->dt : 0.0;
     free(w);
+    free(g);
     return newton.status;
 }
 
@@ -311,8 +323,8 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
 {
     struct live_report report = {.rung = "fast", .first = "untried",
                                  .part = 1.0};
-    double *u = allocate(2 * (size_t)live->n_dof, sizeof *u);
-    double *v = u + live->n_dof, unused;
+    double *u = allocate((size_t)live->n_dof, sizeof *u);
+    double *v = allocate((size_t)live->n_dof, sizeof *v), unused;
     enum status accept = NOT_SPD; /* or anything but OK: untried */
     if (!(live->trouble && live->set.ladder)) {
         accept = report.status = fast(live, lift, u, v, &report);
@@ -329,6 +341,7 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
     for (int i = 0; i < 2; i++)
         live->hand[i] += report.part * (to[i] - live->hand[i]);
     free(u);
+    free(v);
     return report;
 }
 
@@ -377,7 +390,8 @@ static void add_angles(const struct mesh *mesh, const double u[],
 int live_knots(const struct mesh *mesh, const double u[], int knot[])
 {
     const size_t n = (size_t)mesh->n_vertex;
-    double *rest = allocate(2 * n, sizeof *rest), *angle = rest + n;
+    double *rest = allocate(n, sizeof *rest);
+    double *angle = allocate(n, sizeof *angle);
     int knots = 0;
     add_angles(mesh, NULL, rest);
     add_angles(mesh, u, angle);
@@ -388,6 +402,7 @@ int live_knots(const struct mesh *mesh, const double u[], int knot[])
         knots += is_one;
     }
     free(rest);
+    free(angle);
     return knots;
 }
 

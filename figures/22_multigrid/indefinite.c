@@ -24,8 +24,8 @@ int main(void)
 {
     struct system *s = system_alloc(N);
     const size_t n_dof = (size_t)s->scene->n_dof;
-    double *b = allocate(3 * n_dof, sizeof *b), *x = b + n_dof;
-    double *value = x + n_dof;
+    double *b = allocate(n_dof, sizeof *b), *x = allocate(n_dof, sizeof *x);
+    double *value = allocate(n_dof, sizeof *value);
     double first[WAYS] = {0.0}, singular = 0.0, before = 0.0;
     int blind = 0, wrong = 0, most = 0;
 
@@ -69,6 +69,8 @@ int main(void)
         table_row(name[w], first[w], first[w] - first[0]);
     table_end();
     free(b);
+    free(x);
+    free(value);
     system_free(s);
 
     claim(wrong == 0, "Cholesky refuses K if and only if an eigenvalue is "

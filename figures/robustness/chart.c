@@ -38,7 +38,10 @@ static int move(int which, enum law law, struct step_control control,
     if (which == PRESSED) set = scene_column(law, 40, 0.05 / sin(1.0));
     struct scene *s = scene_alloc(&set);
     int ok = 1;
-    if (which == PRESSED) control.lift = 1, scene_scatter(s, 1, 1e-3);
+    if (which == PRESSED) {
+        control.lift = 1;
+        scene_scatter(s, 1, 1e-3);
+    }
     while (ok && s->steps < scene[which].steps) {
         const struct step_report report = scene_step(s, &control);
         *systems += report.iterations;
@@ -56,21 +59,25 @@ static int let_go(int which, int k, enum law law, struct step_control control,
     struct mesh *mesh = mesh_square(4);
     int held[25] = {0}, rest = 0;
     double u[50] = {0.0}, w[50], energy;
-    for (int a = 0; a < 25 && which == HELD; a++)
-        held[a] = a % 5 == 0 || a % 5 == 4 || a / 5 == 0 || a / 5 == 4;
+    if (which == HELD)
+        for (int j = 0; j < 5; j++)
+            for (int i = 0; i < 5; i++)
+                held[5 * j + i] = i == 0 || i == 4 || j == 0 || j == 4;
     struct body *body =
         body_alloc(mesh, material_notes(law), 1e-4, CONSISTENT, held);
     if (which == CRUSHED) release_place(body, RELEASE_CRUSHED[k].F, u);
     if (which != CRUSHED) release_scramble(body, (unsigned)k + 1, u);
     control.max_iterations = 1;
-    for (enum status s = MAX_ITERATIONS;
-         s == MAX_ITERATIONS && *systems < 200 && !rest; ++*systems) {
+    enum status s = MAX_ITERATIONS;
+    while (s == MAX_ITERATIONS && *systems < 200 && !rest) {
+        ++*systems;
         for (int r = 0; r < 50; r++) w[r] = u[r];
         s = step_solve(body, &control, 1.0, w, NULL, u).status;
         rest = body_energy(body, u, &energy) == OK &&
                energy <= RELEASE_ENERGY && body_min_J(body, u) > 0.0;
     }
-    body_free(body), mesh_free(mesh);
+    body_free(body);
+    mesh_free(mesh);
     return rest;
 }
 
@@ -87,7 +94,9 @@ static int try(int which, int m)
         if (which < CRUSHED ? !move(which, law.law, control, &systems)
                             : !let_go(which, k, law.law, control, &systems))
             continue;
-        ms += 1e3 * (clock_seconds() - start), all += systems, passed++;
+        ms += 1e3 * (clock_seconds() - start);
+        all += systems;
+        passed++;
     }
     const double share = passed * scene[which].steps;
     table_row(method[m].name, material_law(law.law), scene[which].name,

@@ -27,8 +27,7 @@ static struct step_report first_step(struct scene *s, const char *method,
                                      double dt)
 {
     const struct step_control control = step_method(method);
-    memset(s->u, 0, 3 * (size_t)s->n_dof * sizeof *s->u); /* v, v_before too */
-    s->steps = 0;
+    scene_rest(s);
     s->set.dt = dt;
     return scene_step(s, &control);
 }
@@ -67,8 +66,8 @@ static int succeeds(struct scene *s, double dt)
 /* Is K positive definite where the notes' method starts? */
 static int starts_definite(struct scene *s, double dt)
 {
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q);
-    double *rest = q + s->n_dof;
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *rest = allocate((size_t)s->n_dof, sizeof *rest);
     memset(s->u, 0, (size_t)s->n_dof * sizeof *s->u);
     scene_hold(s, dt);
     step_boundary(s->body, s->g, 0, s->u);
@@ -76,6 +75,7 @@ static int starts_definite(struct scene *s, double dt)
                                        q) == OK &&
                          matrix_factor(s->body->K) == OK;
     free(q);
+    free(rest);
     return definite;
 }
 

@@ -77,9 +77,13 @@ rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
         [ "$n" -le 8 ] || echo "$f: $n"; done)"
+rule 'a study prints at most 3 tables, beside the machine' \
+    "$(grep -cE '(^|[^a-z_])table_(begin|begin_note|matrix)\(' $studies | awk -F: '$2 > 3')"
+rule 'no line is saved where it should not be (tests/tools/golf.awk)' \
+    "$(awk -f tests/tools/golf.awk common/*/*.[ch] solutions/*.c figures/*/*.[ch])"
 rule 'a study ends in its claim, and takes no options' \
     "$(for f in $studies; do
-        case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
+        case $f in figures/speed/* | */work_precision/fronts.c) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
         grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
 rule "every word of the judge's is in tests/checks/names.h" \
