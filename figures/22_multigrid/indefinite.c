@@ -20,6 +20,15 @@ enum { N = 8, STEPS = 121, WAYS = 4 }; /* Cholesky, and three tolerances */
 static const char *const name[] = {"cholesky", "rough", "middle", "fine"};
 static const double tolerance[] = {0.0, 1e-1, 1e-4, 1e-10};
 
+static void print_limits(double singular, const double first[WAYS])
+{
+    table_begin("limits", "who squeeze blind");
+    table_row("eigenvalue", singular, 0.0);
+    for (int w = 0; w < WAYS; w++)
+        table_row(name[w], first[w], first[w] - first[0]);
+    table_end();
+}
+
 int main(void)
 {
     struct system *s = system_alloc(N);
@@ -63,11 +72,7 @@ int main(void)
         csr_free(K);
     }
     table_end();
-    table_begin("limits", "who squeeze blind");
-    table_row("eigenvalue", singular, 0.0);
-    for (int w = 0; w < WAYS; w++)
-        table_row(name[w], first[w], first[w] - first[0]);
-    table_end();
+    print_limits(singular, first);
     free(b);
     free(x);
     free(value);
