@@ -53,14 +53,15 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
-# Studies are named as NN_slug/what; speed/what are measured by `make bench`,
-# many/many, which needs PETSc, by `make many`.
+# Studies are named as NN_slug/what; speed/what and the fastest settings of
+# work_precision are measured by `make bench`, many/many, which needs PETSc, by
+# `make many`.
 # A file there with a header of its name is what several studies share.
 SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
 STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
                $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c)))))
-SPEED   := $(filter speed/%,$(STUDIES))
+SPEED   := $(filter speed/% work_precision/fronts,$(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
 # of its name, or from the solution of its folder.  A picture with seconds in it
@@ -68,14 +69,14 @@ COUNTED := $(filter-out $(SPEED),$(STUDIES))
 SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
 MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
                /dev/null figures/*/*.gp))
-TIMED   := $(sort $(filter speed/%,$(SCRIPTS)) $(patsubst figures/%.gp,%, \
+TIMED   := $(sort $(filter $(SPEED),$(SCRIPTS)) $(patsubst figures/%.gp,%, \
                $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
 FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
            figures/map.svg
-TIMED_HERE := $(foreach f,$(filter-out speed/%,$(TIMED)),$(BUILD)/$(call \
+TIMED_HERE := $(foreach f,$(filter-out $(SPEED),$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
 # With `deps` among the goals nothing is compiled before it has finished.

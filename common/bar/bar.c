@@ -118,9 +118,11 @@ static void describe(const struct bar *bar, const double u[],
 {
     step->min_F = bar_min_stretch(bar, u);
     step->min_dP = INFINITY;
-    if (status != OK)
+    if (status != OK) {
         step->min_dP = step->energy = step->residual = (double)NAN;
-    for (int e = 1; e <= bar->n && status == OK; e++)
+        return;
+    }
+    for (int e = 1; e <= bar->n; e++)
         step->min_dP = fmin(step->min_dP,
                             material1_dpk1(&bar->material,
                                            bar_stretch(bar, u, e)));

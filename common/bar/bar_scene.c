@@ -90,8 +90,8 @@ struct bar_state *bar_state_alloc(const struct bar_scene *scene)
     const size_t size = (size_t)n + 1;
     struct bar_state *state = allocate(1, sizeof *state);
 
-    state->b = allocate(2 * size, sizeof *state->b);
-    state->u = state->b + size;
+    state->b = allocate(size, sizeof *state->b);
+    state->u = allocate(size, sizeof *state->u);
     state->bar = (struct bar){.n = n, .h = 1.0 / n,
                               .held = {scene->held[0], scene->held[1]},
                               .b = state->b, .material = scene->material};
@@ -115,6 +115,7 @@ void bar_state_free(struct bar_state *state)
 {
     if (!state) return;
     free(state->b);
+    free(state->u);
     free(state);
 }
 

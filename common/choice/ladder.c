@@ -62,11 +62,12 @@ static int coarsest(const struct ladder_scene *scene)
 static void mirror(struct mesh *mesh)
 {
     const int n = mesh->n;
-    for (int cell = n * (mesh->rows / 2); cell < n * mesh->rows; cell++) {
-        const int low = cell / n * (n + 1) + cell % n, up = low + n + 1;
-        const int t[] = {low, low + 1, up, low + 1, up + 1, up};
-        memcpy(&mesh->triangle[6 * cell], t, sizeof t);
-    }
+    for (int j = mesh->rows / 2; j < mesh->rows; j++)
+        for (int i = 0; i < n; i++) {
+            const int low = j * (n + 1) + i, up = low + n + 1;
+            const int t[] = {low, low + 1, up, low + 1, up + 1, up};
+            memcpy(&mesh->triangle[6 * (j * n + i)], t, sizeof t);
+        }
 }
 
 /* f := int (weight) N_a + int (pull, couple) N_a on the right end. */
@@ -75,9 +76,10 @@ static void load(struct ladder_state *s)
     const struct mesh *mesh = s->mesh;
     const int n = mesh->n;
     for (int e = 0; e < mesh->n_triangle; e++)
-        for (int c = 0; c < 6; c++)
-            s->f[2 * mesh->triangle[3 * e + c / 2] + c % 2] +=
-                s->body->area[e] / 3.0 * s->scene->weight[c % 2];
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++)
+                s->f[2 * mesh->triangle[3 * e + a] + i] +=
+                    s->body->area[e] / 3.0 * s->scene->weight[i];
     for (int j = 0; j < mesh->rows; j++) {
         const int a = 2 * (j * (n + 1) + n), b = a + 2 * (n + 1);
         const double Y[2] = {mesh->X[a + 1], mesh->X[b + 1]}, l = Y[1] - Y[0];
@@ -176,8 +178,8 @@ static enum status linear_start(struct ladder_state *s, double d,
         matrix_cost(BANDED, s->body->n_equation, s->body->K->p);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     *l = (struct linear){.K = body_matrix(s->body), .A = body_matrix(s->body)};
-    l->rhs = allocate(2 * size, sizeof *l->rhs);
-    l->some = l->rhs + size;
+    l->rhs = allocate(size, sizeof *l->rhs);
+    l->some = allocate(size, sizeof *l->some);
     enum status status = body_stiffness(s->body, s->u, EXACT, l->K);
     if (s->model.moving) body_mass_matrix(s->body, l->A);
     matrix_combine(l->A, d * d, l->K, l->A);
@@ -205,6 +207,7 @@ static void linear_end(struct linear *l)
     matrix_free(l->K);
     matrix_free(l->A);
     free(l->rhs);
+    free(l->some);
 }
 
 /* Newton's method for backward Euler from w by d, or for rest (w NULL). */
@@ -237,8 +240,9 @@ static enum status move(struct ladder_state *s)
 {
     const double dt = s->scene->dt, d = 0.5 * dt;
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
-    double *u = allocate(4 * size, sizeof *u), *v = u + size, *w = v + size;
-    double *half = w + size, most = 0.0;
+    double *u = allocate(size, sizeof *u), *v = allocate(size, sizeof *v);
+    double *w = allocate(size, sizeof *w), *half = allocate(size, sizeof *half);
+    double most = 0.0;
     struct linear linear;
     enum status status = OK;
     if (s->model.rung == LINEAR_PLANE) status = linear_start(s, d, &linear);
@@ -261,6 +265,9 @@ static enum status move(struct ladder_state *s)
     }
     if (s->model.rung == LINEAR_PLANE) linear_end(&linear);
     free(u);
+    free(v);
+    free(w);
+    free(half);
     return status;
 }
 

@@ -18,8 +18,10 @@ struct cg_report cg_solve(const struct csr *K, preconditioner *precondition,
 {
     const int n = K->n;
     struct cg_report report = {.status = MAX_ITERATIONS};
-    double *r = allocate(4 * (size_t)n, sizeof *r);
-    double *z = r + n, *p = z + n, *Kp = p + n, before = 1.0;
+    double *r = allocate((size_t)n, sizeof *r);
+    double *z = allocate((size_t)n, sizeof *z);
+    double *p = allocate((size_t)n, sizeof *p);
+    double *Kp = allocate((size_t)n, sizeof *Kp), before = 1.0;
     const double size = sqrt(dot(n, b, b));
 
     memcpy(r, b, (size_t)n * sizeof *r);
@@ -50,6 +52,9 @@ struct cg_report cg_solve(const struct csr *K, preconditioner *precondition,
         report.iterations++;
     }
     free(r);
+    free(z);
+    free(p);
+    free(Kp);
     return report;
 }
 

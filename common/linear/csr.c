@@ -68,8 +68,8 @@ struct factor *factor_alloc(int n, const int count[])
 {
     struct factor *L = allocate(1, sizeof *L);
     L->n = n;
-    L->start = allocate(2 * (size_t)n + 1, sizeof *L->start);
-    L->end = L->start + n + 1;
+    L->start = allocate((size_t)n + 1, sizeof *L->start);
+    L->end = allocate((size_t)n, sizeof *L->end);
     for (int j = 0; j < n; j++) {
         L->end[j] = L->start[j];
         L->start[j + 1] = L->start[j] + count[j];
@@ -83,6 +83,7 @@ void factor_free(struct factor *L)
 {
     if (!L) return;
     free(L->start);
+    free(L->end);
     free(L->row);
     free(L->value);
     free(L);

@@ -51,15 +51,15 @@ static int dissect(const struct state *s, struct box b, int depth)
     const int count = count_free(s, b);
     if (count == 0) return -1;
     if (count <= s->leaf) return number(s, b, depth, -1, -1);
-    for (int side = 0; side < 4; side++) /* a side that is held is no part */
-        for (;;) {
-            struct box edge = b, other = b;
-            const int k = side / 2;
-            if (side % 2) edge.from[k] = other.to[k] = b.to[k] - 1;
-            else edge.to[k] = other.from[k] = b.from[k] + 1;
-            if (count_free(s, edge) > 0) break;
-            b = other;
-        }
+    for (int i = 0; i < 2; i++) /* a side that is held is no part */
+        for (int last = 0; last < 2; last++)
+            for (;;) {
+                struct box edge = b, other = b;
+                if (last) edge.from[i] = other.to[i] = b.to[i] - 1;
+                else edge.to[i] = other.from[i] = b.from[i] + 1;
+                if (count_free(s, edge) > 0) break;
+                b = other;
+            }
     const int k = b.to[0] - b.from[0] < b.to[1] - b.from[1];
     struct box before = b, line = b, after = b;
     before.to[k] = line.from[k] = (b.from[k] + b.to[k]) / 2;
@@ -73,20 +73,22 @@ static int dissect(const struct state *s, struct box b, int depth)
 static void find_neighbours(struct dissection *d, int n_triangle,
                             const int triangle[])
 {
-    int *list = allocate((size_t)(NEIGHBOURS + 1) * (size_t)d->n_vertex,
-                         sizeof *list);
-    int *count = list + NEIGHBOURS * d->n_vertex;
-    for (int t = 0; t < 3 * n_triangle; t++)
-        for (int k = 1; k < 3; k++) {
-            const int a = d->place[triangle[t]];
-            const int b = d->place[triangle[t / 3 * 3 + (t + k) % 3]];
-            int known = a < 0 || b < a;
-            for (int i = 0; i < (known ? 0 : count[a]); i++)
-                if (list[NEIGHBOURS * a + i] == b) known = 1;
-            if (known) continue;
-            assert(count[a] < NEIGHBOURS);
-            list[NEIGHBOURS * a + count[a]++] = b;
-        }
+    int *list = allocate(NEIGHBOURS * (size_t)d->n_vertex, sizeof *list);
+    int *count = allocate((size_t)d->n_vertex, sizeof *count);
+    for (int t = 0; t < n_triangle; t++) {
+        const int *vertex = &triangle[3 * t];
+        for (int c = 0; c < 3; c++)
+            for (int k = 1; k < 3; k++) {
+                const int a = d->place[vertex[c]];
+                const int b = d->place[vertex[(c + k) % 3]];
+                int known = a < 0 || b < a;
+                for (int i = 0; i < (known ? 0 : count[a]); i++)
+                    if (list[NEIGHBOURS * a + i] == b) known = 1;
+                if (known) continue;
+                assert(count[a] < NEIGHBOURS);
+                list[NEIGHBOURS * a + count[a]++] = b;
+            }
+    }
     d->start = allocate((size_t)d->n_vertex + 1, sizeof(int));
     for (int v = 0; v < d->n_vertex; v++)
         d->start[v + 1] = d->start[v] + 1 + count[v];
@@ -97,6 +99,7 @@ static void find_neighbours(struct dissection *d, int n_triangle,
                (size_t)count[v] * sizeof(int));
     }
     free(list);
+    free(count);
 }
 
 struct dissection *dissection_alloc(int columns, int rows, int n_triangle,

@@ -63,7 +63,10 @@ void front_extend(const struct front *child, const int row[],
     const int skip = front_row(child->pivots, 0);
     unsigned J = 0, next, end = 0;
     while (end < n && row[end] < parent->pivots) end++;
-    if (after) J = end, end = n;
+    if (after) {
+        J = end;
+        end = n;
+    }
     for (; J < end; J = next) { /* columns of one panel of the child */
         double *to[V / 2];
         ptrdiff_t down[V / 2], of_child;
@@ -73,8 +76,9 @@ void front_extend(const struct front *child, const int row[],
             to[j - J] = front_column(parent, row[j], &down[j - J]);
         const double *from = front_column(child, skip + 2 * (int)J, &of_child);
         from += skip * V;
-        for (unsigned i = J; i < n; i++) {
+        for (unsigned i = J; i < n; i++) { /* one index: of a row of panels */
             const unsigned at = (unsigned)row[i];
+            /* two of the V rows of a panel: row 2 i is in number 2 i / V */
             const double *add = &from[2 * i / V * V * V + 2 * i % V];
             for (unsigned j = J; j < next && j <= i; j++, add += 2 * V) {
                 double *sum = &to[j - J][at / V * down[j - J] + at % V];

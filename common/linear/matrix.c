@@ -89,7 +89,9 @@ struct matrix *matrix_block(const struct matrix *A, int first, int n)
 void matrix_free(struct matrix *A)
 {
     if (!A) return;
-    free(A->a), free(A->factor), free(A);
+    free(A->a);
+    free(A->factor);
+    free(A);
 }
 
 void matrix_zero(struct matrix *A)
@@ -177,6 +179,18 @@ void matrix_solve(const struct matrix *L, double b[])
         banded_solve(L->n, L->p, L->a, b);
 }
 
+/* A block of a sparse matrix, by columns, whose first entry is (i, j) of the
+ * band. */
+static void add_block(const double block[4], int i, int j, struct matrix *band)
+{
+    for (int column = j; column < j + 2; column++)
+        for (int row = i; row < i + 2; row++, block++) {
+            const int low = row > column ? row : column;
+            if (*block != 0.0)
+                matrix_add(band, low, row + column - low, *block);
+        }
+}
+
 /* For a sparse A: its vertices, as the mesh numbers them, make a band. */
 static enum status solve_in_a_band(const struct matrix *A, double b[],
                                    int *negative)
@@ -192,15 +206,13 @@ static enum status solve_in_a_band(const struct matrix *A, double b[],
                 p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
     struct matrix *band = matrix_alloc(BANDED, A->n, p);
     for (int v = 0; v < s->n_vertex; v++)
-        for (int k = 4 * s->start[v]; k < 4 * s->start[v + 1]; k++) {
-            const int i = 2 * rank[s->row[k / 4]] + k % 2;
-            const int j = 2 * rank[v] + k / 2 % 2;
-            if (A->a[k] != 0.0)
-                matrix_add(band, i > j ? i : j, i > j ? j : i, A->a[k]);
-        }
-    for (int i = 0; i < A->n; i++) x[2 * rank[i / 2] + i % 2] = b[i];
+        for (int k = s->start[v]; k < s->start[v + 1]; k++)
+            add_block(&A->a[4 * k], 2 * rank[s->row[k]], 2 * rank[v], band);
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&x[2 * rank[v]], &b[2 * v], 2 * sizeof *b);
     const enum status status = matrix_solve_indefinite(band, x, negative);
-    for (int i = 0; i < A->n; i++) b[i] = x[2 * rank[i / 2] + i % 2];
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&b[2 * v], &x[2 * rank[v]], 2 * sizeof *b);
     matrix_free(band);
     free(rank);
     free(x);

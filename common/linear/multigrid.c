@@ -5,33 +5,56 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Vertex v of grid n has a quarter of each of the corners 0 to 3 of grid n/2,
- * of which some may be one and the same; -1: that one is held. */
-static int corner(int n, int v, int c)
+/* Vertex v of grid n has a quarter of each of the four corners of grid n/2, of
+ * which some may be one and the same; -1: that one is held. */
+static void find_corners(int n, int v, int corner[4])
 {
     const int i = v % (n - 1) + 1, j = v / (n - 1);
-    const int I = (i + c % 2) / 2, J = (j + c / 2) / 2;
-    return I == 0 || I == n / 2 ? -1 : J * (n / 2 - 1) + I - 1;
+    for (int up = 0; up < 2; up++)
+        for (int right = 0; right < 2; right++) {
+            const int I = (i + right) / 2, J = (j + up) / 2;
+            *corner++ = I == 0 || I == n / 2 ? -1 : J * (n / 2 - 1) + I - 1;
+        }
 }
 
 void multigrid_prolong(int n, const double coarse[], double fine[])
 {
-    for (int v = 0; v < (n - 1) * (n + 1); v++)
+    for (int v = 0; v < (n - 1) * (n + 1); v++) {
+        int V[4];
+        find_corners(n, v, V);
         for (int c = 0; c < 4; c++) {
-            const int V = corner(n, v, c);
-            for (int k = 0; k < 2 && V >= 0; k++)
-                fine[2 * v + k] += 0.25 * coarse[2 * V + k];
+            if (V[c] < 0) continue;
+            for (int k = 0; k < 2; k++)
+                fine[2 * v + k] += 0.25 * coarse[2 * V[c] + k];
         }
+    }
 }
 
 void multigrid_restrict(int n, const double fine[], double coarse[])
 {
-    for (int v = 0; v < (n - 1) * (n + 1); v++)
+    for (int v = 0; v < (n - 1) * (n + 1); v++) {
+        int V[4];
+        find_corners(n, v, V);
         for (int c = 0; c < 4; c++) {
-            const int V = corner(n, v, c);
-            for (int k = 0; k < 2 && V >= 0; k++)
-                coarse[2 * V + k] += 0.25 * fine[2 * v + k];
+            if (V[c] < 0) continue;
+            for (int k = 0; k < 2; k++)
+                coarse[2 * V[c] + k] += 0.25 * fine[2 * v + k];
         }
+    }
+}
+
+/* index[k], ... := both components of vertex (i, j) and of the eight around
+ * it; returns the new k. */
+static int add_neighbours(int width, int height, int i, int j, int k,
+                          int index[])
+{
+    for (int j1 = j - 1; j1 <= j + 1; j1++)
+        for (int i1 = i - 1; i1 <= i + 1; i1++) {
+            if (i1 < 0 || i1 >= width || j1 < 0 || j1 >= height) continue;
+            index[k++] = 2 * (j1 * width + i1);
+            index[k++] = 2 * (j1 * width + i1) + 1;
+        }
+    return k;
 }
 
 /* Zeros for a vertex and the eight around it, both components. */
@@ -39,33 +62,44 @@ static struct csr *pattern(int n)
 {
     const int width = n - 1, height = n + 1, size = 2 * width * height;
     struct csr *A = csr_alloc(size, 18 * size);
-    for (int row = 0, k = 0; row < size; row++) {
-        const int i = row / 2 % width, j = row / 2 / width;
-        for (int s = 0; s < 9; s++) {
-            const int i1 = i + s % 3 - 1, j1 = j + s / 3 - 1;
-            if (i1 < 0 || i1 >= width || j1 < 0 || j1 >= height) continue;
-            A->index[k++] = 2 * (j1 * width + i1);
-            A->index[k++] = 2 * (j1 * width + i1) + 1;
-        }
-        A->start[row + 1] = k;
-    }
+    int *end = A->start, k = 0;
+    for (int j = 0; j < height; j++)
+        for (int i = 0; i < width; i++)
+            for (int component = 0; component < 2; component++) {
+                k = add_neighbours(width, height, i, j, k, A->index);
+                *++end = k;
+            }
     return A;
+}
+
+/* Row i of the block of a vertex with corners V and of vertex w, spread. */
+static void spread(const double value[2], int n, int w, const int V[4], int i,
+                   struct csr *A)
+{
+    int W[4];
+    find_corners(n, w, W);
+    for (int d = 0; d < 4; d++)
+        for (int c = 0; c < 4; c++) {
+            if (V[c] < 0 || W[d] < 0) continue;
+            int q = A->start[2 * V[c] + i];
+            while (A->index[q] != 2 * W[d]) q += 2;
+            A->value[q] += 0.0625 * value[0];
+            A->value[q + 1] += 0.0625 * value[1];
+        }
 }
 
 struct csr *multigrid_coarse(const struct csr *K, int n)
 {
     struct csr *A = pattern(n / 2);
-    for (int row = 0; row < K->n; row++)
-        for (int k = K->start[row]; k < K->start[row + 1]; k += 2)
-            for (int c = 0; c < 16; c++) {
-                const int V = corner(n, row / 2, c % 4);
-                const int W = corner(n, K->index[k] / 2, c / 4);
-                if (V < 0 || W < 0) continue;
-                int q = A->start[2 * V + row % 2];
-                while (A->index[q] != 2 * W) q += 2;
-                A->value[q] += 0.0625 * K->value[k];
-                A->value[q + 1] += 0.0625 * K->value[k + 1];
-            }
+    for (int v = 0; v < K->n / 2; v++) {
+        int V[4];
+        find_corners(n, v, V);
+        for (int i = 0; i < 2; i++) {
+            const int row = 2 * v + i;
+            for (int k = K->start[row]; k < K->start[row + 1]; k += 2)
+                spread(&K->value[k], n, K->index[k] / 2, V, i, A);
+        }
+    }
     return A;
 }
 
@@ -75,12 +109,12 @@ struct multigrid *multigrid_alloc(const struct csr *K, int n)
     assert(K->n == 2 * (n - 1) * (n + 1));
     m->K[0] = (struct csr *)K;
     for (int g = 0;; g++) {
-        const int size = m->K[g]->n;
+        const size_t size = (size_t)m->K[g]->n;
         m->grids = g + 1;
         m->n[g] = n;
-        m->x[g] = allocate(3 * (size_t)size, sizeof *m->x[g]);
-        m->b[g] = m->x[g] + size;
-        m->r[g] = m->b[g] + size;
+        m->x[g] = allocate(size, sizeof *m->x[g]);
+        m->b[g] = allocate(size, sizeof *m->b[g]);
+        m->r[g] = allocate(size, sizeof *m->r[g]);
         if (n % 2 || n < 8 || m->grids == GRIDS) break;
         m->K[g + 1] = multigrid_coarse(m->K[g], n);
         n /= 2;
@@ -100,6 +134,8 @@ void multigrid_free(struct multigrid *m)
     for (int g = 0; g < m->grids; g++) {
         if (g > 0) csr_free(m->K[g]);
         free(m->x[g]);
+        free(m->b[g]);
+        free(m->r[g]);
     }
     matrix_free(m->coarsest);
     free(m);

@@ -18,7 +18,8 @@ enum status refine_solve(const struct matrix *A, double tolerance, double b[],
                          int *solves)
 {
     const size_t n = (size_t)A->n;
-    double *x = allocate(3 * n, sizeof *x), *r = x + n, *Ax = r + n;
+    double *x = allocate(n, sizeof *x), *r = allocate(n, sizeof *r);
+    double *Ax = allocate(n, sizeof *Ax);
     const double b_size = largest(A->n, b), scale = matrix_max_diagonal(A);
     double size = b_size, goal = 0.0, before = INFINITY;
     enum status status = OK;
@@ -38,5 +39,7 @@ enum status refine_solve(const struct matrix *A, double tolerance, double b[],
     memcpy(b, x, n * sizeof *b);
     if (solves) *solves = turn;
     free(x);
+    free(r);
+    free(Ax);
     return status;
 }

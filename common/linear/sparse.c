@@ -137,7 +137,9 @@ struct sparse *sparse_alloc(int columns, int rows, int n_triangle,
         dissection_alloc(columns, rows, n_triangle, triangle, held, leaf);
     int *seen = allocate((size_t)d->n_vertex, sizeof *seen), n_rest = 0;
     s->n_vertex = d->n_vertex;
-    s->place = d->place, s->start = d->start, s->row = d->row;
+    s->place = d->place;
+    s->start = d->start;
+    s->row = d->row;
     s->front = allocate((size_t)d->n_piece, sizeof *s->front);
     s->local = allocate((size_t)s->start[s->n_vertex], sizeof *s->local);
     for (int v = 0; v < s->n_vertex; v++) seen[v] = -1;
@@ -196,15 +198,19 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
         const int *start = &s->start[piece->first];
         front_fill(&front, start[piece->count] - start[0], &s->local[start[0]],
                    &a[4 * start[0]]);
-        for (int k = 0; k < front.pivots; k++)
-            diagonal[k] = a[4 * start[k / 2] + k % 2 * 3];
-        for (int c = 0; c < 4; c++) { /* both children, before and after */
-            const int k = piece->child[c % 2];
-            if (c == 2)
+        for (int v = 0; v < piece->count; v++) {
+            diagonal[2 * v] = a[4 * start[v]];
+            diagonal[2 * v + 1] = a[4 * start[v] + 3];
+        }
+        for (int after = 0; after < 2; after++) {
+            if (after)
                 status = tiles_front(&front, 2 * s->n_vertex, diagonal);
-            if (k < 0) continue;
-            const struct front child = front_of(s, k, single, memory);
-            front_extend(&child, &s->up[s->front[k].at], &front, c / 2);
+            for (int c = 0; c < 2; c++) {
+                const int k = piece->child[c];
+                if (k < 0) continue;
+                const struct front child = front_of(s, k, single, memory);
+                front_extend(&child, &s->up[s->front[k].at], &front, after);
+            }
         }
     }
     return status;
@@ -244,12 +250,17 @@ void sparse_solve(const struct sparse *s, int single, double memory[],
         double *pivot = &b[2 * f->piece.first], *rest = &x[front_row(p, 0)];
         memset(x, 0, (size_t)rows * sizeof *x);
         memcpy(x, pivot, (size_t)p * sizeof *x);
-        for (int k = 0; back && k < f->rest; k++)
-            memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
-        if (back) front_backward(&front, x);
-        else front_forward(&front, x);
+        if (back) {
+            for (int k = 0; k < f->rest; k++)
+                memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
+            front_backward(&front, x);
+        } else {
+            front_forward(&front, x);
+            for (int k = 0; k < f->rest; k++) {
+                b[2 * place[k]] += rest[2 * k];
+                b[2 * place[k] + 1] += rest[2 * k + 1];
+            }
+        }
         memcpy(pivot, x, (size_t)p * sizeof *x);
-        for (int k = 0; !back && k < front.rest; k++)
-            b[2 * place[k / 2] + k % 2] += rest[k];
     }
 }

@@ -20,9 +20,11 @@ const char *method_name(enum method method)
 
 struct state state_make(int n)
 {
-    double *memory = allocate(4 * (size_t)n, sizeof *memory);
-    return (struct state){n, 0, memory, memory + n, memory + 2 * n,
-                          memory + 3 * n};
+    const size_t size = (size_t)n;
+    return (struct state){n, 0, allocate(size, sizeof(double)),
+                          allocate(size, sizeof(double)),
+                          allocate(size, sizeof(double)),
+                          allocate(size, sizeof(double))};
 }
 
 struct state state_ripple(const struct model *model)
@@ -48,13 +50,20 @@ struct state state_swing(const struct body *body, double size)
 
 void state_copy(const struct state *from, struct state *to)
 {
+    const size_t size = (size_t)from->n * sizeof *to->u;
     to->steps = from->steps;
-    memcpy(to->u, from->u, 4 * (size_t)from->n * sizeof *to->u);
+    memcpy(to->u, from->u, size);
+    memcpy(to->v, from->v, size);
+    memcpy(to->u_before, from->u_before, size);
+    memcpy(to->v_before, from->v_before, size);
 }
 
 void state_free(struct state *s)
 {
     free(s->u);
+    free(s->v);
+    free(s->u_before);
+    free(s->v_before);
 }
 
 enum status state_accept(struct state *s, const double u[], const double v[])
@@ -75,12 +84,14 @@ enum status integrate_residual(const struct model *model, double dt,
                                const double u[], double q[])
 {
     const int n = model->n_dof;
-    double *move = allocate(2 * (size_t)n, sizeof *move), *force = move + n;
+    double *move = allocate((size_t)n, sizeof *move);
+    double *force = allocate((size_t)n, sizeof *force);
     for (int i = 0; i < n; i++) move[i] = u[i] - (u0[i] + dt * v0[i]);
     model_mass(model, move, q);
     const enum status status = model_force(model, u, force);
     for (int i = 0; i < n; i++) q[i] += dt * dt * (force[i] - model->f[i]);
     free(move);
+    free(force);
     return status;
 }
 
@@ -137,8 +148,9 @@ static struct step_report implicit_step(struct model *model,
         method == IMPLICIT_MIDPOINT || (method == BDF2 && first);
     const int bdf2 = method == BDF2 && !first;
     const double d = midpoint ? 0.5 * dt : bdf2 ? 2.0 * dt / 3.0 : dt;
-    double *a = allocate(3 * (size_t)n, sizeof *a);
-    double *b = a + n, *g_mid = b + n;
+    double *a = allocate((size_t)n, sizeof *a);
+    double *b = allocate((size_t)n, sizeof *b);
+    double *g_mid = allocate((size_t)n, sizeof *g_mid);
 
     for (int i = 0; i < n; i++) {
         a[i] = bdf2 ? (4.0 * s->u[i] - s->u_before[i]) / 3.0 : s->u[i];
@@ -155,6 +167,8 @@ static struct step_report implicit_step(struct model *model,
         }
     }
     free(a);
+    free(b);
+    free(g_mid);
     return report;
 }
 

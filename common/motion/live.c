@@ -161,8 +161,10 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
                              enum tangent tangent, double leap, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    double *move = allocate((size_t)n, sizeof *move), size = 0.0;
+    double *q = allocate((size_t)n, sizeof *q);
+    double *ahead = allocate((size_t)n, sizeof *ahead);
+    double *behind = allocate((size_t)n, sizeof *behind);
     enum status status;
     for (int r = 0; r < n; r++) {
         move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
@@ -175,8 +177,9 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
     if (status == OK)
         status = body_assemble(body, Phi, u, NO_TANGENT, behind);
     if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
-    for (int r = 0; r < n && status == OK && e > 0.0; r++)
-        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+    if (status == OK && e > 0.0)
+        for (int r = 0; r < n; r++)
+            q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
     for (int r = 0; r < n && status == OK; r++) {
         u[r] += move[r];
@@ -184,6 +187,9 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
         u[r] += u0[r];
     }
     free(move);
+    free(q);
+    free(ahead);
+    free(behind);
     return status;
 }
 
@@ -210,7 +216,8 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     const int n = live->n_dof;
     const int midpoint = live->set.method == IMPLICIT_MIDPOINT;
     const double d = midpoint ? 0.5 * live->dt : live->dt;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     const struct incremental Phi = {d, w, NULL};
     enum status status = OK;
     for (int r = 0; r < n; r++) {
@@ -239,6 +246,7 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
         }
     }
     free(w);
+    free(g);
     double unused; /* the doubled state may be one that there is not */
     if (status == OK) status = body_energy(live->body, u, &unused);
     return status;
@@ -249,7 +257,8 @@ enum status live_start(const struct live *live, struct incremental Phi,
 {
     const struct body *body = live->body;
     const int n = live->n_dof;
-    double *left = allocate(3 * (size_t)n, sizeof *left), *work = left + n;
+    double *left = allocate((size_t)n, sizeof *left);
+    double *work = allocate(2 * (size_t)n, sizeof *work);
     double lifted, phi, noise;
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
@@ -259,6 +268,7 @@ enum status live_start(const struct live *live, struct incremental Phi,
         lifted > phi + 16.0 * DBL_EPSILON * noise)
         status = STALLED;
     free(left);
+    free(work);
     return status;
 }
 
@@ -267,7 +277,8 @@ enum status live_downhill_by(struct live *live, struct live_way way, double u[],
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     const struct incremental Phi = {live->dt, w, NULL};
     struct step_control rest = *way.control;
     enum status status = INVERTED;
@@ -293,6 +304,7 @@ enum status live_downhill_by(struct live *live, struct live_way way, double u[],
     for (int r = 0; r < n; r++)
         v[r] = whole ? (u[r] - now->u[r]) / live->dt : 0.0;
     free(w);
+    free(g);
     return newton.status;
 }
 
@@ -309,8 +321,8 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
 {
     struct live_report report = {.rung = "fast", .first = "untried",
                                  .part = 1.0};
-    double *u = allocate(2 * (size_t)live->n_dof, sizeof *u);
-    double *v = u + live->n_dof, unused;
+    double *u = allocate((size_t)live->n_dof, sizeof *u);
+    double *v = allocate((size_t)live->n_dof, sizeof *v), unused;
     enum status accept = NOT_SPD; /* or anything but OK: untried */
     if (!(live->trouble && live->set.ladder)) {
         accept = report.status = fast(live, lift, u, v, &report);
@@ -327,6 +339,7 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
     for (int i = 0; i < 2; i++)
         live->hand[i] += report.part * (to[i] - live->hand[i]);
     free(u);
+    free(v);
     return report;
 }
 
@@ -375,7 +388,8 @@ static void add_angles(const struct mesh *mesh, const double u[],
 int live_knots(const struct mesh *mesh, const double u[], int knot[])
 {
     const size_t n = (size_t)mesh->n_vertex;
-    double *rest = allocate(2 * n, sizeof *rest), *angle = rest + n;
+    double *rest = allocate(n, sizeof *rest);
+    double *angle = allocate(n, sizeof *angle);
     int knots = 0;
     add_angles(mesh, NULL, rest);
     add_angles(mesh, u, angle);
@@ -386,6 +400,7 @@ int live_knots(const struct mesh *mesh, const double u[], int knot[])
         knots += is_one;
     }
     free(rest);
+    free(angle);
     return knots;
 }
 

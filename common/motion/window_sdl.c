@@ -53,10 +53,16 @@ static void write_text(struct window *w, int x, int y, const char *text)
 {
     for (int at = x; *text; text++, at += 12) {
         const int c = toupper((unsigned char)*text);
-        for (int k = 0; k < 40 && c >= ' ' && c <= 'Z'; k++)
-            if (LETTER[c - ' '] >> k & 1)
-                dot(w, (float)(at + 8 - k / 8 * 2), (float)(y + k % 8 * 2), 2);
-        if (c == '\n') at = x - 12, y += 22;
+        if (c == '\n') {
+            at = x - 12;
+            y += 22;
+        }
+        if (c < ' ' || c > 'Z') continue;
+        for (int column = 0; column < 5; column++) /* from the right */
+            for (int row = 0; row < 8; row++)
+                if (LETTER[c - ' '] >> (8 * column + row) & 1)
+                    dot(w, (float)(at + 8 - 2 * column), (float)(y + 2 * row),
+                        2);
     }
 }
 
@@ -144,7 +150,8 @@ static void draw_body(struct window *w, const struct live *live)
         ink(w, 20, 20, 20);
         if (live->body->equation[2 * a] < 0) dot(w, at.x - 2, at.y - 2, 5);
         ink(w, 200, 0, 0);
-        for (float z = 0; z < 6.28F && knot[a]; z += 0.13F)
+        if (!knot[a]) continue;
+        for (float z = 0; z < 6.28F; z += 0.13F)
             dot(w, at.x + 12 * cosf(z) - 1, at.y + 12 * sinf(z) - 1, 3);
     }
     free(knot);

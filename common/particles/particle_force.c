@@ -164,7 +164,8 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
                             const double Kw[], struct taylor *error)
 {
     const int n_dof = 2 * body->grid->n_node;
-    double *at = allocate(2 * (size_t)n_dof, sizeof *at), *g = at + n_dof;
+    double *at = allocate((size_t)n_dof, sizeof *at);
+    double *g = allocate((size_t)n_dof, sizeof *g);
     double here = 0.0, there = 0.0, slope = 0.0;
     for (int r = 0; r < n_dof; r++) {
         at[r] = u[r] + t * w[r];
@@ -177,6 +178,7 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
     for (int r = 0; r < n_dof; r++)
         error->force = fmax(error->force, fabs(g[r] - f[r] + t * Kw[r]));
     free(at);
+    free(g);
     return status;
 }
 
@@ -188,15 +190,33 @@ int particle_band(const struct particle_body *body, const int equation[])
         int low = INT_MAX, high = 0;
         if (grid_support(body->grid, &body->particles->x[2 * p], &s) != OK)
             return INT_MAX;
-        for (int r = 0; r < 2 * s.n; r++) {
-            const int e = equation[2 * s.node[r / 2] + r % 2];
-            if (e < 0) continue;
-            low = e < low ? e : low;
-            high = e > high ? e : high;
-        }
+        for (int i = 0; i < s.n; i++)
+            for (int k = 0; k < 2; k++) {
+                const int e = equation[2 * s.node[i] + k];
+                if (e < 0) continue;
+                low = e < low ? e : low;
+                high = e > high ? e : high;
+            }
         band = high - low > band ? high - low : band;
     }
     return band;
+}
+
+/* Column `column` of the next function, with dP = D q_b for this unknown. */
+static void add_column(const struct support *s, double volume, mat2 dP,
+                       int column, const int equation[], const double sign[],
+                       struct matrix *K)
+{
+    for (int a = 0; a < s->n; a++)
+        for (int i = 0; i < 2; i++) {
+            const int row = 2 * s->node[a] + i;
+            const double *q = s->gradient[a];
+            if (equation[row] < 0) continue;
+            const double both = sign ? sign[row] * sign[column] : 1.0;
+            matrix_add(K, equation[row], equation[column],
+                       both * volume *
+                           (dP.m[i][0] * q[0] + dP.m[i][1] * q[1]));
+        }
 }
 
 /* K += T^T (V q_a D q_b) T, T what the unknowns do to the nodes. */
@@ -204,23 +224,16 @@ static void add_particle(const struct support *s, double volume,
                          const mat2 D[4], const int equation[],
                          const double sign[], struct matrix *K)
 {
-    for (int c = 0; c < 2 * s->n; c++) {
-        const int column = 2 * s->node[c / 2] + c % 2;
-        const double *q = s->gradient[c / 2];
-        if (equation[column] < 0) continue;
-        /* dP for a unit displacement of this component: dF = e_(c%2) (x) q */
-        const mat2 dP = mat2_add(mat2_scale(q[0], D[c % 2 * 2]),
-                                 mat2_scale(q[1], D[c % 2 * 2 + 1]));
-        for (int r = 0; r < 2 * s->n; r++) {
-            const int row = 2 * s->node[r / 2] + r % 2;
-            if (equation[row] < 0) continue;
-            const double both = sign ? sign[row] * sign[column] : 1.0;
-            matrix_add(K, equation[row], equation[column],
-                       both * volume *
-                           (dP.m[r % 2][0] * s->gradient[r / 2][0] +
-                            dP.m[r % 2][1] * s->gradient[r / 2][1]));
+    for (int b = 0; b < s->n; b++)
+        for (int k = 0; k < 2; k++) {
+            const int column = 2 * s->node[b] + k;
+            const double *q = s->gradient[b];
+            if (equation[column] < 0) continue;
+            /* dP for a unit displacement of component k: dF = e_k (x) q */
+            const mat2 dP = mat2_add(mat2_scale(q[0], D[2 * k]),
+                                     mat2_scale(q[1], D[2 * k + 1]));
+            add_column(s, volume, dP, column, equation, sign, K);
         }
-    }
 }
 
 enum status particle_stiffness(const struct particle_body *body,
@@ -232,11 +245,12 @@ enum status particle_stiffness(const struct particle_body *body,
         mat2 F, D[4]; /* D[2k + L] = dP for dF = e_k (x) e_L */
         const enum status status = at_particle(body, p, u, &s, &F);
         if (status != OK) return status;
-        for (int m = 0; m < 4; m++) {
-            mat2 unit = {{{0.0}}};
-            unit.m[m / 2][m % 2] = 1.0;
-            D[m] = dpk1(body, F, unit);
-        }
+        for (int k = 0; k < 2; k++)
+            for (int L = 0; L < 2; L++) {
+                mat2 unit = {{{0.0}}};
+                unit.m[k][L] = 1.0;
+                D[2 * k + L] = dpk1(body, F, unit);
+            }
         add_particle(&s, body->particles->volume[p], D, equation, sign, K);
     }
     return OK;

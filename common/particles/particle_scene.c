@@ -68,10 +68,11 @@ struct particles *particles_seven(const struct grid *grid)
             grid ? grid_support(grid, SEVEN[q].x, &s) : OK;
         assert(status == OK);
         (void)status;
-        for (int k = 0; k < 4; k++) {
-            p->F[q].m[k / 2][k % 2] = SEVEN[q].F[k];
-            p->B[q].m[k / 2][k % 2] = SEVEN[q].C[k] * s.inertia[k % 2];
-        }
+        for (int k = 0; k < 2; k++)
+            for (int l = 0; l < 2; l++) {
+                p->F[q].m[k][l] = SEVEN[q].F[2 * k + l];
+                p->B[q].m[k][l] = SEVEN[q].C[2 * k + l] * s.inertia[l];
+            }
     }
     return p;
 }
@@ -118,14 +119,16 @@ enum status particles_turn(struct particles *p, const struct grid *grid,
 
 void grid_shake(const struct grid *grid, double size, double u[])
 {
-    for (int r = 0; r < 2 * grid->n_node; r++) {
+    for (int a = 0; a < grid->n_node; a++) {
         double x[2];
-        grid_place(grid, r / 2, x);
+        grid_place(grid, a, x);
         const long i = lround(x[0] / grid->h), j = lround(x[1] / grid->h);
         /* three primes, so that neighbours have nothing in common */
-        const long mixed =
-            7919 * (i + 11) + 104729 * (j + 13) + 1299709 * (r % 2 + 1);
-        u[r] = size * ((double)(mixed % 1009) / 1009.0 - 0.5);
+        for (int k = 0; k < 2; k++) {
+            const long mixed =
+                7919 * (i + 11) + 104729 * (j + 13) + 1299709 * (k + 1);
+            u[2 * a + k] = size * ((double)(mixed % 1009) / 1009.0 - 0.5);
+        }
     }
 }
 

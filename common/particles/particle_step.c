@@ -42,17 +42,22 @@ void unknowns_number(const struct grid *grid, enum wall wall,
     const int column = (int)lround(-grid->origin[0] / grid->h); /* of x_1 = 0 */
     const int n = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
     map->n = 0;
-    for (int r = 0; r < map->n_dof; r++) {
-        const int free = wall == NO_WALL || r / 2 % n > column;
-        const int moves = free && r % 2 < axes && grid->mass[r / 2] > 0.0;
-        map->equation[r] = moves ? map->n++ : -1;
-        map->sign[r] = 1.0;
+    for (int a = 0; a < grid->n_node; a++) {
+        const int free = wall == NO_WALL || a % n > column;
+        for (int k = 0; k < 2; k++) {
+            const int moves = free && k < axes && grid->mass[a] > 0.0;
+            map->equation[2 * a + k] = moves ? map->n++ : -1;
+            map->sign[2 * a + k] = 1.0;
+        }
     }
-    for (int r = 0; r < map->n_dof && wall == MIRROR; r++) {
-        const int beyond = column - r / 2 % n; /* columns beyond the wall */
+    if (wall != MIRROR) return;
+    for (int a = 0; a < grid->n_node; a++) {
+        const int beyond = column - a % n; /* columns beyond the wall */
         if (beyond <= 0 || column + beyond >= n) continue;
-        map->equation[r] = map->equation[r + 4 * beyond];
-        map->sign[r] = -1.0;
+        for (int r = 2 * a; r < 2 * a + 2; r++) {
+            map->equation[r] = map->equation[r + 4 * beyond];
+            map->sign[r] = -1.0;
+        }
     }
 }
 
@@ -94,7 +99,8 @@ enum status particle_mass(const struct particle_body *body, int consistent,
     const struct particles *all = body->particles;
     for (int r = 0; r < 2 * body->grid->n_node; r++)
         out[r] = consistent ? 0.0 : body->grid->mass[r / 2] * w[r];
-    for (int p = 0; p < all->n && consistent; p++) {
+    if (!consistent) return OK;
+    for (int p = 0; p < all->n; p++) {
         struct support s;
         double at[2];
         const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
@@ -112,23 +118,26 @@ enum status particle_mass_matrix(const struct particle_body *body,
                                  const struct unknowns *map, struct matrix *A)
 {
     const struct particles *all = body->particles;
-    for (int r = 0; r < map->n_dof && !consistent; r++)
-        if (map->equation[r] >= 0)
-            matrix_add(A, map->equation[r], map->equation[r],
-                       scale * body->grid->mass[r / 2]);
-    for (int p = 0; p < all->n && consistent; p++) {
+    if (!consistent) {
+        for (int r = 0; r < map->n_dof; r++)
+            if (map->equation[r] >= 0)
+                matrix_add(A, map->equation[r], map->equation[r],
+                           scale * body->grid->mass[r / 2]);
+        return OK;
+    }
+    for (int p = 0; p < all->n; p++) {
         struct support s;
         const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
         if (status != OK) return status;
-        for (int i = 0; i < 2 * s.n; i++)
-            for (int j = i % 2; j < 2 * s.n; j += 2) {
-                const int r = 2 * s.node[i / 2] + i % 2;
-                const int c = 2 * s.node[j / 2] + j % 2;
-                if (map->equation[r] < 0 || map->equation[c] < 0) continue;
-                matrix_add(A, map->equation[r], map->equation[c],
-                           scale * all->mass[p] * s.w[i / 2] * s.w[j / 2] *
-                               map->sign[r] * map->sign[c]);
-            }
+        for (int i = 0; i < s.n; i++)
+            for (int k = 0; k < 2; k++)
+                for (int j = 0; j < s.n; j++) {
+                    const int r = 2 * s.node[i] + k, c = 2 * s.node[j] + k;
+                    if (map->equation[r] < 0 || map->equation[c] < 0) continue;
+                    matrix_add(A, map->equation[r], map->equation[c],
+                               scale * all->mass[p] * s.w[i] * s.w[j] *
+                                   map->sign[r] * map->sign[c]);
+                }
     }
     return OK;
 }
@@ -154,20 +163,25 @@ enum status particle_potential(const struct particle_body *body,
 {
     const struct grid *grid = body->grid;
     const int n_dof = 2 * grid->n_node;
-    double *w = allocate(2 * (size_t)n_dof, sizeof *w), *Mw = w + n_dof;
+    double *w = allocate((size_t)n_dof, sizeof *w);
+    double *Mw = allocate((size_t)n_dof, sizeof *Mw);
     *E = (struct potential){0.0, 0.0, 0.0};
     enum status status = particle_energy(body, u, &E->elastic);
     if (status == OK) status = particle_force(body, u, r);
     for (int s = 0; s < n_dof; s++) w[s] = step->rate * u[s] - grid->v[s];
     if (status == OK) status = particle_mass(body, step->consistent, w, Mw);
-    for (int s = 0; s < n_dof && status == OK; s++) {
-        const double weight = grid->mass[s / 2] * step->g[s % 2];
-        E->inertia += 0.5 * w[s] * Mw[s];
-        E->load -= weight * u[s];
-        r[s] = step->rate * Mw[s] - r[s] - weight;
-    }
+    if (status == OK)
+        for (int a = 0; a < grid->n_node; a++)
+            for (int k = 0; k < 2; k++) {
+                const int s = 2 * a + k;
+                const double weight = grid->mass[a] * step->g[k];
+                E->inertia += 0.5 * w[s] * Mw[s];
+                E->load -= weight * u[s];
+                r[s] = step->rate * Mw[s] - r[s] - weight;
+            }
     if (status == OK && !isfinite(potential_sum(*E))) status = NONFINITE;
     free(w);
+    free(Mw);
     return status;
 }
 
@@ -175,8 +189,9 @@ enum status particle_potential(const struct particle_body *body,
 double particle_frequency(const struct particle_body *body)
 {
     struct unknowns *map = unknowns_alloc(body->grid);
-    double *u = allocate(3 * (size_t)map->n_dof, sizeof *u), omega = NAN;
-    double *m = u + map->n_dof, *value = m + map->n_dof;
+    const size_t n_dof = (size_t)map->n_dof;
+    double *u = allocate(n_dof, sizeof *u), *m = allocate(n_dof, sizeof *m);
+    double *value = allocate(n_dof, sizeof *value), omega = NAN;
     unknowns_number(body->grid, NO_WALL, map);
     struct matrix *K = matrix_alloc(DENSE, map->n, 0), *A = matrix_copy(K);
     for (int r = 0; r < map->n_dof; r++)
@@ -193,6 +208,8 @@ double particle_frequency(const struct particle_body *body)
     matrix_free(A);
     unknowns_free(map);
     free(u);
+    free(m);
+    free(value);
     return omega;
 }
 
@@ -255,13 +272,12 @@ struct particle_report particle_newton(const struct particle_body *body,
                                          body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
-    struct work work;
+    const struct work work = {allocate(n_dof, sizeof(double)),
+                              allocate(n_dof, sizeof(double)),
+                              allocate(n_dof, sizeof(double)),
+                              allocate(n_dof, sizeof(double))};
     double weight = 0.0;
     tolerance *= body->grid->h;
-    work.r = allocate(4 * n_dof, sizeof *work.r);
-    work.du = work.r + n_dof;
-    work.trial = work.du + n_dof;
-    work.y = work.trial + n_dof;
     memset(u, 0, n_dof * sizeof *u);
     unknowns_number(body->grid, step->wall, map);
     struct matrix *A = map->n > 0 ? unknowns_matrix(body, map) : NULL;
@@ -293,6 +309,9 @@ struct particle_report particle_newton(const struct particle_body *body,
     matrix_free(A);
     unknowns_free(map);
     free(work.r);
+    free(work.du);
+    free(work.trial);
+    free(work.y);
     return report;
 }
 
@@ -312,7 +331,8 @@ struct particle_report particles_step(struct grid *grid, struct particles *p,
         const double rate = step->rate > 0.0 ? step->rate : 1.0;
         for (int s = 0; s < n_dof; s++) grid->next[s] = rate * u[s];
         report.status = grid_g2p(grid, step->transfer, 1.0 / rate, p);
-        for (int s = 0; s < 2 * p->n && step->rate == 0.0; s++) p->v[s] = 0.0;
+        if (step->rate == 0.0)
+            memset(p->v, 0, 2 * (size_t)p->n * sizeof *p->v);
     }
     free(u);
     return report;
@@ -326,14 +346,19 @@ enum status particles_step_explicit(struct grid *grid, struct particles *p,
     const int n_dof = 2 * grid->n_node;
     const double dt = 1.0 / step->rate;
     struct unknowns *map = unknowns_alloc(grid);
-    double *f = allocate(4 * (size_t)n_dof, sizeof *f), *momentum = f + n_dof;
-    double *mass = momentum + n_dof, *zero = mass + n_dof;
+    double *f = allocate((size_t)n_dof, sizeof *f);
+    double *momentum = allocate((size_t)n_dof, sizeof *momentum);
+    double *mass = allocate((size_t)n_dof, sizeof *mass);
+    double *zero = allocate((size_t)n_dof, sizeof *zero);
     enum status status = grid_p2g(grid, p);
     if (status == OK) status = particle_force(&body, zero, f);
     if (status == OK) {
-        for (int s = 0; s < n_dof; s++)
-            f[s] = grid->mass[s / 2] * (grid->v[s] + dt * step->g[s % 2]) +
-                   dt * f[s];
+        for (int a = 0; a < grid->n_node; a++)
+            for (int k = 0; k < 2; k++) {
+                const int s = 2 * a + k;
+                f[s] = grid->mass[a] * (grid->v[s] + dt * step->g[k]) +
+                       dt * f[s];
+            }
         unknowns_number(grid, step->wall, map);
         unknowns_gather(map, f, momentum);
         for (int s = 0; s < n_dof; s++)
@@ -345,5 +370,8 @@ enum status particles_step_explicit(struct grid *grid, struct particles *p,
     }
     unknowns_free(map);
     free(f);
+    free(momentum);
+    free(mass);
+    free(zero);
     return status;
 }

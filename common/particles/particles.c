@@ -180,12 +180,14 @@ struct particles *particles_box(const double low[2], const double high[2],
     struct particles *p = particles_alloc(count[0] * count[1]);
     const double width[2] = {(high[0] - low[0]) / count[0],
                              (high[1] - low[1]) / count[1]};
-    for (int q = 0; q < p->n; q++) {
-        p->x[2 * q] = low[0] + width[0] * (q % count[0] + 0.5);
-        p->x[2 * q + 1] = low[1] + width[1] * (q / count[0] + 0.5);
-        p->volume[q] = width[0] * width[1];
-        p->mass[q] = rho * p->volume[q];
-    }
+    int q = 0;
+    for (int j = 0; j < count[1]; j++)
+        for (int i = 0; i < count[0]; i++, q++) {
+            p->x[2 * q] = low[0] + width[0] * (i + 0.5);
+            p->x[2 * q + 1] = low[1] + width[1] * (j + 0.5);
+            p->volume[q] = width[0] * width[1];
+            p->mass[q] = rho * p->volume[q];
+        }
     return p;
 }
 
@@ -216,9 +218,10 @@ enum status grid_p2g(struct grid *grid, const struct particles *p)
                          C.m[k][1] * s.offset[i][1]);
         }
     }
-    for (int a = 0; a < grid->n_node; a++)
-        for (int k = 0; k < 2 && grid->mass[a] > 0.0; k++)
-            grid->v[2 * a + k] /= grid->mass[a];
+    for (int a = 0; a < grid->n_node; a++) {
+        if (!(grid->mass[a] > 0.0)) continue;
+        for (int k = 0; k < 2; k++) grid->v[2 * a + k] /= grid->mass[a];
+    }
     memcpy(grid->next, grid->v, 2 * n * sizeof *grid->next);
     return OK;
 }
@@ -234,11 +237,12 @@ enum status grid_g2p(const struct grid *grid, enum transfer transfer, double dt,
         support_value(&s, grid->v, before);
         support_value(&s, grid->next, after);
         p->B[q] = (mat2){{{0.0}}};
-        for (int i = 0; i < s.n && transfer == APIC; i++)
-            for (int k = 0; k < 2; k++)
-                for (int l = 0; l < 2; l++)
-                    p->B[q].m[k][l] +=
-                        s.w[i] * s.offset[i][l] * grid->next[2 * s.node[i] + k];
+        if (transfer == APIC)
+            for (int i = 0; i < s.n; i++)
+                for (int k = 0; k < 2; k++)
+                    for (int l = 0; l < 2; l++)
+                        p->B[q].m[k][l] += s.w[i] * s.offset[i][l] *
+                                           grid->next[2 * s.node[i] + k];
         p->F[q] = mat2_add(
             p->F[q],
             mat2_multiply(mat2_scale(dt, support_gradient(&s, grid->next)),

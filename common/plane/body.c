@@ -44,8 +44,12 @@ static void sort_vertices(struct body *body, int e)
         if (body->equation[2 * pair[0]] > body->equation[2 * pair[1]]) {
             const int first = pair[0];
             const double x = g[0], y = g[1];
-            pair[0] = pair[1], pair[1] = first;
-            g[0] = g[2], g[1] = g[3], g[2] = x, g[3] = y;
+            pair[0] = pair[1];
+            pair[1] = first;
+            g[0] = g[2];
+            g[1] = g[3];
+            g[2] = x;
+            g[3] = y;
         }
     }
 }
@@ -256,21 +260,23 @@ static void add_projected(struct factors s, const double g[6],
     static const enum mode order[4] = {MODE_TWIST, MODE_FLIP, MODE_HIGH,
                                        MODE_LOW};
     const struct modes modes = modes_of(F, s.mu, s.dG, s.ddG);
-    double d[4][6]; /* dF/du_a in direction m */
+    double d[4][3][2]; /* dF/du_a in direction m */
     for (int m = 0; m < 4; m++)
-        for (int r = 0; r < 6; r++)
-            d[m][r] = modes.direction[m].m[r % 2][0] * g[r / 2 * 2] +
-                      modes.direction[m].m[r % 2][1] * g[r / 2 * 2 + 1];
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++)
+                d[m][a][i] = modes.direction[m].m[i][0] * g[2 * a] +
+                             modes.direction[m].m[i][1] * g[2 * a + 1];
     for (int a = 0, k = 0; a < 3; a++)
         for (int b = 0; b <= a; b++, k++) {
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
-            for (int i = 0; i < 16; i++) {
-                const enum mode m = order[i / 4];
-                if (modes.value[m] > 0.0)
-                    block.m[i / 2 % 2][i % 2] += modes.value[m] *
-                                                 d[m][2 * a + i / 2 % 2] *
-                                                 d[m][2 * b + i % 2];
+            for (int o = 0; o < 4; o++) {
+                const enum mode m = order[o];
+                if (!(modes.value[m] > 0.0)) continue;
+                for (int i = 0; i < 2; i++)
+                    for (int j = 0; j < 2; j++)
+                        block.m[i][j] +=
+                            modes.value[m] * d[m][a][i] * d[m][b][j];
             }
             add_block(block, a, b, place[k], stride, entries);
         }
@@ -358,13 +364,15 @@ enum status body_stiffness(const struct body *body, const double u[],
 
 void body_mass_matrix(const struct body *body, struct matrix *M)
 {
-    double *rest = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *rest);
-    double *q = rest + 2 * body->mesh->n_vertex;
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *rest = allocate(n_dof, sizeof *rest);
+    double *q = allocate(n_dof, sizeof *q);
     struct body view = *body;
     view.K = M;
     body_assemble(&view, (struct incremental){0.0, rest, NULL}, rest, EXACT,
                   q); /* K = M + 0 */
     free(rest);
+    free(q);
 }
 
 void body_gather(const struct body *body, const double all[], double some[])

@@ -31,7 +31,8 @@ static double stretch(const double g[2], mat2 F, double n[2])
 {
     for (int i = 0; i < 2; i++) n[i] = F.m[i][0] * g[0] + F.m[i][1] * g[1];
     const double l = hypot(n[0], n[1]);
-    for (int i = 0; i < 2 && l > 0.0; i++) n[i] /= l;
+    if (l > 0.0)
+        for (int i = 0; i < 2; i++) n[i] /= l;
     return l;
 }
 
@@ -75,6 +76,22 @@ mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
                          mat2_multiply(dF, gg));
 }
 
+/* Block (a, b) of K, where t[a] and t[b] are not held, += scale s_a s_b B. */
+static void add_stiffness(const struct body *body, const int t[3],
+                          double scale, const double s[3], mat2 B)
+{
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++) {
+            const int *to = &body->equation[2 * t[a]];
+            const int *from = &body->equation[2 * t[b]];
+            if (to[0] < 0 || from[0] < 0) continue;
+            for (int i = 0; i < 2; i++)
+                for (int k = 0; k < 2; k++)
+                    matrix_add(body->K, to[i], from[k],
+                               scale * s[a] * s[b] * B.m[i][k]);
+        }
+}
+
 /* With s_a = g . grad N_a triangle e adds area T s_a n to the force of vertex a
  * and area s_a s_b B to block (a, b) of K, B of stiffness(). */
 static void add(const struct body *body, double dt, const double u[],
@@ -92,21 +109,15 @@ static void add(const struct body *body, double dt, const double u[],
             *energy += area * pull.W;
             continue;
         }
-        const mat2 B = stiffness(&fibres->fibre, l, n, tangent);
-        for (int r = 0; r < 6; r++) {
-            const int row = 2 * t[r / 2] + r % 2, i = r % 2;
-            const double *G_a = &G[r / 2 * 2];
-            const double s_a = dt * dt * area * (g[0] * G_a[0] + g[1] * G_a[1]);
-            q[row] += s_a * pull.T * n[i];
-            for (int c = 0; c < 6 && tangent != NO_TANGENT; c++) {
-                const double *G_b = &G[c / 2 * 2];
-                const double s_b = g[0] * G_b[0] + g[1] * G_b[1];
-                const int to = body->equation[row];
-                const int from = body->equation[2 * t[c / 2] + c % 2];
-                if (to >= 0 && from >= 0)
-                    matrix_add(body->K, to, from, s_a * s_b * B.m[i][c % 2]);
-            }
+        double s[3];
+        for (int a = 0; a < 3; a++) {
+            s[a] = g[0] * G[2 * a] + g[1] * G[2 * a + 1];
+            for (int i = 0; i < 2; i++)
+                q[2 * t[a] + i] += dt * dt * area * s[a] * pull.T * n[i];
         }
+        if (tangent == NO_TANGENT) continue;
+        const mat2 B = stiffness(&fibres->fibre, l, n, tangent);
+        add_stiffness(body, t, dt * dt * area, s, B);
     }
 }
 

@@ -22,10 +22,12 @@ struct mesh *mesh_rectangle(int n, int rows, double a, double b)
     mesh->n_triangle = 2 * n * rows;
     mesh->X = allocate(2 * (size_t)mesh->n_vertex, sizeof *mesh->X);
     mesh->triangle = allocate(3 * (size_t)mesh->n_triangle, sizeof(int));
-    for (int v = 0; v < mesh->n_vertex; v++) {
-        mesh->X[2 * v] = a * (-1.0 + 2.0 * (v % (n + 1)) / n);
-        mesh->X[2 * v + 1] = b * (-1.0 + 2.0 * (v / (n + 1)) / rows);
-    }
+    double *X = mesh->X;
+    for (int j = 0; j <= rows; j++)
+        for (int i = 0; i <= n; i++) {
+            *X++ = a * (-1.0 + 2.0 * i / n);
+            *X++ = b * (-1.0 + 2.0 * j / rows);
+        }
     int *t = mesh->triangle;
     for (int j = 0; j < rows; j++)
         for (int i = 0; i < n; i++) {

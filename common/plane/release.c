@@ -40,14 +40,16 @@ double release_winding(const struct body *body, const double u[])
     for (int e = 0; e < mesh->n_triangle; e++)
         for (int a = 0; a < 3; a++) {
             const int *t = &mesh->triangle[3 * e];
-            double edge[4]; /* to the next corner, to the one after it */
-            for (int r = 0; r < 4; r++) {
-                const int to = 2 * t[(a + 1 + r / 2) % 3] + r % 2;
-                const int from = 2 * t[a] + r % 2;
-                edge[r] = mesh->X[to] + u[to] - mesh->X[from] - u[from];
+            double next[2], last[2]; /* the edges to the other corners */
+            for (int i = 0; i < 2; i++) {
+                const int from = 2 * t[a] + i;
+                const int b = 2 * t[(a + 1) % 3] + i;
+                const int c = 2 * t[(a + 2) % 3] + i;
+                next[i] = mesh->X[b] + u[b] - mesh->X[from] - u[from];
+                last[i] = mesh->X[c] + u[c] - mesh->X[from] - u[from];
             }
-            angle[t[a]] += atan2(edge[0] * edge[3] - edge[1] * edge[2],
-                                 edge[0] * edge[2] + edge[1] * edge[3]);
+            angle[t[a]] += atan2(next[0] * last[1] - next[1] * last[0],
+                                 next[0] * last[0] + next[1] * last[1]);
         }
     for (int a = 0; a < mesh->n_vertex; a++)
         most = fmax(most, angle[a] / (2.0 * M_PI));
@@ -64,10 +66,11 @@ const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {
 
 void release_place(const struct body *body, mat2 F, double u[])
 {
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
-        const double *X = &body->mesh->X[r / 2 * 2], *row = F.m[r % 2];
-        if (body->equation[r] >= 0)
-            u[r] = row[0] * X[0] + row[1] * X[1] - X[r % 2];
+    for (int a = 0; a < body->mesh->n_vertex; a++) {
+        const double *X = &body->mesh->X[2 * a];
+        for (int i = 0; i < 2; i++)
+            if (body->equation[2 * a + i] >= 0)
+                u[2 * a + i] = F.m[i][0] * X[0] + F.m[i][1] * X[1] - X[i];
     }
 }
 
@@ -96,7 +99,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    double *q = allocate(2 * n_dof, sizeof *q), *du = q + n_dof;
+    double *q = allocate(n_dof, sizeof *q), *du = allocate(n_dof, sizeof *du);
     struct release_report report = {0};
     int done = 0;
     for (;;) {
@@ -116,6 +119,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
     report.recovered = report.status == OK && report.min_J > 0.0 &&
                        report.energy <= RELEASE_ENERGY;
     free(q);
+    free(du);
     return report;
 }
 
@@ -132,7 +136,9 @@ static double draw(unsigned long long *state)
 void release_scramble(const struct body *body, unsigned seed, double u[])
 {
     unsigned long long state = seed;
-    for (int a = 0; a < body->mesh->n_vertex; a++)
-        for (int i = 0; i < 2 && body->equation[2 * a] >= 0; i++)
+    for (int a = 0; a < body->mesh->n_vertex; a++) {
+        if (body->equation[2 * a] < 0) continue;
+        for (int i = 0; i < 2; i++)
             u[2 * a + i] = draw(&state) - body->mesh->X[2 * a + i];
+    }
 }

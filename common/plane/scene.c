@@ -66,11 +66,11 @@ struct scene *scene_alloc(const struct scene_setting *set)
 
     *scene = (struct scene){.set = *set, .mesh = mesh, .n_dof = (int)n_dof};
     scene->held = allocate((size_t)mesh->n_vertex, sizeof *scene->held);
-    scene->f = allocate(5 * n_dof, sizeof *scene->f);
-    scene->g = scene->f + n_dof;
-    scene->u = scene->g + n_dof;
-    scene->v = scene->u + n_dof;
-    scene->v_before = scene->v + n_dof;
+    scene->f = allocate(n_dof, sizeof *scene->f);
+    scene->g = allocate(n_dof, sizeof *scene->g);
+    scene->u = allocate(n_dof, sizeof *scene->u);
+    scene->v = allocate(n_dof, sizeof *scene->v);
+    scene->v_before = allocate(n_dof, sizeof *scene->v_before);
     for (int a = 0; a < mesh->n_vertex; a++) {
         const double *X = &mesh->X[2 * a];
         const int left = a % (n + 1) == 0, right = a % (n + 1) == n;
@@ -98,6 +98,10 @@ void scene_free(struct scene *scene)
     mesh_free(scene->mesh);
     free(scene->held);
     free(scene->f);
+    free(scene->g);
+    free(scene->u);
+    free(scene->v);
+    free(scene->v_before);
     free(scene);
 }
 
@@ -120,7 +124,10 @@ void scene_hold(struct scene *scene, double t)
 
 void scene_rest(struct scene *scene)
 {
-    memset(scene->u, 0, 3 * (size_t)scene->n_dof * sizeof *scene->u);
+    const size_t size = (size_t)scene->n_dof * sizeof *scene->u;
+    memset(scene->u, 0, size);
+    memset(scene->v, 0, size);
+    memset(scene->v_before, 0, size);
     scene->steps = 0;
 }
 
@@ -204,10 +211,11 @@ struct scene_measures scene_measure(const struct scene *scene)
 
 double scene_triangle(const struct scene *scene, int e, double x[6])
 {
-    for (int r = 0; r < 6; r++) {
-        const int k = 2 * scene->mesh->triangle[3 * e + r / 2] + r % 2;
-        x[r] = scene->mesh->X[k] + scene->u[k];
-    }
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < 2; i++) {
+            const int k = 2 * scene->mesh->triangle[3 * e + a] + i;
+            x[2 * a + i] = scene->mesh->X[k] + scene->u[k];
+        }
     return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
            (2.0 * scene->body->area[e]);
 }

@@ -92,6 +92,7 @@ enum status step_search(const struct body *body, struct incremental Phi,
                         const double q[], const double du[], double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    /* one block: the scratch of one solve, made and freed as one */
     double *memory = allocate(5 * n_dof, sizeof *memory);
     const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
@@ -201,6 +202,7 @@ struct step_report step_solve(struct body *body,
                               struct incremental Phi, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    /* one block: the scratch of one solve, made and freed as one */
     double *memory = allocate(5 * n_dof, sizeof *memory);
     const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
@@ -250,7 +252,8 @@ struct step_report step_backward_euler(struct body *body,
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum guess guess = control->guess;
-    double *w = allocate(2 * (size_t)n_dof, sizeof *w), *next = w + n_dof;
+    double *w = allocate((size_t)n_dof, sizeof *w);
+    double *next = allocate((size_t)n_dof, sizeof *next);
     for (int r = 0; r < n_dof; r++) {
         w[r] = next[r] = u[r] + dt * v[r];
         if (guess == FROM_LAST) next[r] = u[r];
@@ -259,11 +262,13 @@ struct step_report step_backward_euler(struct body *body,
     step_boundary(body, g, control->lift, next);
     const struct step_report report = step_solve(
         body, control, (struct incremental){dt, w, f}, next);
-    for (int r = 0; r < n_dof && report.status == OK; r++) {
-        if (v_before) v_before[r] = v[r];
-        v[r] = (next[r] - u[r]) / dt;
-        u[r] = next[r];
-    }
+    if (report.status == OK)
+        for (int r = 0; r < n_dof; r++) {
+            if (v_before) v_before[r] = v[r];
+            v[r] = (next[r] - u[r]) / dt;
+            u[r] = next[r];
+        }
     free(w);
+    free(next);
     return report;
 }

@@ -17,12 +17,14 @@ void system_store(struct system *system, enum storage storage)
 void system_press(struct system *system, double squeeze)
 {
     struct scene *s = system->scene;
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *u = q + s->n_dof;
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *u = allocate((size_t)s->n_dof, sizeof *u);
     for (int r = 0; r < s->n_dof; r += 2) u[r] = -squeeze * s->mesh->X[r];
     const struct incremental Phi = {s->set.dt, u, NULL};
     if (body_assemble(s->body, Phi, u, EXACT, q) != OK)
         die("the pressed body is not defined");
     free(q);
+    free(u);
 }
 
 struct system *system_alloc(int n)
@@ -64,8 +66,10 @@ static void insert(struct csr *A, int first, int k)
     for (; k > first && A->index[k - 1] > A->index[k]; k--) {
         const int column = A->index[k];
         const double value = A->value[k];
-        A->index[k] = A->index[k - 1], A->index[k - 1] = column;
-        A->value[k] = A->value[k - 1], A->value[k - 1] = value;
+        A->index[k] = A->index[k - 1];
+        A->index[k - 1] = column;
+        A->value[k] = A->value[k - 1];
+        A->value[k - 1] = value;
     }
 }
 
@@ -80,20 +84,23 @@ struct csr *system_matrix(const struct system *system, const int place[])
     struct csr *A = csr_alloc(2 * n, 4 * NEXT * n);
     int *at = allocate((size_t)n, sizeof *at), k = 0;
     for (int v = 0; v < n; v++) at[place_of(place, v)] = v;
-    for (int row = 0; row < 2 * n; row++) {
-        const int v = at[row / 2];
-        for (int s = 0; s < 2 * NEXT; s++) {
-            const int i = v % width + step[s / 2][0];
-            const int j = v / width + step[s / 2][1], b = j * width + i;
-            if (i < 0 || i >= width || j < 0 || j >= height) continue;
-            A->index[k] = 2 * place_of(place, b) + s % 2;
-            A->value[k] = matrix_get(
-                body->K, body->equation[2 * system->vertex[v] + row % 2],
-                body->equation[2 * system->vertex[b] + s % 2]);
-            insert(A, A->start[row], k++);
+    for (int p = 0; p < n; p++)
+        for (int c = 0; c < 2; c++) {
+            const int v = at[p], row = 2 * p + c;
+            const int to = body->equation[2 * system->vertex[v] + c];
+            for (int s = 0; s < NEXT; s++) {
+                const int i = v % width + step[s][0];
+                const int j = v / width + step[s][1], b = j * width + i;
+                if (i < 0 || i >= width || j < 0 || j >= height) continue;
+                const int *from = &body->equation[2 * system->vertex[b]];
+                for (int d = 0; d < 2; d++) {
+                    A->index[k] = 2 * place_of(place, b) + d;
+                    A->value[k] = matrix_get(body->K, to, from[d]);
+                    insert(A, A->start[row], k++);
+                }
+            }
+            A->start[row + 1] = k;
         }
-        A->start[row + 1] = k;
-    }
     free(at);
     return A;
 }

@@ -24,11 +24,12 @@ static double spectral_radius(enum method method, double w_dt)
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(4);
     double radius = 0.0;
 
+    double *const of[4] = {s.u, s.v, s.u_before, s.v_before};
     for (size_t c = 0; c < 4; c++) {
-        for (size_t r = 0; r < 4; r++) s.u[r] = r == c;
+        for (size_t r = 0; r < 4; r++) *of[r] = r == c;
         s.steps = 1;
         integrate_step(model, method, w_dt, NULL, &s);
-        for (size_t r = 0; r < 4; r++) gsl_matrix_set(G, r, c, s.u[r]);
+        for (size_t r = 0; r < 4; r++) gsl_matrix_set(G, r, c, *of[r]);
     }
     gsl_eigen_nonsymm(G, value, work);
     for (size_t c = 0; c < 4; c++)

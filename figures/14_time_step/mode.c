@@ -21,19 +21,20 @@ static void print_one_frame(void)
     const double dt = 1.0 / 30.0;
     double wrong = 0.0;
     table_begin_note("one_frame", "k_over_m f u v", "M = 1, u = 1, v = 0");
-    for (int k = 0; k < 6; k++) {
-        const double K = stiffness[k % 3], f = k < 3 ? 0.0 : 371.4;
-        struct model *model = model_mode(sqrt(K));
-        struct state s = state_make(1);
-        s.u[0] = 1.0;
-        model->f[0] = f;
-        integrate_step(model, BACKWARD_EULER, dt, NULL, &s);
-        table_row(K, f, s.u[0], s.v[0]);
-        wrong = fmax(wrong, fabs(s.u[0] - (1.0 + dt * dt * f) /
-                                              (1.0 + dt * dt * K)));
-        state_free(&s);
-        model_free(model);
-    }
+    for (int pushed = 0; pushed < 2; pushed++)
+        for (int k = 0; k < 3; k++) {
+            const double K = stiffness[k], f = pushed ? 371.4 : 0.0;
+            struct model *model = model_mode(sqrt(K));
+            struct state s = state_make(1);
+            s.u[0] = 1.0;
+            model->f[0] = f;
+            integrate_step(model, BACKWARD_EULER, dt, NULL, &s);
+            table_row(K, f, s.u[0], s.v[0]);
+            wrong = fmax(wrong, fabs(s.u[0] - (1.0 + dt * dt * f) /
+                                                  (1.0 + dt * dt * K)));
+            state_free(&s);
+            model_free(model);
+        }
     table_end();
     claim(wrong < 1e-12, "a frame ends at (u0 + dt^2 f) / (1 + dt^2 K) with "
           "M = 1, v0 = 0 (it is off by %g)", wrong);
@@ -53,7 +54,8 @@ static void print_path(double w_dt)
     for (int k = 0; k <= STEPS; k++) {
         table_row(k, cos(k * w_dt), s[0].u[0], s[0].v[0], s[1].u[0], s[1].v[0],
                   s[2].u[0], s[2].v[0], s[3].u[0], s[3].v[0]);
-        for (int m = 0; m < N_METHOD && k < STEPS; m++)
+        if (k == STEPS) break;
+        for (int m = 0; m < N_METHOD; m++)
             integrate_step(model, (enum method)m, w_dt, NULL, &s[m]);
     }
     table_end();

@@ -74,15 +74,28 @@ static void approach(int m, double distance[SYSTEMS + 1])
     scene_free(s);
 }
 
+/* The order of the last three distances above round-off. */
+static double last_order(const double distance[SYSTEMS + 1])
+{
+    int k = 2;
+    while (k < SYSTEMS && distance[k + 1] > 0.0) k++;
+    const double *d = &distance[k];
+    return log(d[0] / d[-1]) / log(d[-1] / d[-2]);
+}
+
 int main(void)
 {
     struct run run[METHODS];
     double distance[METHODS][SYSTEMS + 1], order[METHODS];
-    table_begin("price", "method steps systems projected worst sin_t reason");
+    table_begin("price",
+                "method steps systems projected worst sin_t reason order");
     for (int m = 0; m < METHODS; m++) {
         run[m] = press(m);
+        approach(m, distance[m]);
+        order[m] = last_order(distance[m]);
         table_row(word[m], run[m].steps, run[m].systems, run[m].projected,
-                  run[m].worst, run[m].at, run[m].reason);
+                  run[m].worst, run[m].at, run[m].reason,
+                  cell_rounded(5, order[m]));
     }
     table_end();
     table_begin("steps", "k sin_t never demand always");
@@ -93,19 +106,9 @@ int main(void)
         table_row(k + 1, sin((k + 1) / 30.0), cost[0], cost[1], cost[2]);
     }
     table_end();
-    for (int m = 0; m < METHODS; m++) approach(m, distance[m]);
     table_begin("approach", "k never demand always");
     for (int k = 0; k <= SYSTEMS; k++)
         table_row(k, distance[0][k], distance[1][k], distance[2][k]);
-    table_end();
-    table_begin("orders", "method order"); /* of the last above round-off */
-    for (int m = 0; m < METHODS; m++) {
-        int k = 2;
-        while (k < SYSTEMS && distance[m][k + 1] > 0.0) k++;
-        const double *d = &distance[m][k];
-        order[m] = log(d[0] / d[-1]) / log(d[-1] / d[-2]);
-        table_row(word[m], cell_rounded(5, order[m]));
-    }
     table_end();
 
     claim(!strcmp(run[0].reason, "fails") && fabs(run[0].at - 0.6937) < 1e-3,

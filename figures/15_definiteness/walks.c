@@ -41,23 +41,26 @@ int main(void)
     int elements[6][5];
     table_begin("walks",
                 "method push load systems deflection energy elements status");
-    for (int k = 0; k < 6; k++) {
-        struct scene *s = column(80);
-        for (int l = 0; l < 5; l++) {
-            const double push = k % 2 ? 1e-3 : 0.0;
-            const struct step_report r =
-                scene_walk(s, method[k / 2], load[l], push);
-            status[k][l] = r.status;
-            psi[k][l] = scene_energy(s), out[k][l] = fabs(*scene_middle(s));
-            elements[k][l] = negative_elements(s);
-            const int round_off = (k == 2 || k == 4) && l > 1;
-            table_row(method[k / 2], push, load[l],
-                      cell_if(!round_off, r.iterations),
-                      out[k][l] > 1e-9 ? out[k][l] : 0.0, psi[k][l],
-                      elements[k][l], status_name(r.status));
+    for (int m = 0; m < 3; m++)
+        for (int pushed = 0; pushed < 2; pushed++) {
+            const int k = 2 * m + pushed;
+            const double push = pushed ? 1e-3 : 0.0;
+            struct scene *s = column(80);
+            for (int l = 0; l < 5; l++) {
+                const struct step_report r =
+                    scene_walk(s, method[m], load[l], push);
+                status[k][l] = r.status;
+                psi[k][l] = scene_energy(s);
+                out[k][l] = fabs(*scene_middle(s));
+                elements[k][l] = negative_elements(s);
+                const int round_off = m > 0 && !pushed && l > 1;
+                table_row(method[m], push, load[l],
+                          cell_if(!round_off, r.iterations),
+                          out[k][l] > 1e-9 ? out[k][l] : 0.0, psi[k][l],
+                          elements[k][l], status_name(r.status));
+            }
+            scene_free(s);
         }
-        scene_free(s);
-    }
     table_end();
 
     claim(elements[0][0] == 1280 && status[0][0] == OK,

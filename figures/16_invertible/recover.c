@@ -26,9 +26,9 @@ static void print_triangles(const struct body *body, const double u[], int step)
     for (int e = 0; e < body->mesh->n_triangle; e++) {
         const int *t = &body->mesh->triangle[3 * e];
         double x[6];
-        for (int r = 0; r < 6; r++)
-            x[r] = body->mesh->X[2 * t[r / 2] + r % 2] +
-                   u[2 * t[r / 2] + r % 2];
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++)
+                x[2 * a + i] = body->mesh->X[2 * t[a] + i] + u[2 * t[a] + i];
         const double area = (x[2] - x[0]) * (x[5] - x[1]) -
                             (x[4] - x[0]) * (x[3] - x[1]);
         table_row(material_law(body->material.law), step,

@@ -39,9 +39,10 @@ static struct count scramble(int n, enum law law, int held_boundary,
     struct count count = {.starts = n == 4 ? STARTS_4 : STARTS_2};
     struct mesh *mesh = mesh_square(n);
     int held[LARGEST] = {0}, iterations[STARTS_2];
-    for (int a = 0; a < mesh->n_vertex && held_boundary; a++)
-        held[a] = a % (n + 1) == 0 || a % (n + 1) == n || a / (n + 1) == 0 ||
-                  a / (n + 1) == n;
+    if (held_boundary)
+        for (int j = 0; j <= n; j++)
+            for (int i = 0; i <= n; i++)
+                held[j * (n + 1) + i] = i == 0 || i == n || j == 0 || j == n;
     struct body *body =
         body_alloc(mesh, material_notes(law), 0.0, CONSISTENT, held);
     for (int seed = 1; seed <= count.starts; seed++) {
@@ -66,7 +67,8 @@ static struct count scramble(int n, enum law law, int held_boundary,
         iterations, 1, (size_t)count.starts);
     count.rate = 100.0 * count.recovered / count.starts;
     count.error = 100.0 * rate_error(count.recovered, count.starts);
-    body_free(body), mesh_free(mesh);
+    body_free(body);
+    mesh_free(mesh);
     return count;
 }
 
@@ -79,41 +81,56 @@ static double apart(const struct count *a, const struct count *b)
 int main(void)
 {
     const enum law law[] = {CUBIC, EXTENDED, STABLE};
-    struct count count[12];
+    struct count all[2][2][3]; /* size, boundary, law */
     double x[2][2 * LARGEST]; /* of the first one: cubic, n = 2, free */
     gsl_set_error_handler_off();
     table_begin("stuck", "law seed status energy min_J winding");
-    for (int k = 0; k < 12; k++)
-        count[k] = scramble(k / 6 ? 4 : 2, law[k % 3], k / 3 % 2, x[k > 0]);
+    for (int size = 0; size < 2; size++)
+        for (int held = 0; held < 2; held++)
+            for (int k = 0; k < 3; k++)
+                all[size][held][k] =
+                    scramble(size ? 4 : 2, law[k], held,
+                             x[size > 0 || held > 0 || k > 0]);
     table_end();
     table_begin("scramble", "n boundary law starts recovered rate "
                             "standard_error inside_out wound iterations error");
-    for (int k = 0; k < 12; k++)
-        table_row(k / 6 ? 4 : 2, k / 3 % 2 ? "held" : "free",
-                  material_law(law[k % 3]), count[k].starts,
-                  count[k].recovered, count[k].rate, count[k].error,
-                  count[k].inverted, count[k].wound, count[k].median,
-                  error_of(law[k % 3]));
+    for (int size = 0; size < 2; size++)
+        for (int held = 0; held < 2; held++)
+            for (int k = 0; k < 3; k++) {
+                const struct count *c = &all[size][held][k];
+                table_row(size ? 4 : 2, held ? "held" : "free",
+                          material_law(law[k]), c->starts, c->recovered,
+                          c->rate, c->error, c->inverted, c->wound, c->median,
+                          error_of(law[k]));
+            }
     table_end();
     struct mesh *mesh = mesh_square(2);
     table_begin("wound", "x0 y0 x1 y1 x2 y2");
     for (const int *t = mesh->triangle; t < mesh->triangle + 24; t += 3)
         table_row(x[0][2 * t[0]], x[0][2 * t[0] + 1], x[0][2 * t[1]],
                   x[0][2 * t[1] + 1], x[0][2 * t[2]], x[0][2 * t[2] + 1]);
-    table_end(), mesh_free(mesh);
+    table_end();
+    mesh_free(mesh);
 
-    for (int k = 0; k < 12; k++)
-        claim(count[k].inverted == 0 && count[k].wound == count[k].stuck &&
-                  (k / 3 % 2 == 0 || count[k].stuck == 0),
-              "with its boundary held a square always comes back; what is "
-              "stuck is not inside out, but wound twice round a vertex");
-    claim(count[0].at_893 == count[0].stuck,
+    for (int size = 0; size < 2; size++)
+        for (int k = 0; k < 3; k++) {
+            const struct count *loose = &all[size][0][k];
+            const struct count *held = &all[size][1][k];
+            claim(loose->inverted == 0 && loose->wound == loose->stuck,
+                  "what is stuck is not inside out, but wound twice round a "
+                  "vertex");
+            claim(held->stuck == 0,
+                  "with its boundary held a square always comes back");
+        }
+    claim(all[0][0][0].at_893 == all[0][0][0].stuck,
           "the cubic law is always stuck at the same energy");
-    for (const struct count *c = count; c <= &count[6]; c += 6)
+    for (int size = 0; size < 2; size++) {
+        const struct count *c = all[size][0];
         claim(fmin(apart(&c[2], &c[0]), apart(&c[2], &c[1])) > RATE_SURE &&
                   fabs(apart(&c[0], &c[1])) < RATE_SURE,
               "free squares come back most often under the stable law; between "
               "the two others %d starts show no difference", c->starts);
+    }
     claim(error_of(STABLE) > 10 * error_of(CUBIC) && error_of(EXTENDED) == 0,
           "the stable law is the least accurate, extended has no error");
     return table_finish();

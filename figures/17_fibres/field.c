@@ -21,14 +21,16 @@ enum { CELLS = 24, SLENDER = 2, STEPS = 10 };
 static void print_fibres(const char *block, const struct scene *s,
                          const struct fibres *fibres)
 {
-    for (int e = 0; e < s->mesh->n_triangle; e += 2) {
-        double x[6], angle;
-        const double l = fibres_stretch(s->body, fibres, s->u, e, &angle);
-        if ((e / 2 % CELLS + e / 2 / CELLS) % 2) continue;
-        scene_triangle(s, e, x); /* corners 0 and 2 are the cell's diagonal */
-        table_row(block, (x[0] + x[4]) / 2.0, (x[1] + x[5]) / 2.0,
-                  l * cos(angle), l * sin(angle), l);
-    }
+    for (int j = 0; j < s->mesh->rows; j++)
+        for (int i = 0; i < CELLS; i++) {
+            if ((i + j) % 2) continue;
+            const int e = 2 * (j * CELLS + i);
+            double x[6], angle;
+            const double l = fibres_stretch(s->body, fibres, s->u, e, &angle);
+            scene_triangle(s, e, x); /* its corners 0 and 2: a diagonal */
+            table_row(block, (x[0] + x[4]) / 2.0, (x[1] + x[5]) / 2.0,
+                      l * cos(angle), l * sin(angle), l);
+        }
 }
 
 /* In table outline: the vertices of the boundary, once around. */
@@ -36,8 +38,9 @@ static void print_outline(const char *block, const struct scene *s)
 {
     const int n = s->mesh->n, rows = s->mesh->rows;
     const int step[4] = {1, n + 1, -1, -(n + 1)};
+    const int edges[4] = {n, rows, n, rows + 1}; /* and back to the first */
     for (int side = 0, a = 0; side < 4; side++)
-        for (int k = 0; k < (side % 2 ? rows : n) + side / 3; k++) {
+        for (int k = 0; k < edges[side]; k++) {
             table_row(block, s->mesh->X[2 * a] + s->u[2 * a],
                       s->mesh->X[2 * a + 1] + s->u[2 * a + 1]);
             a += step[side];
@@ -84,7 +87,8 @@ int main(void)
         struct scene *s = block[b] = scene_alloc(&set);
         if (!fibres.angle) fibres.angle = fibres_bent(s->mesh, 0.0, -45.0);
         fibres_attach(s->body, &fibres);
-        for (int k = 0; k <= STEPS && b > 0; k++) {
+        if (b == 0) continue;
+        for (int k = 0; k <= STEPS; k++) {
             fibres.fibre.activation = k / (double)STEPS;
             const struct step_report r =
                 step_solve(s->body, &newton, at_rest(s->f), s->u);
@@ -94,7 +98,7 @@ int main(void)
             table_row(name[b], fibres.fibre.activation, bend[b][k], force[b],
                       move[b], r.iterations);
         }
-        stable += b > 0 && step_certify(s->body, at_rest(NULL), s->u) == OK;
+        stable += step_certify(s->body, at_rest(NULL), s->u) == OK;
     }
     table_end();
     table_begin("fibres", "block x y dx dy l");

@@ -79,7 +79,10 @@ int main(void)
         const double P = stress(l, root_of(P22, &l, 0.3, 1.5)).m[0][0] +
                          fibre_tension(&muscle, l).T;
         table_row(l, P);
-        if (P > top) top = P, peak = l;
+        if (P > top) {
+            top = P;
+            peak = l;
+        }
     }
     table_end();
     struct scene_setting set = scene_notes(STRETCH, CUBIC, CELLS);

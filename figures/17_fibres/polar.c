@@ -36,10 +36,11 @@ static double modulus(double degrees, double *shear)
                             {{{0.0, 0.5}, {0.5, 0.0}}}};
     double e[3] = {1.0, 0.0, 0.0}; /* stresses, then e11, e22, 2 e12 */
     struct matrix *C = matrix_alloc(DENSE, 3, 0);
-    for (int r = 0; r < 9; r++)
-        matrix_add(C, r / 3, r % 3,
-                   mat2_dot(strain[r / 3], change(degrees, mat2_identity(),
-                                                  strain[r % 3])));
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            matrix_add(C, i, j,
+                       mat2_dot(strain[i], change(degrees, mat2_identity(),
+                                                  strain[j])));
     if (matrix_factor(C) != OK) die("no stiffness at %g degrees", degrees);
     matrix_solve(C, e);
     matrix_free(C);
@@ -77,7 +78,10 @@ int main(void)
     table_begin("polar", "degrees modulus shear isotropic");
     for (int degrees = 0; degrees <= 360; degrees += 2) {
         const double E = modulus(degrees, &shear);
-        if (degrees <= 90 && E < least) least = E, where = degrees;
+        if (degrees <= 90 && E < least) {
+            least = E;
+            where = degrees;
+        }
         table_row(degrees, E, shear, 1000.0 / (1.0 - 0.09));
     }
     table_end();
@@ -87,14 +91,15 @@ int main(void)
     modulus(20.0, &shear);
     const double small = pulled(20.0, stretch[0]).m[0][1] / (stretch[0] - 1.0);
     table_begin("pulled", "degrees l gamma w cord");
-    for (int c = 0; c < 2 * COUNT(stretch); c++) {
-        const double degrees = c % 2 ? 20.0 : 0.0, l = stretch[c / 2];
-        const mat2 F = pulled(degrees, l);
-        const double t = degrees * M_PI / 180.0;
-        table_row(degrees, l, F.m[0][1], F.m[1][1],
-                  hypot(F.m[0][0] * cos(t) + F.m[0][1] * sin(t),
-                        F.m[1][1] * sin(t)));
-    }
+    for (int c = 0; c < COUNT(stretch); c++)
+        for (int turned = 0; turned < 2; turned++) {
+            const double degrees = turned ? 20.0 : 0.0, l = stretch[c];
+            const mat2 F = pulled(degrees, l);
+            const double t = degrees * M_PI / 180.0;
+            table_row(degrees, l, F.m[0][1], F.m[1][1],
+                      hypot(F.m[0][0] * cos(t) + F.m[0][1] * sin(t),
+                            F.m[1][1] * sin(t)));
+        }
     table_end();
     claim(fabs(modulus(0.0, &least) - 1000.0 / 0.91 - 2000.0) < 1e-9,
           "along the cords the modulus is that of the sheet plus k");

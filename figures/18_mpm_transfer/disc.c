@@ -19,7 +19,11 @@ static void transfer(struct grid *grid, enum transfer how, double share,
                      struct particles *p)
 {
     claim(grid_p2g(grid, p) == OK, "all particles are on the grid");
-    for (int q = 0; q < p->n && share < 1.0; q++) {
+    if (share == 1.0) {
+        claim(grid_g2p(grid, how, 0.0, p) == OK, "and stay there");
+        return;
+    }
+    for (int q = 0; q < p->n; q++) {
         struct support s;
         double pic[2];
         claim(grid_support(grid, &p->x[2 * q], &s) == OK, "inside");
@@ -27,8 +31,6 @@ static void transfer(struct grid *grid, enum transfer how, double share,
         for (int k = 0; k < 2; k++)
             p->v[2 * q + k] += (1.0 - share) * (pic[k] - p->v[2 * q + k]);
     }
-    if (share == 1.0)
-        claim(grid_g2p(grid, how, 0.0, p) == OK, "and stay there");
 }
 
 /* What is left of the angular momentum; `name`: print some of the particles. */
@@ -39,11 +41,11 @@ static double spin(int order, int cells, enum transfer how, double share,
     const double L = particles_moments(c.p).angular;
     for (int k = 0; k < TRANSFERS_MADE; k++) transfer(c.grid, how, share, c.p);
     const double left = particles_moments(c.p).angular / L;
-    for (int q = 0; q < c.p->n && name; q++) {
+    for (int q = 0; q < c.p->n; q++) {
         const double *x = &c.p->x[2 * q], *v = &c.p->v[2 * q];
         const int i = (int)floor(2.0 * x[0] * cells);
         const int j = (int)floor(2.0 * x[1] * cells);
-        if (i % SHOWN == 0 && j % SHOWN == 0)
+        if (name && i % SHOWN == 0 && j % SHOWN == 0)
             table_row(name, x[0], x[1], v[0], v[1], hypot(v[0], v[1]));
     }
     *n = c.p->n;

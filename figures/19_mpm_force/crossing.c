@@ -28,11 +28,12 @@ static struct inner left_over(int order, int cells, int ppc, double F,
     struct cloud bar = cloud_bar(order, cells, ppc, F, shift);
     const struct particle_body body = {bar.grid, bar.p, cubic, NULL};
     const size_t n = 2 * (size_t)bar.grid->n_node;
-    double *u = allocate(2 * n, sizeof *u), *f = u + n;
+    double *u = allocate(n, sizeof *u), *f = allocate(n, sizeof *f);
     claim(particle_force(&body, u, f) == OK, "the bar is on its grid");
     struct inner inner = cloud_bar_inner(bar, f);
     inner.force /= fabs(material1_pk1(&cubic, F));
     free(u);
+    free(f);
     cloud_free(bar);
     return inner;
 }

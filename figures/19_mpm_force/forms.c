@@ -40,9 +40,10 @@ static void add_forces(const struct particle_body *body, enum form form,
         const mat2 F = mat2_multiply(hat, F_n);
         const mat2 A = handed_out(form, &body->material, F_n, F);
         for (int i = 0; i < s.n; i++)
-            for (int r = 0; r < 4; r++)
-                f[2 * s.node[i] + r / 2] -=
-                    V * A.m[r / 2][r % 2] * s.gradient[i][r % 2];
+            for (int k = 0; k < 2; k++)
+                for (int l = 0; l < 2; l++)
+                    f[2 * s.node[i] + k] -=
+                        V * A.m[k][l] * s.gradient[i][l];
     }
 }
 

@@ -45,10 +45,11 @@ int main(void)
         double from[2], at[2];
         centre(c.p, from);
         for (int k = 0; k <= STEPS; k++) {
-            for (int i = 0; i < 13 && k % EACH == 0; i++)
-                table_row(transfer_name((enum transfer)s), k * dt,
-                          c.p->x[2 * EDGE[i]], c.p->x[2 * EDGE[i] + 1],
-                          turning(c.p));
+            if (k % EACH == 0)
+                for (int i = 0; i < 13; i++)
+                    table_row(transfer_name((enum transfer)s), k * dt,
+                              c.p->x[2 * EDGE[i]], c.p->x[2 * EDGE[i] + 1],
+                              turning(c.p));
             centre(c.p, at);
             for (int i = 0; i < 2; i++)
                 claim(fabs(at[i] - from[i] -

@@ -80,8 +80,6 @@ int main(void)
     table_end();
     table_begin("once", columns);
     for (int p = 1; p <= 3; p++) rows(p, 2, MIRROR, 1, once[p]);
-    table_end();
-    table_begin("held", columns);
     for (int p = 2; p <= 3; p++) rows(p, 2, HELD, 1, held[p]);
     table_end();
     table_begin("reset", columns);

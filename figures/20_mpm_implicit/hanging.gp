@@ -1,6 +1,6 @@
 # hanging.gp - errors of the hanging bar against work: on one grid, as finite
 # elements, and with a new grid for each of ten loads.
-# Reads   data  tables elements, once, held, reset
+# Reads   data  tables elements, once (kernels by a mirror, then held), reset
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,480
@@ -21,7 +21,7 @@ plot data index "elements" using "work":"error" with linespoints ls 8 pt 6 \
      for [p = 1:3] data index "once" every ::4*(p-1)::4*p-1 \
          using "work":"error" with linespoints ls p \
          title word("linear quadratic cubic", p), \
-     for [p = 2:3] data index "held" every ::4*(p-2)::4*(p-2)+3 \
+     for [p = 2:3] data index "once" every ::12+4*(p-2)::12+4*(p-2)+3 \
          using "work":"error" with linespoints ls p dt 3 notitle
 unset ylabel
 set label 1 "a new grid for each of ten loads"

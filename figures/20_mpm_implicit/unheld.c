@@ -5,7 +5,7 @@
  * a static problem has no unique solution.  A free bar of 8 cells with ppc
  * particles per cell, `offset` of their spacing behind the left ends: zero
  * modes of the tangent beside the translation.  `field` is one, quadratic
- * kernel.  `loads`: what a hanging bar says in two load steps.
+ * kernel.  And what does a hanging bar say in two load steps?
  */
 #include "particles/particle_bodies.h"
 #include "base/study.h"
@@ -49,14 +49,15 @@ static void print_modes(void)
     const int due[][2] = {{0, 0}, {0, 1}, {2, 2}};
     table_begin("modes", "kernel ppc offset zero_modes");
     for (int order = 1; order <= 3; order++)
-        for (int k = 0; k < 6; k++) {
-            const int ppc = 1 + k / 2, off = k % 2;
-            struct cloud c = bar(order, ppc, off ? 0.23 : 0.5);
-            const int zeros = zero_modes(c);
-            table_row(KERNEL[order - 1], ppc, off ? 0.23 : 0.5, zeros);
-            claim(zeros == (ppc > 1 ? 0 : due[order - 1][off]), "two hold");
-            cloud_free(c);
-        }
+        for (int ppc = 1; ppc <= 3; ppc++)
+            for (int off = 0; off < 2; off++) {
+                const double offset = off ? 0.23 : 0.5;
+                struct cloud c = bar(order, ppc, offset);
+                const int zeros = zero_modes(c);
+                table_row(KERNEL[order - 1], ppc, offset, zeros);
+                claim(zeros == (ppc > 1 ? 0 : due[order - 1][off]), "two hold");
+                cloud_free(c);
+            }
     table_end();
 }
 
@@ -99,7 +100,6 @@ int main(void)
     print_modes();
     print_field();
     const struct material m = material_notes(CUBIC);
-    table_begin("loads", "kernel ppc first second");
     for (int order = 1; order <= 3; order++)
         for (int ppc = 1; ppc <= 4; ppc *= 2) {
             enum status is[2];
@@ -109,12 +109,9 @@ int main(void)
                                                    .g = {50.0 * (k + 1), 0.0}};
                 is[k] = particles_step(hung.grid, hung.p, m, &step).status;
             }
-            table_row(KERNEL[order - 1], ppc, status_name(is[0]),
-                      status_name(is[1]));
             claim(ppc > 1 ? is[1] == OK : order == 1 || is[1] == NOT_SPD,
                   "singular with one particle per cell, and named");
             cloud_free(hung);
         }
-    table_end();
     return table_finish();
 }

@@ -7,8 +7,7 @@
  * sparse.h.  Counted, not timed: numbers stored of L, flops to factor and to
  * solve [eq:cholesky-flops].  Tables: growth, with exponents from n / 2 to n;
  * compare, the last two side by side; crossovers, the least n from which
- * dissection has less than the band; second, the price of a second right-hand
- * side, and the memory of K and L.
+ * dissection has less than the band.
  */
 #include "linear/matrix.h"
 #include "linear/sparse.h"
@@ -19,11 +18,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { SIZES = 8, LARGEST = 256 }; /* n = 2, 4, ..., 256 */
+enum { SIZES = 8 }; /* n = 2, 4, ..., 256 */
 enum kind { FULL, BAND, DISSECTION, KINDS };
 static const char *const name[] = {"full", "band", "dissection"};
 
-static struct matrix_cost dissected(int n, double kept[2])
+static struct matrix_cost dissected(int n)
 {
     struct mesh *mesh = mesh_square(n);
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
@@ -32,9 +31,6 @@ static struct matrix_cost dissected(int n, double kept[2])
     struct sparse *s = sparse_alloc(n + 1, n + 1, mesh->n_triangle,
                                     mesh->triangle, held, SPARSE_LEAF);
     const struct matrix_cost cost = {s->numbers, s->flops, s->solve};
-    for (int k = 0; kept && k < 2; k++) /* K and L; with room to work */
-        kept[k] = 4.0 * s->start[s->n_vertex] +
-                  (k ? (double)sparse_size(s, 0) : cost.numbers);
     sparse_free(s);
     mesh_free(mesh);
     free(held);
@@ -44,7 +40,7 @@ static struct matrix_cost dissected(int n, double kept[2])
 static struct matrix_cost cost_of(enum kind kind, int n)
 {
     const int order = 2 * (n - 1) * (n + 1);
-    if (kind == DISSECTION) return dissected(n, NULL);
+    if (kind == DISSECTION) return dissected(n);
     return matrix_cost(kind == FULL ? DENSE : BANDED, order,
                        2 * n - 1 < order ? 2 * n - 1 : order - 1);
 }
@@ -93,16 +89,6 @@ int main(void)
     table_begin("crossovers", "entries flops solve");
     table_row(crossover[0], crossover[1], crossover[2]);
     table_end();
-    table_begin_note("second", "n band dissection band_megabytes megabytes",
-                     "flops of a factorisation over those of a solve");
-    double kept[2];
-    for (int n = 32; n <= LARGEST; n *= 2) {
-        const struct matrix_cost b = cost_of(BAND, n);
-        const struct matrix_cost d = dissected(n, kept);
-        table_row(n, b.flops / b.solve, d.flops / d.solve, 8e-6 * b.numbers,
-                  8e-6 * kept[0]);
-    }
-    table_end();
 
     const struct matrix_cost *end = cost[SIZES - 1], *half = cost[SIZES - 2];
     const double flops = log2(end[DISSECTION].flops / half[DISSECTION].flops);
@@ -116,7 +102,5 @@ int main(void)
     claim(fill > 2.0 && fill < 2.3, "entries n^2 log n (exponent %g)", fill);
     claim(crossover[1] > 15 && crossover[1] < 30,
           "fewer flops than the band from n = %d on", crossover[1]);
-    claim(8e-6 * kept[1] < 220.0, "n = %d in 220 megabytes (%g)", LARGEST,
-          8e-6 * kept[1]);
     return table_finish();
 }

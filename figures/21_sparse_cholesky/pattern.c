@@ -29,9 +29,11 @@ static void print_blocks(const char *name, const struct dissection *d,
                 edge[order[d->row[b]]][order[v]] = 1;
     memcpy(filled, edge, sizeof edge);
     for (int k = 0; k < ALL; k++)
-        for (int i = k + 1; i < ALL; i++)
-            for (int j = k + 1; j < ALL && filled[i][k]; j++)
+        for (int i = k + 1; i < ALL; i++) {
+            if (!filled[i][k]) continue;
+            for (int j = k + 1; j < ALL; j++)
                 if (filled[j][k]) filled[i][j] = 1;
+        }
     count[0] = count[1] = 0;
     table_begin(name, "row column what");
     for (int i = 0; i < ALL; i++)
@@ -58,13 +60,15 @@ int main(void)
         for (int v = 0; v < d->piece[p].count; v++)
             depth[d->piece[p].first + v] = d->piece[p].depth;
     table_begin("grid", "i j place depth");
-    for (int a = 0, next = 0; a < mesh->n_vertex; a++) {
-        const int place = d->place[a];
-        if (held[a]) continue;
-        same[place] = place;
-        rows[place] = next++;
-        table_row(a % (N + 1), a / (N + 1), place, depth[place]);
-    }
+    int next = 0;
+    for (int j = 0; j <= N; j++)
+        for (int i = 0; i <= N; i++) {
+            const int a = j * (N + 1) + i, place = d->place[a];
+            if (held[a]) continue;
+            same[place] = place;
+            rows[place] = next++;
+            table_row(i, j, place, depth[place]);
+        }
     table_end();
     print_blocks("rows", d, rows, count[0]);
     print_blocks("dissection", d, same, count[1]);

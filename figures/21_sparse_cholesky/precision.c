@@ -28,7 +28,8 @@ static struct found solve(struct system *system, int single)
 {
     struct matrix *K = system->scene->body->K;
     const size_t bytes = (size_t)K->n * sizeof(double);
-    double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
+    double *b = allocate((size_t)K->n, sizeof *b);
+    double *x = allocate((size_t)K->n, sizeof *x);
     double size = 0.0, most = 0.0;
     struct found found;
     body_gather(system->scene->body, system->b, b);
@@ -45,6 +46,7 @@ static struct found solve(struct system *system, int single)
     found.megabytes = 1e-6 * (8.0 * (double)K->size +
                               (single ? 4.0 : 8.0) * K->pattern->numbers);
     free(b);
+    free(x);
     return found;
 }
 

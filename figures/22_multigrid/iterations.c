@@ -70,18 +70,19 @@ int main(void)
         struct bench t = {.K = system_matrix(s, NULL)};
         t.L = incomplete(t.K);
         t.m = multigrid_alloc(t.K, n);
-        t.b = allocate(2 * (size_t)t.K->n, sizeof *t.b);
-        t.x = t.b + t.K->n;
+        t.b = allocate((size_t)t.K->n, sizeof *t.b);
+        t.x = allocate((size_t)t.K->n, sizeof *t.x);
         system_right_side(s, NULL, t.b);
         if (n == SHOWN) print_history(&t);
-        for (int way = 0; way < WAYS; way++)
-            for (int k = 0; k < 2 && (way == MULTIGRID || n <= LARGEST); k++) {
+        for (int way = n <= LARGEST ? 0 : MULTIGRID; way < WAYS; way++)
+            for (int k = 0; k < 2; k++) {
                 const struct cg_report r =
                     solve(&t, (enum way)way, tolerance[k], 4000);
                 if (r.status == OK) count[i][way][k] = r.iterations;
                 cost[i][way] = r.iterations * (1.0 + worth((enum way)way, t.m));
             }
         free(t.b);
+        free(t.x);
         multigrid_free(t.m);
         factor_free(t.L);
         csr_free(t.K);

@@ -34,7 +34,10 @@ static struct live *drag(enum law law, unsigned long seed)
         if (k % 10 == 1)
             for (int i = 0; i < 2; i++)
                 to[i] = 4.0 * gsl_rng_uniform(random) - 2.0;
-        if (k >= 1) pointer.x = to[0], pointer.y = to[1];
+        if (k >= 1) {
+            pointer.x = to[0];
+            pointer.y = to[1];
+        }
         pointer.down = k < HELD;
         double hand[2];
         live_input(live, &pointer);
@@ -59,10 +62,11 @@ static void print_body(const struct live *live)
     table_begin("body", "kind J x0 y0 x1 y1 x2 y2");
     for (int e = 0; e < mesh->n_triangle; e++) {
         double x[6];
-        for (int k = 0; k < 6; k++) {
-            const int r = 2 * mesh->triangle[3 * e + k / 2] + k % 2;
-            x[k] = mesh->X[r] + u[r];
-        }
+        for (int a = 0; a < 3; a++)
+            for (int i = 0; i < 2; i++) {
+                const int r = 2 * mesh->triangle[3 * e + a] + i;
+                x[2 * a + i] = mesh->X[r] + u[r];
+            }
         table_row("triangle", mat2_det(body_deformation(live->body, u, e)),
                   x[0], x[1], x[2], x[3], x[4], x[5]);
     }

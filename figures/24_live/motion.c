@@ -28,11 +28,13 @@ int main(void)
         live_hand(live->hand, p, to);
         live_carry(live, to);
         lost += strcmp(live_frame(live, to).rung, "lost") == 0;
-        for (int e = 0; e < live->mesh->n_triangle && k % 3 == 0; e++) {
-            for (int c = 0; c < 6; c++) {
-                const int r = 2 * live->mesh->triangle[3 * e + c / 2] + c % 2;
-                x[c] = live->mesh->X[r] + live->now.u[r];
-            }
+        if (k % 3 != 0) continue;
+        for (int e = 0; e < live->mesh->n_triangle; e++) {
+            for (int a = 0; a < 3; a++)
+                for (int i = 0; i < 2; i++) {
+                    const int r = 2 * live->mesh->triangle[3 * e + a] + i;
+                    x[2 * a + i] = live->mesh->X[r] + live->now.u[r];
+                }
             table_row(k, mat2_det(body_deformation(live->body, live->now.u, e)),
                       x[0], x[1], x[2], x[3], x[4], x[5], p->x, p->y, p->down);
         }

@@ -59,11 +59,13 @@ static inline void elements_values(const struct body *body, double value[])
 {
     for (int e = 0; e < body->mesh->n_triangle; e++) {
         const double *kept = &body->K->a[(size_t)e * ELEMENT_KEPT];
-        for (int k = 0; k < ELEMENT_ENTRIES; k++) {
-            const int i = k / 6 > k % 6 ? k / 6 : k % 6, j = k / 6 + k % 6 - i;
-            const int block = i / 2 * (i / 2 + 1) / 2 + j / 2;
-            *value++ = kept[4 * block + i % 2 + j % 2 * 2];
-        }
+        for (int row = 0; row < 6; row++)
+            for (int column = 0; column < 6; column++) {
+                const int i = row > column ? row : column;
+                const int j = row + column - i, a = i / 2, b = j / 2;
+                const int block = a * (a + 1) / 2 + b;
+                *value++ = kept[4 * block + i % 2 + j % 2 * 2];
+            }
     }
 }
 

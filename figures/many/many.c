@@ -69,10 +69,14 @@ static PetscErrorCode assemble(struct piece *p, Vec U, enum tangent tangent)
     const struct incremental Phi = {p->set.dt, p->w.at, NULL};
     const enum status status =
         body_assemble(p->body, Phi, p->u.at, tangent, q);
-    for (int r = 0; r < 2 * p->mesh->n_vertex; r++) {
-        const double g = r % 2 ? 0.0 : p->end * X1(p, r / 2);
-        if (prescribed(p, r / 2)) q[r] = p->diagonal.at[r] * (p->u.at[r] - g);
-        if (status != OK) q[r] = (double)NAN;
+    for (int a = 0; a < p->mesh->n_vertex; a++) {
+        const double g[2] = {p->end * X1(p, a), 0.0};
+        for (int i = 0; i < 2; i++) {
+            const int r = 2 * a + i;
+            if (prescribed(p, a))
+                q[r] = p->diagonal.at[r] * (p->u.at[r] - g[i]);
+            if (status != OK) q[r] = (double)NAN;
+        }
     }
     return 0;
 }

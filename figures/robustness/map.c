@@ -27,11 +27,7 @@ static struct step_report first_step(struct scene *s, const char *method,
                                      double dt)
 {
     const struct step_control control = step_method(method);
-    const size_t bytes = (size_t)s->n_dof * sizeof(double);
-    memset(s->u, 0, bytes);
-    memset(s->v, 0, bytes);
-    memset(s->v_before, 0, bytes);
-    s->steps = 0;
+    scene_rest(s);
     s->set.dt = dt;
     return scene_step(s, &control);
 }

@@ -97,7 +97,8 @@ static void measure(int s, struct measured *t)
     const size_t n = (size_t)A->n, bytes = n * sizeof(double);
     struct matrix *copy = matrix_copy(A); /* wide enough for a plain band */
     double *dense = allocate(s < 2 ? n * bytes : 1, 1);
-    double *b = allocate(3 * bytes, 1), *x = b + n, *ours = b + 2 * n;
+    double *b = allocate(bytes, 1), *x = allocate(bytes, 1);
+    double *ours = allocate(bytes, 1);
     for (size_t i = 0; i < n; i++) b[i] = sin(2.385 * (double)i + 0.7);
     for (int run = 0; run < runs[s]; run++) {
         times_record(&t->peak, machine_peak_gigaflop(), 1);
@@ -120,8 +121,12 @@ static void measure(int s, struct measured *t)
             times_record(&t->all[k], all, valid);
         }
     }
-    matrix_free(A), matrix_free(copy);
-    free(dense), free(b);
+    matrix_free(A);
+    matrix_free(copy);
+    free(dense);
+    free(b);
+    free(x);
+    free(ours);
 }
 
 /* Multiplications and additions to leading order [eq:band-cost]. */

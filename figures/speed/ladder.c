@@ -59,16 +59,24 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
     struct multigrid *grids = NULL;
     double make = 0.0, apply = K->n, numbers = 0.0;
     const double start = clock_seconds();
-    if (rung == INCOMPLETE) context = L = incomplete(K), with = cg_incomplete;
-    if (rung == MULTIGRID)
-        context = grids = multigrid_alloc(K, n), with = multigrid_cycle;
+    if (rung == INCOMPLETE) {
+        context = L = incomplete(K);
+        with = cg_incomplete;
+    }
+    if (rung == MULTIGRID) {
+        context = grids = multigrid_alloc(K, n);
+        with = multigrid_cycle;
+    }
     const struct cg_report r =
         context ? cg_solve(K, with, context, 1e-12, 9999, b, x)
                 : (struct cg_report){.status = NOT_SPD};
     const double seconds = clock_seconds() - start;
-    for (int j = 0; L && j < L->n; j++) /* m^2 at most, with m entries */
-        make += pow(L->start[j + 1] - L->start[j], 2.0);
-    if (L) apply = 4.0 * (numbers = L->start[L->n]);
+    if (L) {
+        for (int j = 0; j < L->n; j++) /* m^2 at most, with m entries */
+            make += pow(L->start[j + 1] - L->start[j], 2.0);
+        numbers = L->start[L->n];
+        apply = 4.0 * numbers;
+    }
     if (grids) count_grids(grids, &make, &apply, &numbers);
     m->iterations = r.iterations;
     m->flops = make + r.iterations * (apply + 2.0 * K->start[K->n] +
@@ -87,7 +95,10 @@ static void by_factors(int rung, struct system *s, const struct csr *K,
     const enum storage storage[] = {DENSE, BANDED, SPARSE};
     struct matrix *A = body->K, *full = NULL;
     double *y = allocate((size_t)K->n, sizeof *y);
-    if (rung != FULL) system_store(s, storage[rung]), A = body->K;
+    if (rung != FULL) {
+        system_store(s, storage[rung]);
+        A = body->K;
+    }
     body_gather(body, s->b, y);
     if (rung == FULL) {
         A = full = matrix_alloc(DENSE, K->n, 0);
@@ -100,9 +111,10 @@ static void by_factors(int rung, struct system *s, const struct csr *K,
     const enum status status = matrix_factor(A);
     if (status == OK) matrix_solve(A, y);
     const double seconds = clock_seconds() - start;
-    for (int v = 0; v < K->n; v++)
-        x[v] = full ? y[v]
-                    : y[body->equation[2 * s->vertex[v / 2] + v % 2]];
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int i = 0; i < 2; i++)
+            x[2 * v + i] = full ? y[2 * v + i]
+                                : y[body->equation[2 * s->vertex[v] + i]];
     const struct sparse *p = body->pattern;
     const struct matrix_cost cost =
         rung == FRONTS ? (struct matrix_cost){p->numbers, p->flops, p->solve}
@@ -124,7 +136,8 @@ int main(void)
         const int n = 8 << i, turns = n <= 64 ? 9 : 3;
         struct system *s = system_alloc(n);
         struct csr *K = system_matrix(s, NULL);
-        double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
+        double *b = allocate((size_t)K->n, sizeof *b);
+        double *x = allocate((size_t)K->n, sizeof *x);
         system_right_side(s, NULL, b);
         for (int turn = 0; turn < turns; turn++)
             for (int k = 0; k < RUNGS; k++) {
@@ -132,7 +145,10 @@ int main(void)
                 if (k <= FRONTS) by_factors(k, s, K, b, x, &m[k][i]);
                 else by_cg(k, K, n, b, x, &m[k][i]);
             }
-        free(b), csr_free(K), system_free(s);
+        free(b);
+        free(x);
+        csr_free(K);
+        system_free(s);
     }
     table_begin("ladder", "solver n iterations flops numbers milliseconds");
     for (int k = 0; k < RUNGS; k++)

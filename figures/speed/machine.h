@@ -129,13 +129,16 @@ static inline void rival_fill(struct rival *c, const struct matrix *K)
     const struct sparse *s = K->pattern;
     int *start = c->A->p, *row = c->A->i, k = 0;
     double *value = c->A->x;
-    for (int j = 0; j < K->n; j++) {
-        start[j] = k;
-        for (int b = s->start[j / 2]; b < s->start[j / 2 + 1]; b++)
-            for (int i = 2 * s->row[b]; i < 2 * s->row[b] + 2; i++)
-                if (i >= j)
-                    row[k] = i, value[k++] = K->a[4 * b + j % 2 * 2 + i % 2];
-    }
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int j = 0; j < 2; j++) {
+            start[2 * v + j] = k;
+            for (int b = s->start[v]; b < s->start[v + 1]; b++)
+                for (int i = 0; i < 2; i++) {
+                    if (2 * s->row[b] + i < 2 * v + j) continue;
+                    row[k] = 2 * s->row[b] + i;
+                    value[k++] = K->a[4 * b + 2 * j + i];
+                }
+        }
     start[K->n] = k;
 }
 

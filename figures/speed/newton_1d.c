@@ -35,7 +35,7 @@ static double solve_line(int line, int n)
 {
     const size_t size = (size_t)n;
     struct matrix *A = matrix_alloc(BANDED, n, 1);
-    double *b = allocate(2 * size, sizeof *b), *x = b + size;
+    double *b = allocate(size, sizeof *b), *x = allocate(size, sizeof *x);
     for (int i = 0; i < n; i++) {
         b[i] = x[i] = sin(2.385 * i + 0.7);
         matrix_add(A, i, i, 2.0 + 1e-2);
@@ -62,9 +62,13 @@ static double solve_line(int line, int n)
     const double *answer = line == GSL_TRIDIAGONAL ? out->data : x;
     claim(matrix_residual(A, answer, b) <= 1e-12, "%s solves n = %d",
           name[line], n);
-    gsl_vector_free(d), gsl_vector_free(e), gsl_vector_free(out);
-    matrix_free(A), matrix_free(L);
+    gsl_vector_free(d);
+    gsl_vector_free(e);
+    gsl_vector_free(out);
+    matrix_free(A);
+    matrix_free(L);
     free(b);
+    free(x);
     return seconds / n;
 }
 
@@ -89,7 +93,8 @@ static double iterate(int line, const struct bar *bar, int iterations,
  * The answer: the bar is stretched evenly, by the force at its end. */
 static double newton_line(int line, int n)
 {
-    double *b = allocate(2 * (size_t)(n + 1), sizeof *b), *u = b + n + 1;
+    double *b = allocate((size_t)n + 1, sizeof *b);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     const struct bar bar = {
         n, 1.0 / n, {1, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
     b[n] = 238.5;
@@ -100,6 +105,7 @@ static double newton_line(int line, int n)
               fabs(u[n / 2] - u[n] * (n / 2) / n) < 1e-9,
           "%s solves n = %d", name[line], n);
     free(b);
+    free(u);
     return (four - one) / 3.0 / n;
 }
 

@@ -114,8 +114,9 @@ struct step_report readable_step(struct readable *r,
                                  const double g[], double u[], double v[])
 {
     const size_t n_dof = 2 * (size_t)r->body->mesh->n_vertex;
-    double *w = allocate(3 * n_dof, sizeof *w), *next = w + n_dof;
-    double *du = w + 2 * n_dof;
+    double *w = allocate(n_dof, sizeof *w);
+    double *next = allocate(n_dof, sizeof *next);
+    double *du = allocate(n_dof, sizeof *du);
     struct step_report report = {.status = MAX_ITERATIONS};
     for (size_t i = 0; i < n_dof; i++) {
         w[i] = u[i] + r->dt * v[i];
@@ -134,10 +135,13 @@ struct step_report readable_step(struct readable *r,
         if (report.increment <= 1e-10) report.status = OK;
     }
     report.factorisations = report.iterations;
-    for (size_t i = 0; i < n_dof && report.status == OK; i++) {
-        v[i] = (next[i] - u[i]) / r->dt;
-        u[i] = next[i];
-    }
+    if (report.status == OK)
+        for (size_t i = 0; i < n_dof; i++) {
+            v[i] = (next[i] - u[i]) / r->dt;
+            u[i] = next[i];
+        }
     free(w);
+    free(next);
+    free(du);
     return report;
 }

@@ -30,8 +30,10 @@ static enum status one_step(struct scene *s, struct rival *c)
     control.chord = 1;
     if (!c) return scene_step(s, &control).status;
     const int n = s->n_dof;
-    double *w = allocate(4 * (size_t)n, sizeof *w), *next = w + n;
-    double *q = next + n, *x = q + n, size = INFINITY;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *next = allocate((size_t)n, sizeof *next);
+    double *q = allocate((size_t)n, sizeof *q);
+    double *x = allocate((size_t)n, sizeof *x), size = INFINITY;
     const struct incremental Phi = {s->set.dt, w, NULL};
     enum status status = OK;
     for (int r = 0; r < n; r++) {
@@ -58,6 +60,9 @@ static enum status one_step(struct scene *s, struct rival *c)
         s->u[r] = next[r];
     }
     free(w);
+    free(next);
+    free(q);
+    free(x);
     return status;
 }
 
@@ -71,7 +76,9 @@ static void measure_system(struct system *s, int k, struct measured *m)
     system_store(s, body->K->storage);
     if (k == SINGLE) matrix_keep_single(body->K, 1);
     struct csr *K = system_matrix(s, NULL);
-    double *x = allocate(3 * (size_t)K->n, sizeof *x), *b = x + K->n;
+    const size_t size = (size_t)K->n;
+    double *x = allocate(size, sizeof *x), *b = allocate(size, sizeof *b);
+    double *by_rows = allocate(size, sizeof *by_rows);
     int fine = 0;
     body_gather(body, s->b, x);
     for (int turn = k == BAND; turn < 2; turn++) { /* 0: memory is touched */
@@ -84,16 +91,20 @@ static void measure_system(struct system *s, int k, struct measured *m)
     else if (k == SINGLE) refine_solve(body->K, 1e-12, x, NULL);
     else matrix_solve(body->K, x);
     t[3] = clock_seconds();
-    for (int v = 0; v < K->n; v++)
-        b[K->n + v] = x[body->equation[2 * s->vertex[v / 2] + v % 2]];
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int i = 0; i < 2; i++)
+            by_rows[2 * v + i] = x[body->equation[2 * s->vertex[v] + i]];
     system_right_side(s, NULL, b);
-    const int valid = fine && csr_backward_error(K, b + K->n, b) <= 1e-12;
+    const int valid = fine && csr_backward_error(K, by_rows, b) <= 1e-12;
     times_record(&m->analysis, analysis, valid);
     times_record(&m->factor, t[2] - t[1], valid);
     times_record(&m->solve, t[3] - t[2], valid);
     m->mb = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
     if (c) rival_free(c);
-    free(x), csr_free(K);
+    free(x);
+    free(b);
+    free(by_rows);
+    csr_free(K);
 }
 
 static void measure(int n, struct measured m[SOLVERS])

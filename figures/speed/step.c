@@ -81,7 +81,8 @@ static void run(int k, struct scene *s, int first, int last, double path[],
 static void measure(int n, int missed[METHODS], struct measured *m)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
-    m->n = n, set.reach = 0.5;
+    m->n = n;
+    set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
     double *path = allocate((FRAMES + 1) * 3 * (size_t)s->n_dof, sizeof *path);
     run(DISSECTED, s, 1, FRAMES, path, m); /* and memory is touched */
@@ -151,14 +152,17 @@ int main(void)
         const int row = m[i].n + 1, fine = 2 * m[i].n + 1;
         const double *u = m[i].u, *v = m[2 * i + 1].u;
         double rms = 0.0, max = 0.0;
-        for (int a = 0; a < row * row; a++) {
-            const int b = 4 * (a / row * fine + a % row);
-            const double d = hypot(u[2 * a] - v[b], u[2 * a + 1] - v[b + 1]);
-            rms = hypot(rms, d / row);
-            max = fmax(max, d);
-        }
-        order[0] = order_of(before[0], rms, 2.0), before[0] = rms;
-        order[1] = order_of(before[1], max, 2.0), before[1] = max;
+        for (int j = 0; j < row; j++)
+            for (int k = 0; k < row; k++, u += 2) {
+                const double *other = &v[4 * (j * fine + k)];
+                const double d = hypot(u[0] - other[0], u[1] - other[1]);
+                rms = hypot(rms, d / row);
+                max = fmax(max, d);
+            }
+        order[0] = order_of(before[0], rms, 2.0);
+        order[1] = order_of(before[1], max, 2.0);
+        before[0] = rms;
+        before[1] = max;
         const struct times *t = m[i].t;
         table_row(m[i].n, rms, cell_if(i > 0, order[0]), max,
                   cell_if(i > 0, order[1]), ms(t, 0.5), ms(t + 1, 0.5),

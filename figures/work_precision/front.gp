@@ -1,8 +1,8 @@
 # front.gp - error against counted flops of every setting in six scenes, the
 # front, what the balance rule takes, the floor of the reference; settings that
 # fail have no cost and stand at the top.
-# Reads   data  tables settings, front, takes (scene law method error flops
-#               reason), scenes (scene floor)
+# Reads   data  tables settings, front (scene asked law method error flops
+#               reason; asked 0: the front, else the rule), scenes (scene floor)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,640
@@ -57,9 +57,9 @@ do for [s = 1:6] {
          for [l = 1:3] for [m = 1:5] apart \
              using (of(s, l, m)):"error" with points pt Point[m] ps 0.55 \
              lc rgb Color[l] notitle, \
-         data index "front" using (here(s) ? column("flops") : NaN):"error" \
+         data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with steps lw 2 lc rgb "#009E73" notitle, \
-         data index "takes" using (here(s) ? column("flops") : NaN):"error" \
+         data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.4 lw 2 lc rgb "#CC79A7" notitle
 }
 # the key, in a plot of its own

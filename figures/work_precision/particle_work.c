@@ -62,29 +62,40 @@ static void advance(const struct particle_setting *set, struct cloud c,
                     (cost.flops + all - look);
 }
 
+/* u at X: the mean of what the particles near it say, each by its F; they
+ * began in rows, `apart` from each other. */
+static void read_vertex(const double X[2], int row, double apart,
+                        const struct particles *p, double u[2])
+{
+    int near = 0;
+    u[0] = u[1] = 0.0;
+    for (int j = 0; j < row; j++)
+        for (int i = 0; i < row; i++) {
+            const double d[2] = {X[0] - apart * (i + 0.5),
+                                 X[1] + 1.0 - apart * (j + 0.5)};
+            if (fabs(d[0]) > 0.6 * apart || fabs(d[1]) > 0.6 * apart) continue;
+            const int q = j * row + i;
+            const mat2 F = p->F[q];
+            for (int k = 0; k < 2; k++)
+                u[k] += p->x[2 * q + k] + F.m[k][0] * d[0] +
+                        F.m[k][1] * d[1] - X[k];
+            near++;
+        }
+    for (int k = 0; k < 2; k++) u[k] /= near;
+}
+
 /* u of the square at the shared vertices. */
 static void read_square(const struct particle_setting *set,
                         const struct particles *p, struct work *w)
 {
     const int row = set->cells * set->per_cell;
-    const double apart = 2.0 / row;
     w->n_shared = 2 * WORK_SHARED;
-    for (int a = 0; a < WORK_SHARED; a++) {
-        const double X[2] = {0.5 * (a % 5), 0.5 * (a / 5) - 1.0};
-        double sum[2] = {0.0, 0.0};
-        int near = 0;
-        for (int q = 0; q < p->n; q++) {
-            const double d[2] = {X[0] - apart * (q % row + 0.5),
-                                 X[1] + 1.0 - apart * (q / row + 0.5)};
-            if (fabs(d[0]) > 0.6 * apart || fabs(d[1]) > 0.6 * apart) continue;
-            const mat2 F = p->F[q];
-            for (int k = 0; k < 2; k++)
-                sum[k] += p->x[2 * q + k] + F.m[k][0] * d[0] +
-                          F.m[k][1] * d[1] - X[k];
-            near++;
+    double *u = w->u;
+    for (int J = 0; J < WORK_SHARED / 5; J++)
+        for (int I = 0; I < 5; I++, u += 2) {
+            const double X[2] = {0.5 * I, 0.5 * J - 1.0};
+            read_vertex(X, row, 2.0 / row, p, u);
         }
-        for (int k = 0; k < 2; k++) w->u[2 * a + k] = sum[k] / near;
-    }
 }
 
 struct work particle_work(const struct particle_setting *set)

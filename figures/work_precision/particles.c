@@ -33,12 +33,14 @@ static const struct curve {
                   {"implicit_elements", 0, 0, 1, 1, PIC, 4, 32, 5},
                   {"implicit", 2, 2, 1, 1, APIC, 4, 16, 5}}};
 enum { CURVES = 7, SIZES = 7 };
-#define COLUMNS "curve cells steps systems error flops ms reason"
+static const char *const body[] = {"bar", "block", "steps"};
 
-/* A row; the error, relative to the size of the truth, INFINITY if not OK. */
-static double print(const struct curve *c, int let_go, int cells, int steps,
+/* A row for body[b]; the error, relative to the size of the truth, INFINITY if
+ * not OK. */
+static double print(const struct curve *c, int b, int cells, int steps,
                     const struct work *truth, double *flops)
 {
+    const int let_go = b > 0;
     const struct work_setting elements = {
         WEIGHT, LOG, 1, cells, steps,
         c->implicit ? BACKWARD_EULER : SYMPLECTIC_EULER, 1e-9};
@@ -54,8 +56,9 @@ static double print(const struct curve *c, int let_go, int cells, int steps,
     }
     const double e = work_distance(&w, truth) / work_distance(truth, NULL);
     const int ok = w.status == OK;
-    table_row(c->name, cells, steps, w.systems, cell_if(ok, e), cell_if(ok,
-              w.flops), cell_if(ok, 1e3 * best), status_name(w.status));
+    table_row(body[b], c->name, cells, steps, w.systems, cell_if(ok, e),
+              cell_if(ok, w.flops), cell_if(ok, 1e3 * best),
+              status_name(w.status));
     *flops = w.flops;
     return e;
 }
@@ -81,20 +84,17 @@ int main(void)
     truth[1] = work_limit(&model, &floor);
     floor /= work_distance(&truth[1], NULL);
     study_machine();
-    for (int b = 0; b < 2; b++) {
-        table_begin(b ? "block" : "bar", COLUMNS);
+    table_begin("runs", "body curve cells steps systems error flops ms reason");
+    for (int b = 0; b < 2; b++)
         for (int k = 0; k < CURVES; k++) {
             const struct curve *c = &curve[b][k];
             for (int i = 0, n = c->first; n <= c->last; i++, n *= 2)
                 e[b][k][i] = print(c, b, n, c->steps * (b ? n : 1), &truth[b],
                                    &flops[b][k][i]);
         }
-        table_end();
-    }
-    table_begin("steps", COLUMNS);
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 9; i++)
-            if (isfinite(print(&curve[1][k], 1, 8, steps[i], &truth[1], &used)))
+            if (isfinite(print(&curve[1][k], 2, 8, steps[i], &truth[1], &used)))
                 few[k] = steps[i];
     table_end();
     table_begin("fewest", "elements linear quadratic cubic floor");
@@ -107,7 +107,7 @@ int main(void)
             const double wanted = !b ? 1e-4 : i ? 0.03 : 0.02;
             const double times = price(e[b][k], flops[b][k], wanted) /
                                  price(e[b][i], flops[b][i], wanted);
-            table_row(b ? "block" : "bar", curve[b][k].name, wanted,
+            table_row(body[b], curve[b][k].name, wanted,
                       cell_if(isfinite(times), times));
             claim(i == k || !(times < (b ? 10.0 : 3.0)), "elements win");
         }

@@ -1,8 +1,8 @@
 # particles.gp - error of particles and of finite elements against counted flops
 # and against milliseconds: the bar, the block, and the block in fewer and fewer
 # steps.  Runs that fail have no cost and stand at the top.
-# Reads   data  tables bar, block, steps (curve error flops ms reason), fewest
-#               (floor), machine; from `make bench`
+# Reads   data  tables runs (body curve error flops ms reason), fewest (floor),
+#               machine; from `make bench`
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/work_precision/particles.tsv"
 if (!exists("out"))  out  = "figures/work_precision/particles.svg"
@@ -21,10 +21,11 @@ array Color[9] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#E69F00", \
     "#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 array Dash[9] = [1, 1, 1, 1, 1, 2, 2, 2, 1]
 array Point[9] = [7, 9, 5, 13, 11, 8, 4, 12, 10]
-of(k) = strcol("curve") eq Curve[int(k)] && strcol("reason") eq "OK" ? \
+of(b, k) = strcol("body") eq Body[int(b)] && \
+    strcol("curve") eq Curve[int(k)] && strcol("reason") eq "OK" ? \
         column("error") : NaN
 lost(b, k) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
-    t == \"# %s\" && $1 == \"%s\" && $8 != \"OK\" { n++ } \
+    t == \"# runs\" && $1 == \"%s\" && $2 == \"%s\" && $9 != \"OK\" { n++ } \
     END { print n + 0 }' '%s'", Body[b], Curve[k], data)) + 0
 set multiplot
 set label 20 machine(data) at screen 0.01,0.012 left font ",10"
@@ -59,14 +60,13 @@ do for [row = 0:1] {
     set label 14 (i > 0 ? "failed" : "") at graph 0.05, 0.94 font ",12" \
         textcolor rgb "#555555"
     unset key
-    table = Body[b]
     cost = row ? "ms" : "flops"
     plot data index "fewest" using (low):(b == 1 ? 1e-9 : column("floor")):(high):(0) \
              with vectors nohead ls 8 dt 3 notitle, \
-         for [k = 1:9] data index table using (column(cost)):(of(k)) \
+         for [k = 1:9] data index "runs" using (column(cost)):(of(b, k)) \
              with linespoints lw 1.5 pt Point[k] ps 0.6 lc rgb Color[k] \
              dt Dash[k] notitle, \
-         data index table using (column(cost)):(strcol("curve") eq "implicit_elements" ? column("error") : NaN) \
+         data index "runs" using (column(cost)):(strcol("body") eq Body[b] && strcol("curve") eq "implicit_elements" ? column("error") : NaN) \
              with linespoints lw 1.5 pt 6 ps 0.6 lc rgb "black" notitle
     unset label 20
   }

@@ -1,6 +1,8 @@
 /* sweep.c - see sweep.h. */
 #include "sweep.h"
 
+#include "base/table.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -222,4 +224,16 @@ int sweep_balanced(const struct sweep *sweep, double error)
             if (end && (!best || end->flops < best->flops)) best = end;
         }
     return best ? (int)(best - sweep->work) : -1;
+}
+
+void sweep_row(const struct sweep *sweep, int k, double asked)
+{
+    const struct work_setting *set = &sweep->set[k];
+    const int ok = sweep->work[k].status == OK;
+    table_row(work_scene_name(sweep->scene), asked, material_law(set->law),
+              set->dynamic ? method_name(set->method) : "static", set->n,
+              set->steps, set->tolerance,
+              ok ? cell_rounded(4, sweep->error[k]) : cell_word(MISSING),
+              cell_if(ok, sweep->work[k].flops),
+              status_name(sweep->work[k].status), sweep->work[k].systems);
 }

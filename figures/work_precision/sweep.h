@@ -50,4 +50,10 @@ double sweep_parts(const struct sweep *sweep, const struct work_setting *set,
  */
 int sweep_balanced(const struct sweep *sweep, double error);
 
+/* A row with the columns SWEEP_COLUMNS for setting k; `asked`: the error that
+ * it was wanted for, 0: none. */
+#define SWEEP_COLUMNS "scene asked law method n steps tolerance error flops " \
+                      "reason systems"
+void sweep_row(const struct sweep *sweep, int k, double asked);
+
 #endif

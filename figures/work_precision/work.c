@@ -128,8 +128,10 @@ static struct step_report linear(struct model *model, double d,
 {
     const struct body *body = model->body;
     const int n = model->n_dof;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *force = q + n, *some = force + n;
+    double *move = allocate((size_t)n, sizeof *move);
+    double *q = allocate((size_t)n, sizeof *q);
+    double *force = allocate((size_t)n, sizeof *force);
+    double *some = allocate((size_t)n, sizeof *some);
     for (int i = 0; i < n; i++) u[i] = a[i] + d * b[i];
     step_boundary(body, g, 1, u);
     for (int i = 0; i < n; i++) move[i] = u[i] - a[i] - d * b[i];
@@ -143,6 +145,9 @@ static struct step_report linear(struct model *model, double d,
         for (int i = 0; i < n; i++) u[i] += q[i];
     }
     free(move);
+    free(q);
+    free(force);
+    free(some);
     return report;
 }
 

@@ -92,9 +92,13 @@ rule 'the first slot of a solution begins before line 70' "$(slots first)"
 rule 'slots stand in the order of their letters' "$(slots order)"
 rule 'no function with a slot is declared before it is defined' "$(slots declared)"
 rule 'slots have a comment for every 15 lines' "$(slots comments)"
+rule 'a study prints at most 3 tables, beside the machine' \
+    "$(grep -cE '(^|[^a-z_])table_(begin|begin_note|matrix)\(' $studies | awk -F: '$2 > 3')"
+rule 'no line is saved where it should not be (tests/tools/golf.awk)' \
+    "$(awk -f tests/tools/golf.awk common/*/*.[ch] solutions/*.c figures/*/*.[ch])"
 rule 'a study ends in its claim, and takes no options' \
     "$(for f in $studies; do
-        case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
+        case $f in figures/speed/* | */work_precision/fronts.c) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
         grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
 rule "every word of the judge's is in tests/checks/names.h" \

@@ -5,7 +5,7 @@
  * to the answer, the best of four runs.  A run that is not OK has no time.
  */
 #include "base/study.h"
-#include "figures/work_precision/sweep.h"
+#include "sweep.h"
 #include "base/table.h"
 
 #include <math.h>
