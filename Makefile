@@ -164,7 +164,8 @@ $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge guard output predict child)
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose verdict compare \
+          tables claims guard output predict child confine sight)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)

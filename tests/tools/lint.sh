@@ -70,9 +70,9 @@ longest() {
     done
 }
 rule 'main() has at most 50 lines' \
-    "$(longest "$(ls solutions/*.c)" 50 '^int main\(')"
+    "$(longest "$(ls solutions/*.c)" 50 '^int main[(]')"
 rule 'a function has at most 60 lines' \
-    "$(longest "$sources" 60 '^[a-z_].*\(')"
+    "$(longest "$sources" 60 '^[a-z_].*[(]')"
 rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
@@ -83,11 +83,12 @@ rule 'a study ends in its claim, and takes no options' \
         grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
 
 rule "every word of the judge's is in tests/checks/names.h" \
-    "$(for f in judge output child predict; do
+    "$(for f in judge judging output child confine predict; do
         awk -f tests/tools/names.awk tests/checks/$f.h | sed -n 's/^name //p'
     done | sort -u | while read -r name; do
-        cat tests/checks/judge.h tests/checks/output.h tests/checks/child.h \
-            tests/checks/predict.h | grep -qE "(^|[^a-z_])$name\(" ||
+        cat tests/checks/judge.h tests/checks/judging.h tests/checks/output.h \
+            tests/checks/child.h tests/checks/confine.h tests/checks/predict.h |
+            grep -qE "(^|[^a-z_])$name\(|^extern .*[ *]$name[;[]" ||
             grep -q "^struct $name " tests/checks/judge.h || continue
         grep -q "^#define $name judge_$name\$" tests/checks/names.h ||
             [ "$name" = program_main ] || echo "$name"; done)"
