@@ -125,8 +125,9 @@ help:
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
-	@echo '  for teachers:     starters  workbook  verify-07  mutants-07  memcheck'
-	@echo '                    clean'
+	@echo '  for teachers:     verify-07  mutants-07  starters  workbook-07  workbook'
+	@echo '  and authors       lint  memcheck  clean  (CONTRIBUTING.md says how)'
+	@echo '  make new-25 NAME=spring      the files of a new lesson'
 	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 
 deps:
@@ -229,7 +230,7 @@ endef
 $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
     $f,$(TIMED)),$(BUILD)/)$(call picture,$f))))
 # The map of the course is drawn from the heads of the chapters.
-figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md)
+figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md figures/*/README.md)
 	$(call say,map,$@)
 	$(Q)$(WHOLE) awk -f $< $(filter %.md,$^) > $(PART) && $(MOVED)
 figures: $(FIGURES) $(TIMED_HERE)
@@ -317,6 +318,11 @@ live: $(LIB)
 	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
 	@echo 'The frames are in $(BUILD)/live.tsv'
 
+# The files of a new lesson: make new-25 NAME=spring
+new-%:
+	@sh tests/tools/new.sh '$*' '$(NAME)'
+	@$(SHARED)$(MAKE) workbook-$* figures/map.svg figures/$*_$(NAME)/order.svg
+
 lesson-% check-% hint-% plot-% solution-% reset-% watch-%:
 	@echo "There is no lesson $*. The lessons are:" >&2
 	@for l in $(LESSONS); do echo "  $$l" >&2; done
@@ -331,7 +337,7 @@ clean:
 # without them, and answers at once.
 ifeq ($(filter-out help deps status alone lesson-% check-% hint-% solution-% \
       reset-% watch-% live $(INTO),$(or $(MAKECMDGOALS),help)),)
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/common/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d))
 else
 include tests/tests.mk
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

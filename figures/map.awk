@@ -1,61 +1,80 @@
 # map.awk - the map of the course, an SVG on stdout.
 #
-#     awk -f figures/map.awk lessons/[0-9]*.md > figures/map.svg
+#     awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md
+#     awk -v free=1 -f ...      "column row" of a place for one more
 #
-# Minutes and what a lesson rests on are read from the first paragraph of its
-# chapter.  An arrow is drawn where no other way leads there.  The place of each
-# lesson on the map, its part and its short title stand here.
+# All is read from the head of each chapter, before its first section: minutes,
+# and what it rests on, from the paragraph there, and from the comment behind it
+#
+#     <!-- map 4 2 2; Neo-Hookean bar; L2 2.1 to 2.5; PS -->
+#
+# the place (column 1 to 6, row from 1), the part of the course (`-` for what is
+# only read), a short title, and the section of the notes.  There are as many
+# rows as the chapters ask for.  An arrow is drawn where no other way leads
+# there, round about where boxes are in its way.  A chapter without a place and
+# two in one are errors.
 
 BEGIN {
-    # NN column row part; title; section of the notes
-    n = split("\
-03 1 1 1;Prescribed values;L2 1.1 (1)|\
-04 2 1 1;Two flux ends;L2 1.1 (2)|\
-05 3 1 1;Stiffness matrix;L2 1.1 (3)|\
-06 4 1 1;Quadrature;L2 1.1 (4)|\
-07 5 1 1;Error and order;L2 1.1 (5)|\
-08 6 1 1;Element assembly;L2 1.1 (6)|\
-01 2 2 2;Deformation;L1 Kinematics|\
-02 3 2 2;Energy and stress;L1; L2 2.2, 2.3|\
-09 5 2 2;The linear bar;L1 1D Elasticity|\
-10 4 2 2;Neo-Hookean bar;L2 2.1 to 2.5; PS|\
-11 5 3 2;Newton fails;L2 2.5.5, 2.5.6|\
-12 4 3 3;Triangles;L2 3.3.2 to 3.3.4|\
-13 4 4 3;Backward Euler;L2 3.3.1, 3.3.5|\
-14 3 4 3;Four integrators;L1 Time stepping|\
-15 5 4 4;Definiteness;Lecture 3|\
-16 6 3 4;Inverted triangles;L3, Figure 5|\
-17 3 3 4;Fibres;L1 Anisotropy|\
-18 4 5 5;Particles and grid;MPM P2G, G2P|\
-19 5 5 5;Particle forces;MPM weak form|\
-20 6 5 5;Implicit particles;MPM time step|\
-21 3 5 6;Sparse Cholesky;beyond the notes|\
-22 3 6 6;Multigrid;beyond the notes|\
-23 2 5 6;The least model;the whole course|\
-24 2 4 6;In your hands;L1 the loop|\
--- 4 6 0;Where a step fails;after 13|\
--- 5 6 0;Work and precision;after 14|\
--- 6 6 0;Speed;after 14|\
--- 2 6 0;Many machines;after 22", line, "|")
-    split("Poisson's equation|Material and bar|The moving square|\
-Its limits|Particles (MPM)|Cost and use", part, "|")
+    split("Poisson's equation|Material and bar|The moving square|" \
+        "Its limits|Particles (MPM)|Cost and use", part, "|")
     split("#CFE3F0 #FBE3CF #CDEBDD #F2DCEA #FCEFC0 #E4E4E4", fill, " ")
     width = 132; height = 58; left = 8; top = 8; right = 150.8; down = 94
 }
 
-FNR == 1 { head = ""; split(FILENAME, path, "/"); nn = substr(path[2], 1, 2) }
-FNR == 3 { inside = 1 }
+function bad(text) {
+    print "map: " text > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+function placed(    word, k, text) {
+    text = $0
+    sub(/^<!-- map */, "", text)
+    sub(/ *-->$/, "", text)
+    k = index(text, ";")
+    split(substr(text, 1, k - 1), word, " ")
+    text = substr(text, k + 2)
+    k = index(text, ";")
+    if (!k || word[1] !~ /^[1-6]$/ || word[2] !~ /^[1-9][0-9]*$/ || \
+        word[3] !~ /^([1-6]|-)$/)
+        bad(FILENAME ": column row part; title; section")
+    column[nn] = word[1]; row[nn] = word[2]; kind[nn] = word[3] + 0
+    if (at[word[1], word[2]] != "")
+        bad(FILENAME ": the place of " at[word[1], word[2]])
+    at[word[1], word[2]] = nn
+    if (row[nn] > rows) rows = row[nn]
+    title[nn] = substr(text, 1, k - 1)
+    where[nn] = substr(text, k + 2)
+}
+
+FNR == 1 {
+    head = ""
+    split(FILENAME, path, "/")
+    nn = path[1] == "lessons" ? substr(path[2], 1, 2) : path[2]
+    id[++n] = nn
+    file[n] = FILENAME
+    heading = 1
+}
+/^## / { heading = inside = 0 }
+heading && FNR == 3 { inside = 1 }
 inside { head = head " " $0 }
 inside && /\*$/ {
     inside = 0
     if (match(head, /About [0-9]+ minutes/))
         minutes[nn] = substr(head, RSTART + 6, RLENGTH - 14) + 0
-    while (match(head, /\]\([0-9][0-9]_/)) {
+    while (nn ~ /^[0-9]/ && match(head, /\]\([0-9][0-9]_/)) {
         rests[nn] = rests[nn] " " substr(head, RSTART + 2, 2)
         head = substr(head, RSTART + RLENGTH)
     }
 }
+heading && /^<!-- map / { placed() }
 
+# whether a box stands in these columns and rows, but for those of a and b
+function occupied(c0, c1, r0, r1, a, b,    c, r) {
+    for (c = c0 < c1 ? c0 : c1; c <= c0 || c <= c1; c++)
+        for (r = r0 < r1 ? r0 : r1; r <= r0 || r <= r1; r++)
+            if (at[c, r] != "" && at[c, r] != a && at[c, r] != b) return 1
+    return 0
+}
 # whether lesson a rests on lesson b, directly or not
 function needs(a, b,    k, i, word) {
     k = split(rests[a], word, " ")
@@ -63,14 +82,37 @@ function needs(a, b,    k, i, word) {
         if (word[i] == b || needs(word[i], b)) return 1
     return 0
 }
+# whether the arrow from b to a runs over a box, in the first ways of arrow()
+function over(b, a) {
+    if (row[a] == row[b])
+        return occupied(column[b], column[a], row[a], row[a], a, b)
+    if (row[a] < row[b])
+        return occupied(column[b], column[a], row[b], row[b], a, b) || \
+               occupied(column[a], column[a], row[a], row[b], a, b)
+    if (column[b] == 6)
+        return occupied(6, 6, row[b], row[a], a, b) || \
+               occupied(6, column[a], row[a], row[a], a, b)
+    return row[a] > row[b] + 1 && \
+           occupied(column[b], column[a], row[b] + 1, row[a] - 1, a, b)
+}
+function crossings(    i, sum) {
+    for (i = 1; i <= arrows; i++) sum += over(tail[i], tip[i])
+    return sum + 0
+}
 function say(x, y, size, anchor, text, more) {
-    printf "<text x=\"%g\" y=\"%g\" font-size=\"%d\"%s%s>%s</text>\n", x, y, \
-        size, anchor == "" ? "" : " text-anchor=\"" anchor "\"", more, text
+    if (anchor != "") more = " text-anchor=\"" anchor "\"" more
+    printf "<text x=\"%g\" y=\"%g\" font-size=\"%d\"%s>%s</text>\n", x, y, \
+        size, more, text
 }
 # from lesson b to lesson a, which rests on it
 function arrow(b, a,    x0, y0, x1, y1, way) {
     x0 = X[b]; y0 = Y[b]; x1 = X[a]; y1 = Y[a]
-    if (y0 == y1) {                    # beside
+    if (over(b, a)) { # round about: below b, left of the column of a
+        way = sprintf("M%g,%g V%g H%g V%g H%g V%g", x0 + width / 2 - 8, \
+            y0 + height, y0 + height + 12, x1 - 9, \
+            y1 > y0 ? y1 - 12 : y1 + height + 12, x1 + width / 2, \
+            y1 > y0 ? y1 - 2 : y1 + height + 2)
+    } else if (y0 == y1) {             # beside
         way = sprintf("M%g,%g H%g", x0 + (x1 > x0 ? width : 0), \
             y0 + height / 2, x1 + (x1 > x0 ? -2 : width + 2))
     } else if (y1 < y0 || column[b] == 6) { # sideways, then up or down
@@ -89,34 +131,15 @@ function arrow(b, a,    x0, y0, x1, y1, way) {
 }
 
 END {
-    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" " \
-        "height=\"546\" viewBox=\"0 0 900 546\" font-family=\"Helvetica, " \
-        "Arial, sans-serif\">"
-    print "<title>The map of the course</title>"
-    print "<defs><marker id=\"tip\" viewBox=\"0 0 10 8\" refX=\"9\" " \
-        "refY=\"4\" markerWidth=\"8\" markerHeight=\"7\" orient=\"auto\" " \
-        "markerUnits=\"userSpaceOnUse\">" \
-        "<path d=\"M0,0 L10,4 L0,8 z\" fill=\"#222\"/></marker></defs>"
-    print "<rect width=\"900\" height=\"546\" fill=\"#ffffff\"/>"
+    if (failed) exit 1
     for (i = 1; i <= n; i++) {
-        k = index(line[i], ";")
-        split(substr(line[i], 1, k - 1), word, " ")
-        rest = substr(line[i], k + 1)
-        k = index(rest, ";")
-        id[i] = word[1] == "--" ? "--" i : word[1]
         nn = id[i]
-        column[nn] = word[2]
-        kind[nn] = word[4]
-        title[nn] = substr(rest, 1, k - 1)
-        where[nn] = substr(rest, k + 1)
-        X[nn] = left + right * (word[2] - 1) - (word[2] == 6 ? 2 : 0)
-        Y[nn] = top + down * (word[3] - 1)
+        if (!(nn in row)) bad(file[i] ": no place on the map")
+        if (kind[nn] && !minutes[nn]) bad(file[i] ": no minutes")
+        X[nn] = left + right * (column[nn] - 1) - (column[nn] == 6 ? 2 : 0)
+        Y[nn] = top + down * (row[nn] - 1)
         sum[kind[nn]] += minutes[nn]
-        total += minutes[nn]
-        if (kind[nn] && !minutes[nn]) {
-            print "map: no minutes for lesson " nn > "/dev/stderr"
-            exit 1
-        }
+        if (kind[nn]) total += minutes[nn]
     }
     for (i = 1; i <= n; i++) {
         k = split(rests[id[i]], word, " ")
@@ -124,9 +147,29 @@ END {
             other = 0
             for (l = 1; l <= k; l++)
                 if (l != j && needs(word[l], word[j])) other = 1
-            if (!other) arrow(word[j], id[i])
+            if (!other) { tail[++arrows] = word[j]; tip[arrows] = id[i] }
         }
     }
+    for (r = 2; free && r <= rows + 1; r++)
+        for (c = 2; c <= 6; c++) {
+            if (at[c, r] != "") continue
+            before = crossings()
+            at[c, r] = "a new one"
+            if (crossings() == before) { print c, r; exit }
+            at[c, r] = ""
+        }
+    bottom = 2 * top + down * (rows - 1) + height + 2
+    if (bottom < 470) bottom = 470 # what stands on the left
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" " \
+        "height=\"" bottom "\" viewBox=\"0 0 900 " bottom "\" " \
+        "font-family=\"Helvetica, Arial, sans-serif\">"
+    print "<title>The map of the course</title>"
+    print "<defs><marker id=\"tip\" viewBox=\"0 0 10 8\" refX=\"9\" " \
+        "refY=\"4\" markerWidth=\"8\" markerHeight=\"7\" orient=\"auto\" " \
+        "markerUnits=\"userSpaceOnUse\">" \
+        "<path d=\"M0,0 L10,4 L0,8 z\" fill=\"#222\"/></marker></defs>"
+    print "<rect width=\"900\" height=\"" bottom "\" fill=\"#ffffff\"/>"
+    for (i = 1; i <= arrows; i++) arrow(tail[i], tip[i])
     for (i = 1; i <= n; i++) {
         nn = id[i]
         printf "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" rx=\"5\" " \

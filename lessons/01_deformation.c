@@ -28,18 +28,6 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* The maps of the notes' Figure 4. */
-static double sine(double X) { return sin(2.0 * M_PI * X); }
-static double square(double X) { return X * X; }
-
-/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
-static void push(double s, const double X[2], double x[2])
-{
-    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
-    x[0] = X[0] + s * p * p * q * q;
-    x[1] = X[1];
-}
-
 /*
  * F of the bar element whose ends X0 and X1 (X0 > X1 is allowed) are now at x0
  * and x1.  Returns the sign of F [eq:deformation-gradient]: 1 upright, -1
@@ -57,27 +45,6 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
     return sign;
 }
 
-/* F of n equal elements of (a, 1) under phi. */
-static void print_bar(field *phi, double a, int n)
-{
-    static const char *const word[] = {"inverted", "collapsed", "upright"};
-    double *X = allocate(2 * (size_t)(n + 1), sizeof *X), *x = X + n + 1;
-    double size = 0.0, F = 0.0;
-
-    grid_make(a, 1.0, n, 1.0, X);
-    for (int j = 0; j <= n; j++) {
-        x[j] = phi(X[j]);
-        size = fmax(size, fmax(fabs(X[j]), fabs(x[j])));
-    }
-    table_begin("bar", "X0 X1 F sign");
-    for (int e = 0; e < n; e++) {
-        int sign = bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
-        table_row(X[e], X[e + 1], F, word[1 + sign]);
-    }
-    table_end();
-    free(X);
-}
-
 /*
  * F of a triangle whose vertices, in either sense of rotation, went from X to
  * x: it takes every reference edge to its deformed edge [eq:triangle-gradient].
@@ -93,6 +60,54 @@ static double triangle_gradient(const int node[3], const double X[],
     todo("1b", node, X, x, F, J);
     /* END 1b */
     return J;
+}
+
+/*
+ * Three strains of F, all zero for F = I:
+ * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
+ * *green   out  (F^T F - I)/2      [eq:green-strain]
+ * *left    out  (F F^T - I)/2      [eq:left-strain]
+ */
+static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
+{
+    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
+    todo("1c", &F, linear, green, left);
+    /* END 1c */
+}
+
+/* The maps of the notes' Figure 4. */
+static double sine(double X) { return sin(2.0 * M_PI * X); }
+static double square(double X) { return X * X; }
+
+/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
+static void push(double s, const double X[2], double x[2])
+{
+    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
+    x[0] = X[0] + s * p * p * q * q;
+    x[1] = X[1];
+}
+
+/* F of n equal elements of (a, 1) under phi. */
+static void print_bar(field *phi, double a, int n)
+{
+    static const char *const word[] = {"inverted", "collapsed", "upright"};
+    double *X = allocate((size_t)n + 1, sizeof *X);
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double size = 0.0, F = 0.0;
+
+    grid_make(a, 1.0, n, 1.0, X);
+    for (int j = 0; j <= n; j++) {
+        x[j] = phi(X[j]);
+        size = fmax(size, fmax(fabs(X[j]), fabs(x[j])));
+    }
+    table_begin("bar", "X0 X1 F sign");
+    for (int e = 0; e < n; e++) {
+        int sign = bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
+        table_row(X[e], X[e + 1], F, word[1 + sign]);
+    }
+    table_end();
+    free(X);
+    free(x);
 }
 
 /* F and J of every triangle of the pushed square, and sums over them.  Every
@@ -123,19 +138,6 @@ static void print_square(const struct mesh *mesh, double s)
     table_row(s, inverted, min_J, sum, absolute);
     table_end();
     free(x);
-}
-
-/*
- * Three strains of F, all zero for F = I:
- * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
- * *green   out  (F^T F - I)/2      [eq:green-strain]
- * *left    out  (F F^T - I)/2      [eq:left-strain]
- */
-static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
-{
-    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
-    todo("1c", &F, linear, green, left);
-    /* END 1c */
 }
 
 /* The strains of a body that is stretched along x and then turned. */

@@ -21,6 +21,7 @@
  */
 #include "material/material.h"
 #include "base/options.h"
+#include "base/status.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -70,20 +71,6 @@ static enum status response1(const struct material *material, double F,
     return OK;
 }
 
-/* Figure 6: a law where it is defined, F = -1 ... 3. */
-static void print_curve(const struct material *material, int n)
-{
-    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
-    table_begin(name[material->law], "F psi P dP");
-    for (int i = 0; i <= n; i++) {
-        const double F = (4.0 * i - n) / n;
-        struct response1 out;
-        if (response1(material, F, &out) == OK)
-            table_row(F, out.psi, out.P, out.dP);
-    }
-    table_end();
-}
-
 /*
  * Two dimensions, J = det F and cof F = dJ/dF, written out: F may be singular.
  *     psi = mu/2 (F:F - 2) - mu r + lambda/2 r^2        [eq:psi-neohookean]
@@ -103,6 +90,35 @@ static enum status response2(const struct material *material, mat2 F,
     return OK;
 }
 
+/* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
+ * symmetric, A : dP(F; B) = B : dP(F; A). */
+static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
+                            mat2 *dP)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    struct volumetric v = {0};
+    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
+    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
+     * of P in the direction dF. */
+    todo("2d", material, mu, lambda, F, dF, v, dP);
+    /* END 2d */
+    return OK;
+}
+
+/* Figure 6: a law where it is defined, F = -1 ... 3. */
+static void print_curve(const struct material *material, int n)
+{
+    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
+    table_begin(name[material->law], "F psi P dP");
+    for (int i = 0; i <= n; i++) {
+        const double F = (4.0 * i - n) / n;
+        struct response1 out;
+        if (response1(material, F, &out) == OK)
+            table_row(F, out.psi, out.P, out.dP);
+    }
+    table_end();
+}
+
 /* A row of table state: r, r', r'', psi and P at F, where they exist. */
 static void print_state(const struct material *material, mat2 F)
 {
@@ -119,33 +135,19 @@ static void print_state(const struct material *material, mat2 F)
               cell_if(ok, P.m[1][0]), cell_if(ok, P.m[1][1]));
 }
 
-/* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
- * symmetric, A : dP(F; B) = B : dP(F; A). */
-static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
-                            mat2 *dP)
-{
-    const double mu = material->mu, lambda = material->lambda;
-    struct volumetric v = {0};
-    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
-     * of P in the direction dF. */
-    todo("2d", material, mu, lambda, F, dF, v, dP);
-    /* END 2d */
-    return OK;
-}
-
 /* Four rows of table tangent: dP when one entry of F grows by 1. */
 static void print_tangent(const struct material *material, mat2 F)
 {
-    static const char *const entry[] = {"F11", "F12", "F21", "F22"};
-    for (int k = 0; k < 4; k++) {
-        mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
-        dF.m[k / 2][k % 2] = 1.0;
-        const int ok = tangent2(material, F, dF, &dP) == OK;
-        table_row(material_law(material->law), entry[k],
-                  cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
-                  cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
-    }
+    static const char *const entry[2][2] = {{"F11", "F12"}, {"F21", "F22"}};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
+            dF.m[i][j] = 1.0;
+            const int ok = tangent2(material, F, dF, &dP) == OK;
+            table_row(material_law(material->law), entry[i][j],
+                      cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
+                      cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
+        }
 }
 
 int main(int argc, char *argv[])

@@ -44,30 +44,6 @@ static void assemble(int n, double beta, double f, double A[], double b[])
     }
 }
 
-static void print_matrix(const char *name, int N, const double A[])
-{
-    table_begin(name, "i j value");
-    for (int i = 0; i < N; i++)
-        for (int j = 0; j < N; j++) table_row(i, j, A[i * N + j]);
-    table_end();
-}
-
-enum { LEFT, RIGHT, BOTH, THREE };
-
-/* Of the nodes 0, 2n/3 and n and their values g, keep those that --fix names;
- * returns how many they are. */
-static int prescribe(int fix, int node[3], double g[3])
-{
-    const int wanted[3] = {fix != RIGHT, fix == THREE, fix != LEFT};
-    int n_fixed = 0;
-    for (int k = 0; k < 3; k++) {
-        if (!wanted[k]) continue;
-        node[n_fixed] = node[k];
-        g[n_fixed++] = g[k];
-    }
-    return n_fixed;
-}
-
 /*
  * First half of the correction: b of the equations that are left, in which
  * the prescribed values are known [eq:dirichlet-correction].
@@ -100,8 +76,20 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
     /* END 3b */
 }
 
+/*
+ * r_k := the force that holds prescribed node k [eq:reaction], and what the
+ * same expression gives at the others; A and b are those before the correction.
+ */
+static void reactions(int N, const double A[], const double b[],
+                      const double u[], double r[])
+{
+    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
+    todo("3c", N, A, b, u, r);
+    /* END 3c */
+}
+
 /* A u = b with n_fixed prescribed nodes; A and b are corrected in place.
- * Cholesky looks at the lower triangle of A only. */
+ * Cholesky looks at A's lower triangle only.  Parameters: as in 3b, and u. */
 static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
                                     const int node[], const double g[],
                                     enum diagonal diagonal, double u[])
@@ -120,16 +108,40 @@ static enum status solve_prescribed(int N, double A[], double b[], int n_fixed,
     return status;
 }
 
-/*
- * r_k := the force that holds prescribed node k [eq:reaction], and what the
- * same expression gives at the others; A and b are those before the correction.
- */
-static void reactions(int N, const double A[], const double b[],
-                      const double u[], double r[])
+static void print_matrix(const char *name, int N, const double A[])
 {
-    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
-    todo("3c", N, A, b, u, r);
-    /* END 3c */
+    table_begin(name, "i j value");
+    for (int i = 0; i < N; i++)
+        for (int j = 0; j < N; j++) table_row(i, j, A[i * N + j]);
+    table_end();
+}
+
+/* u and the reactions; A and b are those before the correction. */
+static void print_nodes(int N, const double A[], const double b[],
+                        const double u[])
+{
+    double *r = allocate((size_t)N, sizeof *r);
+    reactions(N, A, b, u, r);
+    table_begin("nodes", "x u reaction");
+    for (int i = 0; i < N; i++) table_row((double)i / (N - 1), u[i], r[i]);
+    table_end();
+    free(r);
+}
+
+enum { LEFT, RIGHT, BOTH, THREE };
+
+/* Of the nodes 0, 2n/3 and n and their values g, keep those that --fix names;
+ * returns how many they are. */
+static int prescribe(int fix, int node[3], double g[3])
+{
+    const int wanted[3] = {fix != RIGHT, fix == THREE, fix != LEFT};
+    int n_fixed = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!wanted[k]) continue;
+        node[n_fixed] = node[k];
+        g[n_fixed++] = g[k];
+    }
+    return n_fixed;
 }
 
 int main(int argc, char *argv[])
@@ -156,9 +168,11 @@ int main(int argc, char *argv[])
     int node[3] = {0, 2 * n / 3, n};
     const int n_fixed = prescribe(fix, node, g), N = n + 1;
     const size_t size = (size_t)N;
-    double *A = allocate(2 * size * size, sizeof *A), *corrected = A + N * N;
-    double *b = allocate(4 * size, sizeof *b);
-    double *b_corrected = b + N, *u = b + 2 * N, *r = b + 3 * N;
+    double *A = allocate(size * size, sizeof *A);
+    double *b = allocate(size, sizeof *b);
+    double *corrected = allocate(size * size, sizeof *corrected);
+    double *b_corrected = allocate(size, sizeof *b_corrected);
+    double *u = allocate(size, sizeof *u);
 
     assemble(n, beta, load, A, b);
     assemble(n, beta, load, corrected, b_corrected);
@@ -170,11 +184,11 @@ int main(int argc, char *argv[])
     if (n <= 12) print_matrix("A_corrected", N, corrected);
     table_vector("b_corrected", N, b_corrected);
     if (status != OK) die("the corrected matrix is %s", status_name(status));
-    reactions(N, A, b, u, r);
-    table_begin("nodes", "x u reaction");
-    for (int i = 0; i < N; i++) table_row((double)i / n, u[i], r[i]);
-    table_end();
+    print_nodes(N, A, b, u);
     free(A);
     free(b);
+    free(corrected);
+    free(b_corrected);
+    free(u);
     return table_finish();
 }

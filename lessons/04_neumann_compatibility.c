@@ -29,32 +29,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
-static void print_nodes(int n, const double x[], const double u[])
-{
-    double mean = 0.0;
-    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
-    table_begin("nodes", "x u exact");
-    for (int i = 0; i <= n; i++)
-        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
-    table_end();
-}
-
-/* Solve A u = b with equation k replaced by u_k = 0 (lesson 03). */
-static enum status solve_pinned(const struct matrix *A, const double b[],
-                                int k, double u[])
-{
-    struct matrix *L = matrix_copy(A);
-    const double zero = 0.0;
-
-    for (int i = 0; i < A->n; i++) u[i] = b[i];
-    matrix_dirichlet(L, u, 1, &k, &zero, KEEP_DIAGONAL);
-    const enum status status = matrix_factor(L);
-    if (status == OK) matrix_solve(L, u);
-    matrix_free(L);
-    return status;
-}
-
 /*
  * v^T A v without A [eq:quadratic-form], with beta at the middle of each
  * element, as the midpoint rule has it.
@@ -70,31 +44,6 @@ static double quadratic_form(int n, const double x[], field *beta,
     todo("4a", n, x, beta, v, sum);
     /* END 4a */
     return sum;
-}
-
-/* v^T A v of four v, from the differences and from A, for beta = 1 + x. */
-static void print_quadratic_form(int n, const double x[])
-{
-    const char *const name[] = {"constant", "linear", "alternating", "end_hat"};
-    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    double *v = allocate(2 * (size_t)(n + 1), sizeof *v), *Av = v + n + 1;
-
-    poisson_assemble(n, x, bvp_beta, field_one, &MIDPOINT, A, Av);
-    table_begin_note("quadratic_form", "v differences matrix",
-                     "v_i = 1, x_i, (-1)^i, 1 at node 0 only; beta = 1 + x");
-    for (int k = 0; k < COUNT(name); k++) {
-        double product = 0.0;
-        for (int i = 0; i <= n; i++) {
-            const double value[] = {1.0, x[i], i % 2 ? -1.0 : 1.0, i == 0};
-            v[i] = value[k];
-        }
-        matrix_multiply(A, v, Av);
-        for (int i = 0; i <= n; i++) product += v[i] * Av[i];
-        table_row(name[k], quadratic_form(n, x, bvp_beta, v), product);
-    }
-    table_end();
-    matrix_free(A);
-    free(v);
 }
 
 /*
@@ -114,21 +63,6 @@ static enum status compatibility(int N, const double b[], double *defect)
     /* END 4b */
 }
 
-/* b as assembled and c as used, and whether they are compatible. */
-static void print_loads(int N, const double b[], const double c[])
-{
-    double defect;
-    table_begin("load", "i b projected");
-    for (int i = 0; i < N; i++) table_row(i, b[i], c[i]);
-    table_end();
-    table_begin("compatibility", "load sum_b status");
-    enum status status = compatibility(N, b, &defect);
-    table_row("assembled", defect, status_name(status));
-    status = compatibility(N, c, &defect);
-    table_row("used", defect, status_name(status));
-    table_end();
-}
-
 /*
  * b := the nearest right-hand side for which A u = b is solvable: its
  * orthogonal projection onto the range of A.
@@ -138,6 +72,21 @@ static void project(int N, double b[])
     /* SLOT 4c(N, b): project b in its place. */
     todo("4c", N, b);
     /* END 4c */
+}
+
+/* Solve A u = b with equation k replaced by u_k = 0 (lesson 03). */
+static enum status solve_pinned(const struct matrix *A, const double b[],
+                                int k, double u[])
+{
+    struct matrix *L = matrix_copy(A);
+    const double zero = 0.0;
+
+    for (int i = 0; i < A->n; i++) u[i] = b[i];
+    matrix_dirichlet(L, u, 1, &k, &zero, KEEP_DIAGONAL);
+    const enum status status = matrix_factor(L);
+    if (status == OK) matrix_solve(L, u);
+    matrix_free(L);
+    return status;
 }
 
 /*
@@ -157,6 +106,74 @@ static enum status solve_neumann(const struct matrix *A, const double b[],
      * solution with a pinned node; then move along the family. */
     todo("4d", N, A, b, u, solve_pinned);
     /* END 4d */
+}
+
+/* u and the exact solution x - e^x + c that has nodal mean 0, too. */
+static void print_nodes(int n, const double x[], const double u[])
+{
+    double mean = 0.0;
+    for (int i = 0; i <= n; i++) mean += (x[i] - exp(x[i])) / (n + 1);
+    table_begin("nodes", "x u exact");
+    for (int i = 0; i <= n; i++)
+        table_row(x[i], u[i], x[i] - exp(x[i]) - mean);
+    table_end();
+}
+
+/* v^T A v of four v, from the differences and from A, for beta = 1 + x. */
+static void print_quadratic_form(int n, const double x[])
+{
+    const char *const name[] = {"constant", "linear", "alternating", "end_hat"};
+    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
+    double *v = allocate((size_t)n + 1, sizeof *v);
+    double *Av = allocate((size_t)n + 1, sizeof *Av);
+
+    poisson_assemble(n, x, bvp_beta, field_one, &MIDPOINT, A, Av);
+    table_begin_note("quadratic_form", "v differences matrix",
+                     "v_i = 1, x_i, (-1)^i, 1 at node 0 only; beta = 1 + x");
+    for (int k = 0; k < COUNT(name); k++) {
+        double product = 0.0;
+        for (int i = 0; i <= n; i++) {
+            const double value[] = {1.0, x[i], i % 2 ? -1.0 : 1.0, i == 0};
+            v[i] = value[k];
+        }
+        matrix_multiply(A, v, Av);
+        for (int i = 0; i <= n; i++) product += v[i] * Av[i];
+        table_row(name[k], quadratic_form(n, x, bvp_beta, v), product);
+    }
+    table_end();
+    matrix_free(A);
+    free(v);
+    free(Av);
+}
+
+/* b as assembled and c as used, and whether they are compatible. */
+static void print_loads(int N, const double b[], const double c[])
+{
+    double defect;
+    table_begin("load", "i b projected");
+    for (int i = 0; i < N; i++) table_row(i, b[i], c[i]);
+    table_end();
+    table_begin("compatibility", "load sum_b status");
+    enum status status = compatibility(N, b, &defect);
+    table_row("assembled", defect, status_name(status));
+    status = compatibility(N, c, &defect);
+    table_row("used", defect, status_name(status));
+    table_end();
+}
+
+/* The solution of A u = c, or the reason why there is none. */
+static void print_solution(const struct matrix *A, const double c[],
+                           int projecting, const double x[])
+{
+    double *u = allocate((size_t)A->n, sizeof *u), defect;
+    const enum status status = solve_neumann(A, c, u);
+    compatibility(A->n, c, &defect);
+    if (status == INCOMPATIBLE)
+        die("the linear system is INCOMPATIBLE: sum_i b_i is %.6g, not 0%s",
+            defect, projecting ? "" : "; --project yes would remove it");
+    if (status != OK) die("the pinned matrix is %s", status_name(status));
+    print_nodes(A->n - 1, x, u);
+    free(u);
 }
 
 int main(int argc, char *argv[])
@@ -182,8 +199,9 @@ int main(int argc, char *argv[])
     const double load = expm1(1.0), flux = -load + excess;
     const int N = n + 1;
     struct matrix *A = matrix_alloc(BANDED, N, 1);
-    double *x = allocate(4 * (size_t)N, sizeof *x);
-    double *b = x + N, *c = x + 2 * N, *u = x + 3 * N, defect;
+    double *x = allocate((size_t)N, sizeof *x);
+    double *b = allocate((size_t)N, sizeof *b);
+    double *c = allocate((size_t)N, sizeof *c);
 
     grid_make(0.0, 1.0, n, grading, x);
     poisson_assemble(n, x, field_one, exp, rules[rule], A, b);
@@ -196,14 +214,10 @@ int main(int argc, char *argv[])
     if (!(fabs(load + flux) <= 1e-10 * load))
         die("the problem is INCOMPATIBLE: int f dx + q_a + q_b is %.6g, not 0; "
             "no mesh can cure that", load + flux);
-    const enum status status = solve_neumann(A, c, u);
-    compatibility(N, c, &defect);
-    if (status == INCOMPATIBLE)
-        die("the linear system is INCOMPATIBLE: sum_i b_i is %.6g, not 0%s",
-            defect, projecting ? "" : "; --project yes would remove it");
-    if (status != OK) die("the pinned matrix is %s", status_name(status));
-    print_nodes(n, x, u);
+    print_solution(A, c, projecting, x);
     matrix_free(A);
     free(x);
+    free(b);
+    free(c);
     return table_finish();
 }

@@ -46,28 +46,6 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
     /* END 5a */
 }
 
-/* The rows of A as a vertex sees them: left neighbour, itself, right one. */
-static void print_rows(const char *name, int n, double grading)
-{
-    const int N = n + 1;
-    double *x = allocate((size_t)N, sizeof *x);
-    struct matrix *A = matrix_alloc(BANDED, N, 1);
-
-    grid_make(0.0, 1.0, n, grading, x);
-    stiffness_matrix(n, x, A);
-    table_begin(name, "j x left diagonal right sum");
-    for (int j = 0; j < N; j++) {
-        const double left = j > 0 ? matrix_get(A, j, j - 1) : 0.0;
-        const double right = j < n ? matrix_get(A, j, j + 1) : 0.0;
-        const double diagonal = matrix_get(A, j, j);
-        table_row(j, x[j], cell_if(j > 0, left), diagonal,
-                  cell_if(j < n, right), left + diagonal + right);
-    }
-    table_end();
-    matrix_free(A);
-    free(x);
-}
-
 /*
  * The k-th smallest eigenvalue, k = 1, 2, ..., of the stiffness matrix of n
  * elements of length h, rows and columns of fixed ends struck out: its order
@@ -79,36 +57,6 @@ static double eigenvalue_exact(enum ends ends, int n, double h, int k)
      * fixed the smallest, k = 1, is 0 [eq:stiffness-eigenvalues]. */
     todo("5b", ends, n, h, k);
     /* END 5b */
-}
-
-/*
- * Formula and GSL on n equal elements, rows and columns of the fixed ends (the
- * left one, when one) struck out.  A / h is the second difference, so h times
- * the eigenvalues of -u'' with the same ends is what the low ones are near to:
- * (k pi)^2 where both are fixed.
- */
-static void print_eigenvalues(const char *name, enum ends ends, int n)
-{
-    const int order = n + 1 - (int)ends;
-    const double h = 1.0 / n;
-    const double shift = 0.5 * (int)ends - 1.0; /* -1, -1/2, 0 */
-    double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *lambda = x + n + 1;
-    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-
-    grid_make(0.0, 1.0, n, 1.0, x);
-    stiffness_matrix(n, x, A);
-    struct matrix *free_part = matrix_block(A, ends != NONE_FIXED, order);
-    const enum status status = matrix_eigenvalues(free_part, lambda);
-    if (status != OK) die("the eigenvalues are %s", status_name(status));
-    table_begin_note(name, "k exact gsl continuum",
-                     "continuum: h times the eigenvalue of -u''");
-    for (int k = 1; k <= order; k++)
-        table_row(k, eigenvalue_exact(ends, n, h, k), lambda[k - 1],
-                  h * gsl_pow_2((k + shift) * M_PI));
-    table_end();
-    matrix_free(free_part);
-    matrix_free(A);
-    free(x);
 }
 
 /* What a symmetric matrix costs; real numbers, for N^3 exceeds any int. */
@@ -136,6 +84,60 @@ static struct cost cholesky_cost(enum storage storage, int N, int p)
     todo("5c", storage, N, p, cost.numbers);
     /* END 5c */
     return cost;
+}
+
+/* The rows of A as a vertex sees them: left neighbour, itself, right one. */
+static void print_rows(const char *name, int n, double grading)
+{
+    const int N = n + 1;
+    double *x = allocate((size_t)N, sizeof *x);
+    struct matrix *A = matrix_alloc(BANDED, N, 1);
+
+    grid_make(0.0, 1.0, n, grading, x);
+    stiffness_matrix(n, x, A);
+    table_begin(name, "j x left diagonal right sum");
+    for (int j = 0; j < N; j++) {
+        const double left = j > 0 ? matrix_get(A, j, j - 1) : 0.0;
+        const double right = j < n ? matrix_get(A, j, j + 1) : 0.0;
+        const double diagonal = matrix_get(A, j, j);
+        table_row(j, x[j], cell_if(j > 0, left), diagonal,
+                  cell_if(j < n, right), left + diagonal + right);
+    }
+    table_end();
+    matrix_free(A);
+    free(x);
+}
+
+/*
+ * Formula and GSL on n equal elements, rows and columns of the fixed ends (the
+ * left one, when one) struck out.  A / h is the second difference, so h times
+ * the eigenvalues of -u'' with the same ends is what the low ones are near to:
+ * (k pi)^2 where both are fixed.
+ */
+static void print_eigenvalues(const char *name, enum ends ends, int n)
+{
+    const int order = n + 1 - (int)ends;
+    const double h = 1.0 / n;
+    const double shift = 0.5 * (int)ends - 1.0; /* -1, -1/2, 0 */
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *lambda = allocate((size_t)n + 1, sizeof *lambda);
+    struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
+
+    grid_make(0.0, 1.0, n, 1.0, x);
+    stiffness_matrix(n, x, A);
+    struct matrix *free_part = matrix_block(A, ends != NONE_FIXED, order);
+    const enum status status = matrix_eigenvalues(free_part, lambda);
+    if (status != OK) die("the eigenvalues are %s", status_name(status));
+    table_begin_note(name, "k exact gsl continuum",
+                     "continuum: h times the eigenvalue of -u''");
+    for (int k = 1; k <= order; k++)
+        table_row(k, eigenvalue_exact(ends, n, h, k), lambda[k - 1],
+                  h * gsl_pow_2((k + shift) * M_PI));
+    table_end();
+    matrix_free(free_part);
+    matrix_free(A);
+    free(lambda);
+    free(x);
 }
 
 int main(int argc, char *argv[])

@@ -44,23 +44,6 @@ static struct quadrature quadrature_rule(enum rule rule)
     return points;
 }
 
-/* What each rule makes of the monomials: int s^degree ds less the rule. */
-static void print_exactness(void)
-{
-    table_begin("exactness", "degree midpoint trapezoid gauss2");
-    for (int degree = 0; degree <= 5; degree++) {
-        double error[N_RULE];
-        for (int r = 0; r < N_RULE; r++) {
-            const struct quadrature rule = quadrature_rule((enum rule)r);
-            error[r] = 1.0 / (degree + 1);
-            for (int k = 0; k < rule.n; k++)
-                error[r] -= rule.w[k] * gsl_pow_int(rule.s[k], degree);
-        }
-        table_row(degree, error[0], error[1], error[2]);
-    }
-    table_end();
-}
-
 /* The integral of g times a shape over (x0, x1) [eq:quadrature]. */
 static double element_integral(double x0, double x1, field *g,
                                enum shape shape, const struct quadrature *rule)
@@ -71,16 +54,6 @@ static double element_integral(double x0, double x1, field *g,
     todo("6b", x0, x1, g, shape, rule);
     /* END 6b */
     return sum;
-}
-
-/* mean[j], j = 1..n, is the mean of beta over element j; mean[0] is 0. */
-static void element_means(int n, const double x[], field *beta,
-                          const struct quadrature *rule, double mean[])
-{
-    mean[0] = 0.0;
-    for (int j = 1; j <= n; j++)
-        mean[j] = element_integral(x[j - 1], x[j], beta, ONE, rule) /
-                  (x[j] - x[j - 1]);
 }
 
 /* row[0..2] := A_{j,j-1}, A_jj, A_{j,j+1} before any boundary condition, 0
@@ -95,15 +68,26 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
     /* END 6c */
 }
 
-static void print_A(int n, const double x[], const double mean[])
+/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
+static double load_entry(int j, int n, const double x[], field *f,
+                         const struct quadrature *rule, double qa, double qb)
 {
-    table_begin("A", "j lower diagonal upper");
-    for (int j = 0; j <= n; j++) {
-        double row[3];
-        stiffness_row(j, n, x, mean, row);
-        table_row(j, cell_if(j > 0, row[0]), row[1], cell_if(j < n, row[2]));
-    }
-    table_end();
+    double b = 0.0;
+    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
+     * the hat e_j, one half only at an end, where its flux is added. */
+    todo("6d", j, n, x, f, rule, qa, qb);
+    /* END 6d */
+    return b;
+}
+
+/* mean[j], j = 1..n, is the mean of beta over element j; mean[0] is 0. */
+static void element_means(int n, const double x[], field *beta,
+                          const struct quadrature *rule, double mean[])
+{
+    mean[0] = 0.0;
+    for (int j = 1; j <= n; j++)
+        mean[j] = element_integral(x[j - 1], x[j], beta, ONE, rule) /
+                  (x[j] - x[j - 1]);
 }
 
 /* u := A^{-1} b, b in u; at node `held` u is given as sin 2x. */
@@ -126,16 +110,32 @@ static enum status solve(int n, const double x[], const double mean[], int held,
     return status;
 }
 
-/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
-static double load_entry(int j, int n, const double x[], field *f,
-                         const struct quadrature *rule, double qa, double qb)
+/* What each rule makes of the monomials: int s^degree ds less the rule. */
+static void print_exactness(void)
 {
-    double b = 0.0;
-    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, one half only at an end, where its flux is added. */
-    todo("6d", j, n, x, f, rule, qa, qb);
-    /* END 6d */
-    return b;
+    table_begin("exactness", "degree midpoint trapezoid gauss2");
+    for (int degree = 0; degree <= 5; degree++) {
+        double error[N_RULE];
+        for (int r = 0; r < N_RULE; r++) {
+            const struct quadrature rule = quadrature_rule((enum rule)r);
+            error[r] = 1.0 / (degree + 1);
+            for (int k = 0; k < rule.n; k++)
+                error[r] -= rule.w[k] * gsl_pow_int(rule.s[k], degree);
+        }
+        table_row(degree, error[0], error[1], error[2]);
+    }
+    table_end();
+}
+
+static void print_A(int n, const double x[], const double mean[])
+{
+    table_begin("A", "j lower diagonal upper");
+    for (int j = 0; j <= n; j++) {
+        double row[3];
+        stiffness_row(j, n, x, mean, row);
+        table_row(j, cell_if(j > 0, row[0]), row[1], cell_if(j < n, row[2]));
+    }
+    table_end();
 }
 
 int main(int argc, char *argv[])
@@ -156,8 +156,9 @@ int main(int argc, char *argv[])
     const struct quadrature rule = quadrature_rule((enum rule)kind);
     const double qa = held == LEFT ? 0.0 : -2.0; /* beta u' n */
     const double qb = held == LEFT ? 2.0 * exp(1.0) * cos(2.0) : 0.0;
-    double *x = allocate(3 * (size_t)(n + 1), sizeof *x);
-    double *mean = x + n + 1, *u = mean + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *mean = allocate((size_t)n + 1, sizeof *mean);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     grid_make(0.0, 1.0, n, grading, x);
     element_means(n, x, smooth_beta, &rule, mean);
 
@@ -175,5 +176,7 @@ int main(int argc, char *argv[])
     for (int j = 0; j <= n; j++) table_row(x[j], u[j], smooth_exact(x[j]));
     table_end();
     free(x);
+    free(mean);
+    free(u);
     return table_finish();
 }

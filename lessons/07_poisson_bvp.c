@@ -49,31 +49,6 @@ static void assemble(const struct problem *problem, enum load load, int n,
     if (load == EXACT_LOAD) bvp_exact_load(n, x, b);
 }
 
-struct solution {
-    int n;
-    double *x, *u, *b; /* [n + 1]; x owns the memory of all three */
-    struct matrix *A;  /* before the Dirichlet correction; owned */
-    struct poisson_error error;
-    double reaction; /* (A u - b)_0 = -beta u' at x = 0 [eq:reaction] */
-    double slope;    /* the same from the first element's slope */
-};
-
-static void print_solution(const struct solution *s)
-{
-    if (s->n <= 12) matrix_table("A", s->A);
-    table_vector("b", s->n + 1, s->b);
-    table_begin("nodes", "x u exact");
-    for (int j = 0; j <= s->n; j++)
-        table_row(s->x[j], s->u[j], bvp_exact(s->x[j]));
-    table_end();
-}
-
-static void solution_free(struct solution *s)
-{
-    free(s->x);
-    matrix_free(s->A);
-}
-
 /*
  * Solve the boundary value problem on the nodes x[0..n].
  *
@@ -143,11 +118,40 @@ static struct order observed_order(double h1, double err1, double h2,
     return found;
 }
 
+struct solution {
+    int n;
+    double *x, *u, *b; /* [n + 1]; owned */
+    struct matrix *A;  /* before the Dirichlet correction; owned */
+    struct poisson_error error;
+    double reaction; /* (A u - b)_0 = -beta u' at x = 0 [eq:reaction] */
+    double slope;    /* the same from the first element's slope */
+};
+
+static void print_solution(const struct solution *s)
+{
+    if (s->n <= 12) matrix_table("A", s->A);
+    table_vector("b", s->n + 1, s->b);
+    table_begin("nodes", "x u exact");
+    for (int j = 0; j <= s->n; j++)
+        table_row(s->x[j], s->u[j], bvp_exact(s->x[j]));
+    table_end();
+}
+
+static void solution_free(struct solution *s)
+{
+    free(s->x);
+    free(s->u);
+    free(s->b);
+    matrix_free(s->A);
+}
+
 static struct solution solution_of(const struct problem *problem,
                                    enum load load, int n, double grading)
 {
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    struct solution s = {.n = n, .x = x, .u = x + n + 1, .b = x + 2 * (n + 1),
+    const size_t N = (size_t)n + 1;
+    struct solution s = {.n = n, .x = allocate(N, sizeof(double)),
+                         .u = allocate(N, sizeof(double)),
+                         .b = allocate(N, sizeof(double)),
                          .A = matrix_alloc(BANDED, n + 1, 1)};
 
     grid_make(0.0, 1.0, n, grading, s.x);

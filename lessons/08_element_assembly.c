@@ -29,31 +29,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run is valid when its u solves a system that differs from A u = b by at
- * most this many eps, as that of Cholesky does whatever the condition is. */
-static const double BACKWARD_EPS = 20.0;
-
-/* A system on a grid; x owns the memory of x, b and u. */
-struct system {
-    int n;
-    double *x, *b, *u;
-    struct matrix *A;
-};
-
-static void system_free(struct system *s)
-{
-    free(s->x);
-    matrix_free(s->A);
-}
-
-/* One run of factor + solve, a point of a speed-accuracy chart. */
-struct point {
-    enum status status; /* of the factorisation */
-    int valid;          /* 1, or 0: then there is no time */
-    double seconds;     /* factor + solve, the best of the repeats; or 0 */
-    double backward;    /* backward error in eps; or 0 */
-};
-
 /*
  * Stiffness and load of the element (x0, x1), its nodes 0 and 1, by a
  * quadrature rule [eq:poisson-local] [eq:quadrature]:
@@ -76,7 +51,8 @@ static void element(double x0, double x1, field *beta, field *f,
 }
 
 /*
- * A and b of all elements, no boundary condition yet [alg:element-assembly].
+ * A and b of all elements, no boundary condition yet [alg:element-assembly]:
+ * eight parameters, a problem, a mesh and a rule in, a system out.
  *
  * x      in   nodes x[0..n]
  * order  in   the elements 0..n-1 in the order in which to visit them
@@ -94,23 +70,6 @@ static void assemble(int n, const double x[], field *beta, field *f,
     /* END 8b */
 }
 
-/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
-static struct system system_make(enum storage storage, int n, double grading,
-                                 const struct quadrature *rule, int reversed)
-{
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
-                             matrix_alloc(storage, n + 1, 1)};
-    int *order = allocate((size_t)n, sizeof *order);
-    grid_make(0.0, 1.0, n, grading, s.x);
-    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
-    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
-    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
-    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
-    free(order);
-    return s;
-}
-
 /*
  * Flops (additions, multiplications, divisions, square roots, one each) of the
  * textbook factorisation A = L L^T and the two triangular solves
@@ -124,6 +83,18 @@ static double cholesky_flops(int N, int p)
     todo("8c", N, p);
     /* END 8c */
 }
+
+/* A run is valid when its u solves a system that differs from A u = b by at
+ * most this many eps, as that of Cholesky does whatever the condition is. */
+static const double BACKWARD_EPS = 20.0;
+
+/* One run of factor + solve, a point of a speed-accuracy chart. */
+struct point {
+    enum status status; /* of the factorisation */
+    int valid;          /* 1, or 0: then there is no time */
+    double seconds;     /* factor + solve, the best of the repeats; or 0 */
+    double backward;    /* backward error in eps; or 0 */
+};
 
 /*
  * u := A^{-1} b, timed [eq:cholesky].  Valid: factored, and a backward error
@@ -140,6 +111,40 @@ static struct point measure(const struct matrix *A, const double b[],
     todo("8d", A, b, repeats, u, &point, BACKWARD_EPS);
     /* END 8d */
     return point;
+}
+
+/* A system on a grid; its memory is its own. */
+struct system {
+    int n;
+    double *x, *b, *u;
+    struct matrix *A;
+};
+
+static void system_free(struct system *s)
+{
+    free(s->x);
+    free(s->b);
+    free(s->u);
+    matrix_free(s->A);
+}
+
+/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
+static struct system system_make(enum storage storage, int n, double grading,
+                                 const struct quadrature *rule, int reversed)
+{
+    const size_t N = (size_t)n + 1;
+    const struct system s = {n, allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             matrix_alloc(storage, n + 1, 1)};
+    int *order = allocate((size_t)n, sizeof *order);
+    grid_make(0.0, 1.0, n, grading, s.x);
+    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
+    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
+    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
+    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
+    free(order);
+    return s;
 }
 
 /* u(0) = 1 [eq:dirichlet-correction], then one run. */

@@ -35,61 +35,6 @@ struct elastic {
     double modulus;    /* P / u' of a bar that cannot move sideways, N/m^2 */
 };
 
-static struct bar_scene scene_of_options(int argc, char *argv[], double *nu)
-{
-    struct bar_scene s = {.n = 8, .c = 100.0};
-    int held[2] = {1, 0}, shape = UNIFORM;
-    double end[2] = {0.0, 100.0};
-    const struct option options[] = {
-        {"n", .integer = &s.n, .min = 1, .max = 20000, .help = "elements"},
-        {"nu", .real = nu, .min = 0.0, .max = 0.4999,
-         .help = "Poisson's ratio", .why = "at 1/2 lambda is infinite"},
-        {"left", .choice = &held[0], .choices = "free held",
-         .help = "condition at X = 0"},
-        {"right", .choice = &held[1], .choices = "free held",
-         .help = "condition at X = 1"},
-        {"at_left", .real = &end[0], .min = -1e9, .max = 1e9,
-         .help = "traction (N/m^2) of a free, u (m) of a held left end"},
-        {"at_right", .real = &end[1], .min = -1e9, .max = 1e9,
-         .help = "the same at the right end"},
-        {"body", .choice = &shape, .choices = "uniform cosine",
-         .help = "f = c, or c cos(pi X / 2)"},
-        {"c", .real = &s.c, .min = -1e9, .max = 1e9, .unit = "N/m^3",
-         .help = "size of the body force"},
-    };
-    options_parse("09_linear_bar", options, COUNT(options), argc, argv);
-    s.material = material_make(LINEAR, 1000.0, *nu);
-    s.shape = (enum shape)shape;
-    bar_scene_ends(&s, held[0], held[1], end);
-    return s;
-}
-
-/* The tables; without a solution (solved = 0) only the loads are there. */
-static void print_bar(const struct bar_scene *s, const double b[], int solved,
-                      const double u[], const double P[],
-                      const double reaction[2])
-{
-    double sum = 0.0, P_exact;
-    table_begin("nodes", "X b u exact");
-    for (int i = 0; i <= s->n; i++) {
-        const double X = (double)i / s->n;
-        const double u_exact = bar_scene_exact(s, X, &P_exact);
-        table_row(X, b[i], cell_if(solved, u[i]), cell_if(solved, u_exact));
-        sum += b[i];
-    }
-    table_end();
-    table_begin("elements", "X P exact");
-    for (int e = 1; e <= s->n; e++) {
-        const double X = (e - 0.5) / s->n;
-        bar_scene_exact(s, X, &P_exact);
-        table_row(X, cell_if(solved, P[e - 1]), cell_if(solved, P_exact));
-    }
-    table_end();
-    table_begin("balance", "loads reaction_left reaction_right");
-    table_row(sum, cell_if(solved, reaction[0]), cell_if(solved, reaction[1]));
-    table_end();
-}
-
 /* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
 static struct elastic elastic_make(double E, double nu)
 {
@@ -154,14 +99,70 @@ static void stress_and_reactions(const struct bar_scene *s, double modulus,
     /* END 9d */
 }
 
+static struct bar_scene scene_of_options(int argc, char *argv[], double *nu)
+{
+    struct bar_scene s = {.n = 8, .c = 100.0};
+    int held[2] = {1, 0}, shape = UNIFORM;
+    double end[2] = {0.0, 100.0};
+    const struct option options[] = {
+        {"n", .integer = &s.n, .min = 1, .max = 20000, .help = "elements"},
+        {"nu", .real = nu, .min = 0.0, .max = 0.4999,
+         .help = "Poisson's ratio", .why = "at 1/2 lambda is infinite"},
+        {"left", .choice = &held[0], .choices = "free held",
+         .help = "condition at X = 0"},
+        {"right", .choice = &held[1], .choices = "free held",
+         .help = "condition at X = 1"},
+        {"at_left", .real = &end[0], .min = -1e9, .max = 1e9,
+         .help = "traction (N/m^2) of a free, u (m) of a held left end"},
+        {"at_right", .real = &end[1], .min = -1e9, .max = 1e9,
+         .help = "the same at the right end"},
+        {"body", .choice = &shape, .choices = "uniform cosine",
+         .help = "f = c, or c cos(pi X / 2)"},
+        {"c", .real = &s.c, .min = -1e9, .max = 1e9, .unit = "N/m^3",
+         .help = "size of the body force"},
+    };
+    options_parse("09_linear_bar", options, COUNT(options), argc, argv);
+    s.material = material_make(LINEAR, 1000.0, *nu);
+    s.shape = (enum shape)shape;
+    bar_scene_ends(&s, held[0], held[1], end);
+    return s;
+}
+
+/* The tables; without a solution (solved = 0) only the loads are there. */
+static void print_bar(const struct bar_scene *s, const double b[], int solved,
+                      const double u[], const double P[],
+                      const double reaction[2])
+{
+    double sum = 0.0, P_exact;
+    table_begin("nodes", "X b u exact");
+    for (int i = 0; i <= s->n; i++) {
+        const double X = (double)i / s->n;
+        const double u_exact = bar_scene_exact(s, X, &P_exact);
+        table_row(X, b[i], cell_if(solved, u[i]), cell_if(solved, u_exact));
+        sum += b[i];
+    }
+    table_end();
+    table_begin("elements", "X P exact");
+    for (int e = 1; e <= s->n; e++) {
+        const double X = (e - 0.5) / s->n;
+        bar_scene_exact(s, X, &P_exact);
+        table_row(X, cell_if(solved, P[e - 1]), cell_if(solved, P_exact));
+    }
+    table_end();
+    table_begin("balance", "loads reaction_left reaction_right");
+    table_row(sum, cell_if(solved, reaction[0]), cell_if(solved, reaction[1]));
+    table_end();
+}
+
 int main(int argc, char *argv[])
 {
     double nu = 0.3, reaction[2] = {0.0, 0.0};
     const struct bar_scene s = scene_of_options(argc, argv, &nu);
     const size_t size = (size_t)s.n + 1;
     struct matrix *K = matrix_alloc(BANDED, s.n + 1, 1);
-    double *b = allocate(4 * size, sizeof *b), *u = b + size;
-    double *P = u + size, *f_mid = P + size;
+    double *b = allocate(size, sizeof *b), *u = allocate(size, sizeof *u);
+    double *P = allocate(size, sizeof *P);
+    double *f_mid = allocate(size, sizeof *f_mid);
 
     bar_scene_force(&s, f_mid);
     const struct elastic m = elastic_make(1000.0, nu);
@@ -172,5 +173,8 @@ int main(int argc, char *argv[])
     if (status != OK) die("%s: the bar has no solution", status_name(status));
     matrix_free(K);
     free(b);
+    free(u);
+    free(P);
+    free(f_mid);
     return table_finish();
 }

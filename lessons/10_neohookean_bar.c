@@ -30,27 +30,6 @@
 /* struct bar of bar.h has n, h, held[2] (is u given at node 0, at node n?), b,
  * material; struct newton_control and newton_report are there too. */
 
-static void scene_of_options(int argc, char *argv[], struct bar_scene *scene)
-{
-    int law = 0, held = 0;
-    double nu = 0.3, end[2] = {0.0, 0.0};
-    const struct option options[] = {
-        {"n", .integer = &scene->n, .min = 1, .max = 2000, .help = "elements"},
-        {"law", .choice = &law, .choices = "cubic log", .help = "r(J)"},
-        {"nu", .real = &nu, .min = 0.0, .max = 0.4999, .help = "Poisson's"},
-        {"held", .choice = &held, .choices = "left right both", .help = "ends"},
-        {"c", .real = &scene->c, .min = -1e4, .max = 1e4, .unit = "N/m^3",
-         .help = "body force; < 0 presses towards the left end"},
-        {"left", .real = &end[0], .min = -1e4, .max = 1e4,
-         .help = "u (m) of a held left end, force (N) on a free one"},
-        {"right", .real = &end[1], .min = -1e4, .max = 1e4,
-         .help = "the same at the right end; > 0 points to the right"},
-    };
-    options_parse("10_neohookean_bar", options, COUNT(options), argc, argv);
-    scene->material = material_make(law ? LOG : CUBIC, 1000.0, nu);
-    bar_scene_ends(scene, held != 1, held != 0, end);
-}
-
 /*
  * b [eq:bar-b] of the body force and of the forces on the ends, by the midpoint
  * rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and pull[0],
@@ -112,25 +91,6 @@ static enum status increment(const struct bar *bar, struct matrix *K,
     return status;
 }
 
-/* b, then q, K and du at a state that hides nothing, u_i = h/2 sin(2.385 i);
- * there is no du where K is not positive definite. */
-static void print_stages(const struct bar_scene *scene)
-{
-    struct bar_state *s = bar_state_by(load_vector, scene);
-    const int N = scene->n + 1;
-    struct matrix *K = matrix_alloc(BANDED, N, 1);
-    double *q = allocate(2 * (size_t)N, sizeof *q), *du = q + N;
-
-    for (int i = 0; i < N; i++) s->u[i] = 0.5 * s->bar.h * sin(2.385 * i);
-    table_vector("b", N, s->b);
-    if (residual(&s->bar, s->u, q) == OK) table_vector("q", N, q);
-    if (tangent(&s->bar, s->u, K) == OK) matrix_table("K", K);
-    if (increment(&s->bar, K, q, du) == OK) table_vector("du", N, du);
-    matrix_free(K);
-    free(q);
-    bar_state_free(s);
-}
-
 /*
  * Newton's method from u, which has the given values at its held ends
  * [alg:newton].  It is done when nothing is left over and nothing moves:
@@ -149,16 +109,61 @@ static struct newton_report newton(const struct bar *bar,
 {
     struct newton_report report = {MAX_ITERATIONS, 0, 0.0, 0.0};
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
-    double *q = allocate(2 * (size_t)K->n, sizeof *q), *du = q + K->n;
+    double *q = allocate((size_t)K->n, sizeof *q);
+    double *du = allocate((size_t)K->n, sizeof *du);
     /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
      * increment): the loop, with report filled on the way; bar_max_free() of
-     * bar.h is max |v_i| of free nodes. */
+     * bar.h is max |v_i| of free nodes.  It is the course's first loop of
+     * Newton's; the later ones each change something in this one. */
     todo("10e", bar, control, u, &report, K, q, du, residual, tangent,
          increment);
     /* END 10e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
+}
+
+static void scene_of_options(int argc, char *argv[], struct bar_scene *scene)
+{
+    int law = 0, held = 0;
+    double nu = 0.3, end[2] = {0.0, 0.0};
+    const struct option options[] = {
+        {"n", .integer = &scene->n, .min = 1, .max = 2000, .help = "elements"},
+        {"law", .choice = &law, .choices = "cubic log", .help = "r(J)"},
+        {"nu", .real = &nu, .min = 0.0, .max = 0.4999, .help = "Poisson's"},
+        {"held", .choice = &held, .choices = "left right both", .help = "ends"},
+        {"c", .real = &scene->c, .min = -1e4, .max = 1e4, .unit = "N/m^3",
+         .help = "body force; < 0 presses towards the left end"},
+        {"left", .real = &end[0], .min = -1e4, .max = 1e4,
+         .help = "u (m) of a held left end, force (N) on a free one"},
+        {"right", .real = &end[1], .min = -1e4, .max = 1e4,
+         .help = "the same at the right end; > 0 points to the right"},
+    };
+    options_parse("10_neohookean_bar", options, COUNT(options), argc, argv);
+    scene->material = material_make(law ? LOG : CUBIC, 1000.0, nu);
+    bar_scene_ends(scene, held != 1, held != 0, end);
+}
+
+/* b, then q, K and du at a state that hides nothing, u_i = h/2 sin(2.385 i);
+ * there is no du where K is not positive definite. */
+static void print_stages(const struct bar_scene *scene)
+{
+    struct bar_state *s = bar_state_by(load_vector, scene);
+    const int N = scene->n + 1;
+    struct matrix *K = matrix_alloc(BANDED, N, 1);
+    double *q = allocate((size_t)N, sizeof *q);
+    double *du = allocate((size_t)N, sizeof *du);
+
+    for (int i = 0; i < N; i++) s->u[i] = 0.5 * s->bar.h * sin(2.385 * i);
+    table_vector("b", N, s->b);
+    if (residual(&s->bar, s->u, q) == OK) table_vector("q", N, q);
+    if (tangent(&s->bar, s->u, K) == OK) matrix_table("K", K);
+    if (increment(&s->bar, K, q, du) == OK) table_vector("du", N, du);
+    matrix_free(K);
+    free(q);
+    free(du);
+    bar_state_free(s);
 }
 
 int main(int argc, char *argv[])

@@ -6,7 +6,7 @@
  *
  * Problem.  A body (-1, 1)^2 of Neo-Hookean material: some vertices are held,
  * u = g, and forces f act on the vertices.  Find the u at which no free vertex
- * is pulled: [eq:body-q] with dt = 1 and rho = 0, which is
+ * is pulled: [eq:body-q] at rest, which is
  *
  *     q_a = sum_e area_e P(F_e) grad N_a - f_a = 0
  *
@@ -37,20 +37,6 @@ static mat2 deformation(const int t[3], const double g[6], const double u[])
     todo("12a", t, g, u, &F);
     /* END 12a */
     return F;
-}
-
-/* q of a held vertex is the force that holds it; hold: all of the left side. */
-static void print_solution(const struct scene *s, const double q[])
-{
-    const struct scene_measures m = scene_measure(s);
-    double hold[2] = {0.0, 0.0};
-    for (int r = 0; r < s->n_dof; r++)
-        if (s->mesh->X[r / 2 * 2] == -1.0) hold[r % 2] += q[r];
-    history_nodes(s, "q", q);
-    table_begin("result", "scene law elastic external min_J hold_x hold_y");
-    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
-              m.external, m.min_J, hold[0], hold[1]);
-    table_end();
 }
 
 /* q_a = sum_e area_e P(F_e) grad N_a - f_a [eq:element-force], at all vertices.
@@ -120,17 +106,37 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     const double weight = material_modulus(&s->body->material);
     struct history report = {.status = MAX_ITERATIONS};
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *du = allocate((size_t)s->n_dof, sizeof *du);
 
     /* SLOT 12e(s, tolerance, cap, weight, u, &report, K, q, du, residual,
      * tangent, increment): the loop, which fills report (history.h) on its way;
-     * body_max_free() is the size of q and du. */
+     * body_max_free() is the size of q and du.  New since 10e: report keeps the
+     * sizes of all iterations, and du is looked at before u takes it. */
     todo("12e", s, tolerance, cap, weight, u, &report, K, q, du, residual,
          tangent, increment);
     /* END 12e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
+}
+
+/* q of a held vertex is the force that holds it; hold: all of the left side. */
+static void print_solution(const struct scene *s, const double q[])
+{
+    const struct scene_measures m = scene_measure(s);
+    double hold[2] = {0.0, 0.0};
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        if (s->mesh->X[2 * a] != -1.0) continue;
+        hold[0] += q[2 * a];
+        hold[1] += q[2 * a + 1];
+    }
+    history_nodes(s, "q", q);
+    table_begin("result", "scene law elastic external min_J hold_x hold_y");
+    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
+              m.external, m.min_J, hold[0], hold[1]);
+    table_end();
 }
 
 int main(int argc, char *argv[])

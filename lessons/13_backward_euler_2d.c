@@ -31,17 +31,6 @@
 
 enum { CAP = 30 }; /* linear systems per time step */
 
-/* A row of `steps`; the centre is the vertex at (0, 0), or at (-1/n, -1/n). */
-static void print_state(const struct scene *s, int iterations)
-{
-    const struct scene_measures m = scene_measure(s);
-    const int n = s->mesh->n, centre = n / 2 * (n + 1) + n / 2;
-    table_row(s->steps * s->set.dt, iterations, m.kinetic, m.elastic,
-              m.external, m.kinetic + m.elastic + m.external, m.momentum[0],
-              m.momentum[1], m.angular, m.min_J, s->u[2 * centre],
-              s->u[2 * centre + 1]);
-}
-
 /* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab
  * [eq:overlap] or, LUMPED, the row sums of that to the diagonal [eq:mass]. */
 static void add_mass(const struct body *body, const double v[], double out[])
@@ -112,7 +101,8 @@ static struct history step(struct scene *s, double tolerance, int cap,
     /* SLOT 13d(s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
      * right_hand_side, equation): write s->g into next; then the loop, which
      * fills report (history.h) on its way: body_increment() for du,
-     * body_max_free() for the size of q and du; then s->v and s->u. */
+     * body_max_free() for the size of q and du; then s->v and s->u.  New since
+     * 12e: b comes from the state before the step, and the end makes v. */
     todo("13d", s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
          right_hand_side, equation);
     /* END 13d */
@@ -120,6 +110,17 @@ static struct history step(struct scene *s, double tolerance, int cap,
     matrix_free(A);
     free(next);
     return report;
+}
+
+/* A row of `steps`; the centre is the vertex at (0, 0), or at (-1/n, -1/n). */
+static void print_state(const struct scene *s, int iterations)
+{
+    const struct scene_measures m = scene_measure(s);
+    const int n = s->mesh->n, centre = n / 2 * (n + 1) + n / 2;
+    table_row(s->steps * s->set.dt, iterations, m.kinetic, m.elastic,
+              m.external, m.kinetic + m.elastic + m.external, m.momentum[0],
+              m.momentum[1], m.angular, m.min_J, s->u[2 * centre],
+              s->u[2 * centre + 1]);
 }
 
 int main(int argc, char *argv[])

@@ -62,20 +62,6 @@ static enum status symplectic_euler(const struct model *model, double dt,
     return status;
 }
 
-/* A loaded bar: q, and the velocity after a step of symplectic Euler. */
-static void print_stages(void)
-{
-    struct model *model = model_bar(4, CONSISTENT);
-    struct state s = state_ripple(model);
-    for (int i = 0; i < s.n; i++) model->f[i] = 10.0 + i;
-    residual(model, 0.01, s.u_before, s.v, s.u, s.v_before);
-    table_vector("residual", s.n, s.v_before);
-    symplectic_euler(model, 0.01, s.u, s.v);
-    table_vector("velocity", s.n, s.v);
-    state_free(&s);
-    model_free(model);
-}
-
 /*
  * The three implicit methods as one solve [eq:one-solve]: u* is the end of a
  * step d of backward Euler from a state (a, b), and v* = (u* - a) / d.  For
@@ -103,29 +89,6 @@ static struct step_report implicit_step(
     return report;
 }
 
-/* A mode, step by step, from u = 1, v = 0; velocities in units of w. */
-static void print_mode(double w_dt)
-{
-    struct model *model = model_mode(1.0);
-    struct state s[N_METHOD];
-    for (int m = 0; m < N_METHOD; m++) {
-        s[m] = state_make(1);
-        s[m].u[0] = 1.0;
-    }
-    table_begin("mode", "k exact symplectic_u symplectic_v backward_u "
-                        "backward_v midpoint_u midpoint_v bdf2_u bdf2_v");
-    for (int k = 0; k <= 40; k++) {
-        table_row(k, cos(k * w_dt), s[0].u[0], s[0].v[0], s[1].u[0], s[1].v[0],
-                  s[2].u[0], s[2].v[0], s[3].u[0], s[3].v[0]);
-        for (int m = 0; m < N_METHOD; m++)
-            integrate_by(symplectic_euler, implicit_step, model,
-                         (enum method)m, w_dt, NULL, &s[m]);
-    }
-    table_end();
-    for (int m = 0; m < N_METHOD; m++) state_free(&s[m]);
-    model_free(model);
-}
-
 /*
  * One frame: u, v, v_before of now advance by dt to the boundary values g under
  * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
@@ -147,6 +110,43 @@ static struct frame frame_step(struct body *body, double dt, const double g[],
     state_free(&start);
     free(g_part);
     return frame;
+}
+
+/* A loaded bar: q, and the velocity after a step of symplectic Euler. */
+static void print_stages(void)
+{
+    struct model *model = model_bar(4, CONSISTENT);
+    struct state s = state_ripple(model);
+    for (int i = 0; i < s.n; i++) model->f[i] = 10.0 + i;
+    residual(model, 0.01, s.u_before, s.v, s.u, s.v_before);
+    table_vector("residual", s.n, s.v_before);
+    symplectic_euler(model, 0.01, s.u, s.v);
+    table_vector("velocity", s.n, s.v);
+    state_free(&s);
+    model_free(model);
+}
+
+/* A mode, step by step, from u = 1, v = 0; velocities in units of w. */
+static void print_mode(double w_dt)
+{
+    struct model *model = model_mode(1.0);
+    struct state s[N_METHOD];
+    for (int m = 0; m < N_METHOD; m++) {
+        s[m] = state_make(1);
+        s[m].u[0] = 1.0;
+    }
+    table_begin("mode", "k exact symplectic_u symplectic_v backward_u "
+                        "backward_v midpoint_u midpoint_v bdf2_u bdf2_v");
+    for (int k = 0; k <= 40; k++) {
+        table_row(k, cos(k * w_dt), s[0].u[0], s[0].v[0], s[1].u[0], s[1].v[0],
+                  s[2].u[0], s[2].v[0], s[3].u[0], s[3].v[0]);
+        for (int m = 0; m < N_METHOD; m++)
+            integrate_by(symplectic_euler, implicit_step, model,
+                         (enum method)m, w_dt, NULL, &s[m]);
+    }
+    table_end();
+    for (int m = 0; m < N_METHOD; m++) state_free(&s[m]);
+    model_free(model);
 }
 
 /* What each frame of the scripted user takes; u of the middle of the side. */

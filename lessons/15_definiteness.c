@@ -70,6 +70,26 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     return dP;
 }
 
+/* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
+ * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
+ * projected elements; ON_DEMAND with these only where K as it is cannot be
+ * factored.  *definite: can it?  Not OK: du means nothing. */
+static enum status direction(struct body *body, enum projection projection,
+                             const double u[], double q[], double du[],
+                             int *definite)
+{
+    enum status status = OK;
+    double *b = allocate((size_t)body->n_equation, sizeof *b);
+    /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
+     * by body_assemble(body, at_rest(NULL), u, EXACT or PROJECTED, q), b[] by
+     * body_gather().  matrix_factor() overwrites K with what matrix_solve()
+     * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
+    todo("15d", body, projection, u, q, du, definite, b, &status);
+    /* END 15d */
+    free(b);
+    return status;
+}
+
 static const struct {
     const char *name;
     mat2 F;
@@ -109,10 +129,6 @@ static void print_modes(const struct material *material)
     table_end();
 }
 
-static enum status direction(struct body *body, enum projection projection,
-                             const double u[], double q[], double du[],
-                             int *definite);
-
 /* du.q of the three directions, downhill is negative: pulled, pressed a little,
  * and half-way to the buckled column, after 12 systems of ON_DEMAND. */
 static void print_descent(struct scene *s, double e, double *q, double *du)
@@ -126,7 +142,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
         double d[3] = {0.0, 0.0, 0.0};
         scene_rest(s);
         scene_press(s, load[k], 1e-3);
-        if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+        if (k == 2) step_solve(s->body, &control, at_rest(NULL), s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
             direction(s->body, (enum projection)m, s->u, q, du, &definite);
             for (int r = 0; r < s->n_dof; r++) d[m] += q[r] * du[r];
@@ -143,42 +159,21 @@ static void print_column(struct scene *s, double e, double *q, double *du)
     const char *const method[] = {"notes", "demand+search", "always+search"};
     table_begin("column",
                 "load method push systems deflection energy start end status");
-    for (int k = 0, start = 0, end = 0; k < 6; k++) {
-        const enum projection m = (enum projection)(k / 2);
-        const double push = k % 2 ? 1e-3 : 0.0;
-        scene_rest(s);
-        scene_press(s, e, push);
-        direction(s->body, m, s->u, q, du, &start);
-        scene_rest(s);
-        const struct step_report report = scene_walk(s, method[m], e, push);
-        direction(s->body, m, s->u, q, du, &end);
-        const double energy = scene_energy(s);
-        table_row(e, method[m], push, report.iterations,
-                  fabs(*scene_middle(s)), cell_if(isfinite(energy), energy),
-                  start ? "yes" : "no", end ? "yes" : "no",
-                  status_name(report.status));
-    }
+    for (int m = NEVER, start = 0, end = 0; m <= ALWAYS; m++)
+        for (double push = 0.0; push <= 1e-3; push += 1e-3) {
+            scene_rest(s);
+            scene_press(s, e, push);
+            direction(s->body, (enum projection)m, s->u, q, du, &start);
+            scene_rest(s);
+            const struct step_report report = scene_walk(s, method[m], e, push);
+            direction(s->body, (enum projection)m, s->u, q, du, &end);
+            const double energy = scene_energy(s);
+            table_row(e, method[m], push, report.iterations,
+                      fabs(*scene_middle(s)),
+                      cell_if(isfinite(energy), energy), start ? "yes" : "no",
+                      end ? "yes" : "no", status_name(report.status));
+        }
     table_end();
-}
-
-/* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
- * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
- * projected elements; ON_DEMAND with these only where K as it is cannot be
- * factored.  *definite: can it?  Not OK: du means nothing. */
-static enum status direction(struct body *body, enum projection projection,
-                             const double u[], double q[], double du[],
-                             int *definite)
-{
-    enum status status = OK;
-    double *b = allocate((size_t)body->n_equation, sizeof *b);
-    /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
-     * by body_assemble(body, 1.0, u, NULL, u, EXACT or PROJECTED, q), b[] by
-     * body_gather().  matrix_factor() overwrites K with what matrix_solve()
-     * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
-    todo("15d", body, projection, u, q, du, definite, b, &status);
-    /* END 15d */
-    free(b);
-    return status;
 }
 
 int main(int argc, char *argv[])

@@ -47,9 +47,9 @@ static void principal_extended(const struct principal_law *law,
                                const double s[2], double P[2])
 {
     const double mu = law->mu, lambda = law->lambda;
-    /* SLOT 16b(law, mu, lambda, s, P): P[0] and P[1]. */
-    todo("16b", law, mu, lambda, s, P);
-    /* END 16b */
+    /* SLOT 16a(law, mu, lambda, s, P): P[0] and P[1]. */
+    todo("16a", law, mu, lambda, s, P);
+    /* END 16a */
 }
 
 /* G[0..2] := G, G', G'' at J of psi = mu/2 (F:F - 2) + G(J): the log law's
@@ -57,9 +57,9 @@ static void principal_extended(const struct principal_law *law,
  * second order with the same G, G', G'' at eps [eq:g-extended]. */
 static void extended(const struct principal_law *law, double J, double G[3])
 {
-    /* SLOT 16c(law, J, G): J is 0 or negative as well. */
-    todo("16c", law, J, G);
-    /* END 16c */
+    /* SLOT 16b(law, J, G): J is 0 or negative as well. */
+    todo("16b", law, J, G);
+    /* END 16b */
 }
 
 /* P^; for a law of G(J) it is P^i = mu si + G'(J) sk, k the other one. */
@@ -79,19 +79,11 @@ static void principal(const struct principal_law *law, const double s[2],
 static mat2 stress(const struct principal_law *law, mat2 F)
 {
     mat2 P = F;
-    /* SLOT 16a(law, F, &P, principal): modes_svd(F) of modes.h gives U, V, s1
+    /* SLOT 16c(law, F, &P, principal): modes_svd(F) of modes.h gives U, V, s1
      * and s2; mat2_transpose(). */
-    todo("16a", law, F, &P, principal);
-    /* END 16a */
+    todo("16c", law, F, &P, principal);
+    /* END 16c */
     return P;
-}
-
-/* P^ at s, for circuit_work() and the first table. */
-static void diagonal(const double s[2], void *law, double out[2])
-{
-    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
-    out[0] = P.m[0][0];
-    out[1] = P.m[1][1];
 }
 
 /*
@@ -100,7 +92,8 @@ static void diagonal(const double s[2], void *law, double out[2])
  *     K du = -q, K projected and shifted; u += du, or less by release_search()
  *
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
- * as it is, shifted: if it is not positive definite, the status is SADDLE.
+ * as it is, shifted: if it is not positive definite, the status is SADDLE.  New
+ * since 13d are the two changes of K, the search, and this test at the end.
  * recovered: OK, every J > 0, and Psi <= RELEASE_ENERGY.
  */
 enum { CAP = 300 };
@@ -110,13 +103,22 @@ static struct release_report release(struct body *body, double u[])
     double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
     double *du = q + 2 * body->mesh->n_vertex;
     struct release_report report = {.status = MAX_ITERATIONS};
-    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
-     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
-     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
+     * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
+     * matrix_factor() for body->K; body_max_free(), _increment(), _energy(),
+     * _min_J(). */
     todo("16d", body, u, small, q, du, &report);
     /* END 16d */
     free(q);
     return report;
+}
+
+/* P^ at s, for circuit_work() and the first table. */
+static void diagonal(const double s[2], void *law, double out[2])
+{
+    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
+    out[0] = P.m[0][0];
+    out[1] = P.m[1][1];
 }
 
 /* One triangle, its vertex 0 held. */

@@ -54,6 +54,38 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
     return l;
 }
 
+/* The fibres of body->added all over a body: to *energy, or to q and K, what
+ * body.h says of a body_addition. */
+static void add_fibres(const struct body *body, double dt, const double u[],
+                       enum tangent kind, double *energy, double q[])
+{
+    const struct fibres *fibres = body->added;
+    /* SLOT 17c(body, dt, u, kind, energy, q, fibres, tension, stress): g from
+     * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
+     * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
+     * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
+    todo("17c", body, dt, u, kind, energy, q, fibres, tension, stress);
+    /* END 17c */
+}
+
+enum { CAP = 40 }; /* systems; new in this loop: they are solved by hand */
+/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
+ * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
+ * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
+ * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
+static enum status strip(const struct material *material,
+                         const struct fibre *fibre, double load, double x[2])
+{
+    const double g[2] = {1.0, 0.0}, enough = 1e-13 * material_modulus(material);
+    enum status status = MAX_ITERATIONS;
+    x[0] = x[1] = 1.0;
+    /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
+     * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
+    todo("17d", material, fibre, load, x, enough, g, stress, &status);
+    /* END 17d */
+    return status;
+}
+
 /* The law over l, and in one F over the angle of the fibre. */
 static void print_law(const struct fibre *fibre)
 {
@@ -89,38 +121,6 @@ static void print_field(const struct scene *s, const struct fibres *fibres)
         table_row(e, fibres->angle[e], now, l, tension(&fibres->fibre, l).T);
     }
     table_end();
-}
-
-/* The fibres of body->added all over a body: to *energy, or to q and K, what
- * body.h says of a body_addition. */
-static void add_fibres(const struct body *body, double dt, const double u[],
-                       enum tangent kind, double *energy, double q[])
-{
-    const struct fibres *fibres = body->added;
-    /* SLOT 17c(body, dt, u, kind, energy, q, fibres, tension, stress): g from
-     * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
-     * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
-     * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
-    todo("17c", body, dt, u, kind, energy, q, fibres, tension, stress);
-    /* END 17c */
-}
-
-enum { CAP = 40 }; /* linear systems of two equations, at most */
-/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
- * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
- * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
- * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
-static enum status strip(const struct material *material,
-                         const struct fibre *fibre, double load, double x[2])
-{
-    const double g[2] = {1.0, 0.0}, enough = 1e-13 * material_modulus(material);
-    enum status status = MAX_ITERATIONS;
-    x[0] = x[1] = 1.0;
-    /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
-     * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
-    todo("17d", material, fibre, load, x, enough, g, stress, &status);
-    /* END 17d */
-    return status;
 }
 
 /* At rising activations; isometric: the tension at l = 1. */
@@ -170,7 +170,7 @@ int main(int argc, char *argv[])
     s->body->add = add_fibres;
     s->body->added = &fibres;
     const enum status square =
-        step_solve(s->body, &newton, 1.0, s->g, s->f, s->u).status;
+        step_solve(s->body, &newton, at_rest(s->f), s->u).status;
     print_field(s, &fibres);
     if (status != OK || square != OK)
         die("strip: %s, square: %s", status_name(status), status_name(square));

@@ -20,11 +20,50 @@
 
 #include <math.h>
 
-static int weights(int order, double h, double x, double w[], double dw[]);
-static enum status p2g(const struct particles *p, struct grid *grid);
+/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
+ * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
+ * where the node at one end has no weight, either end may have it. */
+static int weights(int order, double h, double x, double w[], double dw[])
+{
+    int first = 0;
+    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
+    todo("18a", order, h, x, w, dw, &first);
+    /* END 18a */
+    return first;
+}
+
+/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
+ * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
+static enum status p2g(const struct particles *p, struct grid *grid)
+{
+    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
+     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
+     * and D = diag(s.inertia); where that is 0, so are the ways. */
+    todo("18b", p, grid);
+    /* END 18b */
+    return OK;
+}
+
+/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
+ * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
 static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
-                       struct particles *p);
-static double angular(const struct particles *p);
+                       struct particles *p)
+{
+    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
+    todo("18c", grid, scheme, dt, p);
+    /* END 18c */
+    return OK;
+}
+
+/* The angular momentum of particles about 0, all of it [eq:apic]. */
+static double angular(const struct particles *p)
+{
+    double L = 0.0;
+    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
+    todo("18d", p, &L);
+    /* END 18d */
+    return L;
+}
 
 /* There and back; `kick` times a rigid motion is added to the nodes between. */
 static void transfer(struct cloud c, enum transfer how, double dt, double kick)
@@ -102,61 +141,17 @@ static void print_spin(int order, enum transfer scheme, int steps)
 static void print_filter(int order, int ppc)
 {
     table_begin("filter", "wavelength scheme factor predicted");
-    for (int row = 0; row < 9; row++) {
-        const enum transfer scheme = (enum transfer)(row % 3);
-        const double cells = 16 >> row / 3, k = 2.0 * acos(-1.0) / cells;
-        struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
-        transfer(c, scheme, 0.0, 0.0);
-        table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
-                  transfer_factor(order, scheme, k));
-        cloud_free(c);
-    }
+    for (int cells = 16; cells >= 4; cells /= 2)
+        for (int s = PIC; s <= APIC; s++) {
+            const enum transfer scheme = (enum transfer)s;
+            const double k = 2.0 * acos(-1.0) / cells;
+            struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
+            transfer(c, scheme, 0.0, 0.0);
+            table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
+                      transfer_factor(order, scheme, k));
+            cloud_free(c);
+        }
     table_end();
-}
-
-/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
- * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
- * where the node at one end has no weight, either end may have it. */
-static int weights(int order, double h, double x, double w[], double dw[])
-{
-    int first = 0;
-    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
-    todo("18a", order, h, x, w, dw, &first);
-    /* END 18a */
-    return first;
-}
-
-/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
- * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
-static enum status p2g(const struct particles *p, struct grid *grid)
-{
-    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
-     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
-     * and D = diag(s.inertia); where that is 0, so are the ways. */
-    todo("18b", p, grid);
-    /* END 18b */
-    return OK;
-}
-
-/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
- * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
-static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
-                       struct particles *p)
-{
-    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
-    todo("18c", grid, scheme, dt, p);
-    /* END 18c */
-    return OK;
-}
-
-/* The angular momentum of particles about 0, all of it [eq:apic]. */
-static double angular(const struct particles *p)
-{
-    double L = 0.0;
-    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
-    todo("18d", p, &L);
-    /* END 18d */
-    return L;
 }
 
 int main(int argc, char *argv[])

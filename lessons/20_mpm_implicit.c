@@ -27,33 +27,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct particle_report advance(struct cloud c, struct material material,
-                                      const struct particle_step *step);
-
-/* The bar hung by its end, at rest under 500 N/m, which `loads` steps without
- * inertia have put on; each begins with a new grid. */
-static void print_bar(int order, struct material material, enum wall wall)
-{
-    table_begin("bar", "cells ppc wall loads error stress_error status");
-    for (int row = 0; row < 12; row++) {
-        const int cells = 8 << row % 2, ppc = 1 << row / 4;
-        const int loads = row / 2 % 2 ? 10 : 1;
-        struct cloud c = cloud_hanging(order, cells, ppc);
-        struct particle_step step = {.wall = wall};
-        enum status status = OK;
-        for (int k = 1; k <= loads && status == OK; k++) {
-            step.g[0] = 500.0 * k / loads;
-            status = advance(c, material, &step).status;
-        }
-        const struct hanging_error e = hanging_error(c.p, &material, 500.0);
-        table_row(cells, ppc, wall_name(wall), loads,
-                  cell_if(status == OK, e.place),
-                  cell_if(status == OK, e.stress / 500.0), status_name(status));
-        cloud_free(c);
-    }
-    table_end();
-}
-
 /* E and r = dE/du at all nodes; 1 / dt is step->rate.  Statuses are those of
  * particle_force(); E and r are then incomplete. */
 static enum status potential(const struct particle_body *body,
@@ -79,17 +52,18 @@ static void number(const struct grid *grid, enum wall wall,
 {
     const int columns = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
     const int at_wall = (int)lround(-grid->origin[0] / grid->h);
-    /* SLOT 20c(grid, wall, columns, axes, at_wall, map): only nodes with mass
+    /* SLOT 20b(grid, wall, columns, axes, at_wall, map): only nodes with mass
      * move, by the first `axes` components; then their mirror images. */
-    todo("20c", grid, wall, columns, axes, at_wall, map);
-    /* END 20c */
+    todo("20b", grid, wall, columns, axes, at_wall, map);
+    /* END 20b */
 }
 
 /* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
  * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
  * that E falls.  Where A is not positive definite, it is made again without the
  * negative modes of dP/dF, `convex`; NOT_SPD: both fail; STALLED: 40 halvings;
- * MAX_ITERATIONS: after STEP_CAP systems.  A stalled one may count or not. */
+ * MAX_ITERATIONS: after STEP_CAP systems.  A stalled one may count or not.
+ * New since 16d: it projects on demand only, and is a step in time. */
 static struct particle_report newton(const struct particle_body *body,
                                      const struct particle_step *step,
                                      double u[])
@@ -105,11 +79,11 @@ static struct particle_report newton(const struct particle_body *body,
     double *trial = du + n, weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    /* SLOT 20b(body, &convex, step, n, small, &report, map, &there, r, y, du,
+    /* SLOT 20c(body, &convex, step, n, small, &report, map, &there, r, y, du,
      * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
-    todo("20b", body, &convex, step, n, small, &report, map, &there, r, y, du,
+    todo("20c", body, &convex, step, n, small, &report, map, &there, r, y, du,
          trial, &weight, A, u, potential);
-    /* END 20b */
+    /* END 20c */
     matrix_free(A);
     unknowns_free(map);
     free(r);
@@ -144,6 +118,32 @@ static struct particle_report advance(struct cloud c, struct material material,
     if (report.status == OK) report.status = update(c.grid, step, u, c.p);
     for (int s = 0; s < 2 * c.grid->n_node; s++) u[s] *= step->rate;
     return report;
+}
+
+/* The bar hung by its end, at rest under 500 N/m, which `loads` steps without
+ * inertia have put on; each begins with a new grid. */
+static void print_bar(int order, struct material material, enum wall wall)
+{
+    table_begin("bar", "cells ppc wall loads error stress_error status");
+    for (int ppc = 1; ppc <= 4; ppc *= 2)
+        for (int loads = 1; loads <= 10; loads *= 10)
+            for (int cells = 8; cells <= 16; cells *= 2) {
+                struct cloud c = cloud_hanging(order, cells, ppc);
+                struct particle_step step = {.wall = wall};
+                enum status status = OK;
+                for (int k = 1; k <= loads && status == OK; k++) {
+                    step.g[0] = 500.0 * k / loads;
+                    status = advance(c, material, &step).status;
+                }
+                const struct hanging_error e =
+                    hanging_error(c.p, &material, 500.0);
+                table_row(cells, ppc, wall_name(wall), loads,
+                          cell_if(status == OK, e.place),
+                          cell_if(status == OK, e.stress / 500.0),
+                          status_name(status));
+                cloud_free(c);
+            }
+    table_end();
 }
 
 int main(int argc, char *argv[])

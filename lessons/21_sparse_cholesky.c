@@ -29,6 +29,57 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* Number the vertices of columns i0 <= i < i1 and rows j0 <= j < j1 row by row:
+ * place[j * width + i] = next, next + 1, ...  Returns the next free number. */
+static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
+                       int place[])
+{
+    for (int j = j0; j < j1; j++)
+        for (int i = i0; i < i1; i++) place[j * width + i] = next++;
+    return next;
+}
+
+/* The same by nested dissection [alg:dissection], with its parameters and leaf,
+ * leaf >= 4: a rectangle of more vertices is cut by a line of vertices across
+ * its longer side, in the middle.  Lines and small rectangles go row by row. */
+static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
+                   int next, int place[])
+{
+    /* SLOT 21a(i0, i1, j0, j1, leaf, width, next, place, number_rows): return
+     * the next free number. */
+    todo("21a", i0, i1, j0, j1, leaf, width, next, place, number_rows);
+    /* END 21a */
+}
+
+/* The elimination tree, parent[j] the smallest i > j with L_ij != 0, -1 where
+ * there is none [eq:elimination-tree]; and count[j], how many entries column j
+ * of L has, with L_jj.  From the pattern of K alone. */
+static void analyse(const struct csr *K, int parent[], int count[])
+{
+    int *mark = allocate((size_t)K->n, sizeof *mark);
+    /* SLOT 21b(K, parent, count, mark): row by row.  K_ki != 0, i < k: where
+     * does row k of L have entries?  mark is room for K->n numbers. */
+    todo("21b", K, parent, count, mark);
+    /* END 21b */
+    free(mark);
+}
+
+/*
+ * Row k of L, when rows 0 to k - 1 are there [eq:up-looking]: it solves
+ * L_(k-1) l = (K_k0, ..., K_k,k-1), and L_kk^2 = K_kk - l.l.  Every entry goes
+ * to the end of its column.  NOT_SPD unless L_kk^2 > n eps K_kk.  x is zero
+ * before and after; mark is -1 before row 0, then yours, and so is list.
+ */
+static enum status factor_row(const struct csr *K, int k, const int parent[],
+                              struct factor *L, double x[], int mark[],
+                              int list[])
+{
+    /* SLOT 21c(K, k, parent, L, x, mark, list): first the columns i < k with
+     * L_ki != 0, each after those below it in the tree; then their values. */
+    todo("21c", K, k, parent, L, x, mark, list);
+    /* END 21c */
+}
+
 /* Entries of K's lower triangle and of L; m in a column are m^2 flops. */
 struct cost {
     double unknowns, matrix, entries, flops, residual;
@@ -72,57 +123,6 @@ static void print_vertices(const struct system *s, const int place[],
     table_end();
 }
 
-/* Number the vertices of columns i0 <= i < i1 and rows j0 <= j < j1 row by row:
- * place[j * width + i] = next, next + 1, ...  Returns the next free number. */
-static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
-                       int place[])
-{
-    for (int j = j0; j < j1; j++)
-        for (int i = i0; i < i1; i++) place[j * width + i] = next++;
-    return next;
-}
-
-/* The same by nested dissection [alg:dissection]: a rectangle of more than leaf
- * vertices (leaf >= 4) is cut by a line of vertices across its longer side, in
- * the middle.  Lines and small rectangles are numbered row by row. */
-static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
-                   int next, int place[])
-{
-    /* SLOT 21a(i0, i1, j0, j1, leaf, width, next, place, number_rows): return
-     * the next free number. */
-    todo("21a", i0, i1, j0, j1, leaf, width, next, place, number_rows);
-    /* END 21a */
-}
-
-/* The elimination tree, parent[j] the smallest i > j with L_ij != 0, -1 where
- * there is none [eq:elimination-tree]; and count[j], how many entries column j
- * of L has, with L_jj.  From the pattern of K alone. */
-static void analyse(const struct csr *K, int parent[], int count[])
-{
-    int *mark = allocate((size_t)K->n, sizeof *mark);
-    /* SLOT 21b(K, parent, count, mark): row by row.  K_ki != 0, i < k: where
-     * does row k of L have entries?  mark is room for K->n numbers. */
-    todo("21b", K, parent, count, mark);
-    /* END 21b */
-    free(mark);
-}
-
-/*
- * Row k of L, when rows 0 to k - 1 are there [eq:up-looking]: it solves
- * L_(k-1) l = (K_k0, ..., K_k,k-1), and L_kk^2 = K_kk - l.l.  Every entry goes
- * to the end of its column.  NOT_SPD unless L_kk^2 > n eps K_kk.  x is zero
- * before and after; mark is -1 before row 0, then yours, and so is list.
- */
-static enum status factor_row(const struct csr *K, int k, const int parent[],
-                              struct factor *L, double x[], int mark[],
-                              int list[])
-{
-    /* SLOT 21c(K, k, parent, L, x, mark, list): first the columns i < k with
-     * L_ki != 0, each after those below it in the tree; then their values. */
-    todo("21c", K, k, parent, L, x, mark, list);
-    /* END 21c */
-}
-
 /* The system in one order, with a table of this name; the solution at the
  * vertices goes to du, none when the status is NOT_SPD. */
 static struct cost solve_in(const char *name, const struct system *s,
@@ -131,25 +131,33 @@ static struct cost solve_in(const char *name, const struct system *s,
     struct csr *K = system_matrix(s, place);
     const int n = K->n;
     struct cost cost = {n, (K->start[n] + n) / 2.0, 0.0, 0.0, 0.0, OK};
-    int *parent = allocate(4 * (size_t)n, sizeof *parent), *count = parent + n;
-    double *x = allocate(2 * (size_t)n, sizeof *x), *b = x + n;
+    int *parent = allocate((size_t)n, sizeof *parent);
+    int *count = allocate((size_t)n, sizeof *count);
+    int *mark = allocate((size_t)n, sizeof *mark);
+    int *list = allocate((size_t)n, sizeof *list);
+    double *x = allocate((size_t)n, sizeof *x);
+    double *b = allocate((size_t)n, sizeof *b);
     analyse(K, parent, count);
     print_tree(name, n, parent, count);
     struct factor *L = factor_alloc(n, count);
     for (int j = 0; j < n; j++) {
         cost.entries += count[j];
         cost.flops += (double)count[j] * count[j];
-        count[n + j] = -1; /* the marks; the list is behind them */
+        mark[j] = -1;
     }
     for (int k = 0; k < n && cost.status == OK; k++)
-        cost.status = factor_row(K, k, parent, L, x, count + n, count + 2 * n);
+        cost.status = factor_row(K, k, parent, L, x, mark, list);
     system_right_side(s, place, b);
     system_right_side(s, place, x);
     if (cost.status == OK) factor_solve(L, x);
     cost.residual = csr_residual(K, x, b);
     system_back(s, place, x, du);
     factor_free(L);
+    free(b);
     free(x);
+    free(list);
+    free(mark);
+    free(count);
     free(parent);
     csr_free(K);
     return cost;

@@ -40,33 +40,6 @@ struct report {
     double residual[CAP + 1], curvature[CAP + 1];
 };
 
-/* The last row is that of an iteration that was not made. */
-static void print_history(const struct report *report)
-{
-    table_begin("history", "k residual curvature");
-    for (int k = 0; k <= report->iterations; k++)
-        table_row(k, report->residual[k],
-                  cell_if(report->curvature[k] != 0.0, report->curvature[k]));
-    table_end();
-}
-
-static void print_grids(const struct multigrid *m)
-{
-    table_begin("grids", "n unknowns entries");
-    for (int g = 0; g < m->grids; g++)
-        table_row(m->n[g], m->K[g]->n, m->K[g]->start[m->K[g]->n]);
-    table_end();
-}
-
-static void print_solution(const struct system *s, const double x[])
-{
-    const int width = s->scene->mesh->n - 1;
-    table_begin("vertices", "i j x y");
-    for (int v = 0; v < s->n_vertex; v++)
-        table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
-    table_end();
-}
-
 static double dot(int n, const double x[], const double y[])
 {
     double sum = 0.0;
@@ -78,7 +51,8 @@ static double dot(int n, const double x[], const double y[])
  * Conjugate gradients from x = 0 [alg:cg]; z := B r is precondition(context, r,
  * z).  OK: |r| <= tolerance |b|, Euclidean norms; NOT_SPD: p.Kp or r.z is not
  * positive; NONFINITE: a number is not finite; MAX_ITERATIONS: not done after
- * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.
+ * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.  Eight
+ * parameters: K, B and its context, b, x, and when to stop.
  */
 static void cg(const struct csr *K, preconditioner *precondition,
                const void *context, double tolerance, int cap,
@@ -130,6 +104,33 @@ static void v_cycle(const void *context, const double r[], double z[])
     memcpy(m->b[0], r, bytes);
     cycle(m, 0);
     memcpy(z, m->x[0], bytes);
+}
+
+/* The last row is that of an iteration that was not made. */
+static void print_history(const struct report *report)
+{
+    table_begin("history", "k residual curvature");
+    for (int k = 0; k <= report->iterations; k++)
+        table_row(k, report->residual[k],
+                  cell_if(report->curvature[k] != 0.0, report->curvature[k]));
+    table_end();
+}
+
+static void print_grids(const struct multigrid *m)
+{
+    table_begin("grids", "n unknowns entries");
+    for (int g = 0; g < m->grids; g++)
+        table_row(m->n[g], m->K[g]->n, m->K[g]->start[m->K[g]->n]);
+    table_end();
+}
+
+static void print_solution(const struct system *s, const double x[])
+{
+    const int width = s->scene->mesh->n - 1;
+    table_begin("vertices", "i j x y");
+    for (int v = 0; v < s->n_vertex; v++)
+        table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
+    table_end();
 }
 
 int main(int argc, char *argv[])

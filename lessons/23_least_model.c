@@ -20,19 +20,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A row of `ladder`; truth may be NULL. */
-static void print_rung(int rung, const struct ladder_state *s,
-                       const double part[N_PART], int stable, double estimate,
-                       const struct ladder_state *truth, const char *verdict)
-{
-    table_row(rung, ladder_rung(s->model.rung),
-              s->model.moving ? "motion" : "rest", s->model.level,
-              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], stable ? "stable" : "unstable", estimate,
-              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
-              s->flops, verdict);
-}
-
 /*
  * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
  * all triangles [eq:left-geometry]; 0 where u = 0.
@@ -120,6 +107,19 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     todo("23d", model, time, stable, tolerance, part, estimate, add, &enough);
     /* END 23d */
     return enough;
+}
+
+/* A row of `ladder`; truth may be NULL. */
+static void print_rung(int rung, const struct ladder_state *s,
+                       const double part[N_PART], int stable, double estimate,
+                       const struct ladder_state *truth, const char *verdict)
+{
+    table_row(rung, ladder_rung(s->model.rung),
+              s->model.moving ? "motion" : "rest", s->model.level,
+              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
+              part[MESH], stable ? "stable" : "unstable", estimate,
+              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              s->flops, verdict);
 }
 
 /* Climb from the bar, a row per rung.  Returns whether the last is enough. */

@@ -32,37 +32,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is counted over all frames. */
-struct summary {
-    int frames, lost, downhill, most;
-    double energy; /* the largest (J) */
-};
-
-static void print_summary(const struct live *live, const struct summary *sum)
-{
-    double u = 0.0;
-    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
-    table_begin("summary", "frames lost downhill most_systems most_energy "
-                           "last_max_u");
-    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
-    table_end();
-}
-
-/* A row of the table, and what is counted. */
-static void print_frame(const struct live *live, int knots, struct cell ms,
-                        const struct live_report *report, struct summary *sum)
-{
-    const double energy = live_energy(live);
-    table_row(++sum->frames, report->rung, report->first,
-              status_name(report->status), report->systems, report->part,
-              body_min_J(live->body, live->now.u), knots, energy,
-              live->hand[0], live->hand[1], ms);
-    sum->lost += strcmp(report->rung, "lost") == 0;
-    sum->downhill += strcmp(report->rung, "downhill") == 0;
-    if (report->systems > sum->most) sum->most = report->systems;
-    if (energy > sum->energy) sum->energy = energy;
-}
-
 /* to := where a hand at `from` is after a frame on its way to the pointer: the
  * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
  * LIVE_REACH [eq:live-hand]. */
@@ -97,11 +66,11 @@ static int count_knots(const struct mesh *mesh, const double u[])
  * u := u0 with the held values g, and what that does to the rest: the first
  * iteration of Newton's method, in which the jump enters linearly
  * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are of body_assemble() with dt, w and no f.
+ * `tangent` and q are those of Phi, by body_assemble().
  * OK, or the status of an assembly or of the factorisation, or NONFINITE:
  * something would move by more than LIVE_LEAP.
  */
-static enum status elastic_lift(struct body *body, double dt, const double w[],
+static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],
                                 enum tangent tangent, double u[])
 {
@@ -114,11 +83,10 @@ static enum status elastic_lift(struct body *body, double dt, const double w[],
         size = fmax(size, fabs(move[r]));
     }
     const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
-    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
-     * &status): n numbers each; K_fh move is the central difference of q over
-     * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
-    todo("24c", body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
-         &status);
+    /* SLOT 24c(body, Phi, u0, tangent, u, move, q, ahead, behind, e, &status):
+     * n numbers each; K_fh move is the central difference of q over u0 - e move
+     * and u0 + e move; body_assemble(), body_increment(). */
+    todo("24c", body, Phi, u0, tangent, u, move, q, ahead, behind, e, &status);
     /* END 24c */
     free(move);
     return status;
@@ -141,15 +109,48 @@ static enum status downhill(struct live *live, double u[], double v[],
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    const struct incremental Phi = {dt, w, NULL};
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, &status, &control): w
-     * and g are to be filled; live->g has the held values at the end of the
-     * way. */
-    todo("24d", live, dt, u0, v0, n, w, g, u, v, report, &status, &control);
+    /* SLOT 24d(live, dt, u0, v0, n, w, Phi, g, u, v, report, &status,
+     * &control): w and g are to be filled; live->g has the held values at the
+     * end of the way. */
+    todo("24d", live, dt, u0, v0, n, w, Phi, g, u, v, report, &status,
+         &control);
     /* END 24d */
     free(w);
     return status;
+}
+
+/* What is counted over all frames. */
+struct summary {
+    int frames, lost, downhill, most;
+    double energy; /* the largest (J) */
+};
+
+static void print_summary(const struct live *live, const struct summary *sum)
+{
+    double u = 0.0;
+    for (int r = 0; r < live->n_dof; r++) u = fmax(u, fabs(live->now.u[r]));
+    table_begin("summary", "frames lost downhill most_systems most_energy "
+                           "last_max_u");
+    table_row(sum->frames, sum->lost, sum->downhill, sum->most, sum->energy, u);
+    table_end();
+}
+
+/* A row of the table, and what is counted. */
+static void print_frame(const struct live *live, int knots, struct cell ms,
+                        const struct live_report *report, struct summary *sum)
+{
+    const double energy = live_energy(live);
+    table_row(++sum->frames, report->rung, report->first,
+              status_name(report->status), report->systems, report->part,
+              body_min_J(live->body, live->now.u), knots, energy,
+              live->hand[0], live->hand[1], ms);
+    sum->lost += strcmp(report->rung, "lost") == 0;
+    sum->downhill += strcmp(report->rung, "downhill") == 0;
+    if (report->systems > sum->most) sum->most = report->systems;
+    if (energy > sum->energy) sum->energy = energy;
 }
 
 /* One frame of input: the hand, the solver, a row of the table, a picture. */

@@ -28,18 +28,6 @@
 #include <gsl/gsl_math.h>
 #include <stdlib.h>
 
-/* The maps of the notes' Figure 4. */
-static double sine(double X) { return sin(2.0 * M_PI * X); }
-static double square(double X) { return X * X; }
-
-/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
-static void push(double s, const double X[2], double x[2])
-{
-    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
-    x[0] = X[0] + s * p * p * q * q;
-    x[1] = X[1];
-}
-
 /*
  * F of the bar element whose ends X0 and X1 (X0 > X1 is allowed) are now at x0
  * and x1.  Returns the sign of F [eq:deformation-gradient]: 1 upright, -1
@@ -53,30 +41,10 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
     /* SLOT 1a(X0, X1, x0, x1, size, F, sign): set *F, and set sign to 1, -1
      * or 0 [eq:deformation-gradient]. */
     *F = (x1 - x0) / (X1 - X0);
+    /* a length below round-off has no sign, though F would have one */
     if (fabs(x1 - x0) > 16.0 * DBL_EPSILON * size) sign = *F > 0.0 ? 1 : -1;
     /* END 1a */
     return sign;
-}
-
-/* F of n equal elements of (a, 1) under phi. */
-static void print_bar(field *phi, double a, int n)
-{
-    static const char *const word[] = {"inverted", "collapsed", "upright"};
-    double *X = allocate(2 * (size_t)(n + 1), sizeof *X), *x = X + n + 1;
-    double size = 0.0, F = 0.0;
-
-    grid_make(a, 1.0, n, 1.0, X);
-    for (int j = 0; j <= n; j++) {
-        x[j] = phi(X[j]);
-        size = fmax(size, fmax(fabs(X[j]), fabs(x[j])));
-    }
-    table_begin("bar", "X0 X1 F sign");
-    for (int e = 0; e < n; e++) {
-        int sign = bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
-        table_row(X[e], X[e + 1], F, word[1 + sign]);
-    }
-    table_end();
-    free(X);
 }
 
 /*
@@ -91,6 +59,7 @@ static double triangle_gradient(const int node[3], const double X[],
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
      * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+    /* column k: the edge from node[0] to node[k + 1] */
     mat2 Dm, Ds;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
@@ -100,10 +69,71 @@ static double triangle_gradient(const int node[3], const double X[],
     const double det = Dm.m[0][0] * Dm.m[1][1] - Dm.m[0][1] * Dm.m[1][0];
     const mat2 inverse = {{{Dm.m[1][1] / det, -Dm.m[0][1] / det},
                            {-Dm.m[1][0] / det, Dm.m[0][0] / det}}};
+    /* Ds = F Dm, column by column */
     *F = mat2_multiply(Ds, inverse);
     J = F->m[0][0] * F->m[1][1] - F->m[0][1] * F->m[1][0];
     /* END 1b */
     return J;
+}
+
+/*
+ * Three strains of F, all zero for F = I:
+ * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
+ * *green   out  (F^T F - I)/2      [eq:green-strain]
+ * *left    out  (F F^T - I)/2      [eq:left-strain]
+ */
+static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
+{
+    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            const double delta = i == j ? 1.0 : 0.0;
+            /* F^T F sums over the first index of F, F F^T over the second */
+            double right_product = 0.0, left_product = 0.0;
+            for (int k = 0; k < 2; k++) {
+                right_product += F.m[k][i] * F.m[k][j];
+                left_product += F.m[i][k] * F.m[j][k];
+            }
+            linear->m[i][j] = 0.5 * (F.m[i][j] + F.m[j][i]) - delta;
+            green->m[i][j] = 0.5 * (right_product - delta);
+            left->m[i][j] = 0.5 * (left_product - delta);
+        }
+    /* END 1c */
+}
+
+/* The maps of the notes' Figure 4. */
+static double sine(double X) { return sin(2.0 * M_PI * X); }
+static double square(double X) { return X * X; }
+
+/* The square (-1, 1)^2 pushed to the right inside, its boundary held. */
+static void push(double s, const double X[2], double x[2])
+{
+    const double p = 1.0 - X[0] * X[0], q = 1.0 - X[1] * X[1];
+    x[0] = X[0] + s * p * p * q * q;
+    x[1] = X[1];
+}
+
+/* F of n equal elements of (a, 1) under phi. */
+static void print_bar(field *phi, double a, int n)
+{
+    static const char *const word[] = {"inverted", "collapsed", "upright"};
+    double *X = allocate((size_t)n + 1, sizeof *X);
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double size = 0.0, F = 0.0;
+
+    grid_make(a, 1.0, n, 1.0, X);
+    for (int j = 0; j <= n; j++) {
+        x[j] = phi(X[j]);
+        size = fmax(size, fmax(fabs(X[j]), fabs(x[j])));
+    }
+    table_begin("bar", "X0 X1 F sign");
+    for (int e = 0; e < n; e++) {
+        int sign = bar_gradient(X[e], X[e + 1], x[e], x[e + 1], size, &F);
+        table_row(X[e], X[e + 1], F, word[1 + sign]);
+    }
+    table_end();
+    free(X);
+    free(x);
 }
 
 /* F and J of every triangle of the pushed square, and sums over them.  Every
@@ -134,30 +164,6 @@ static void print_square(const struct mesh *mesh, double s)
     table_row(s, inverted, min_J, sum, absolute);
     table_end();
     free(x);
-}
-
-/*
- * Three strains of F, all zero for F = I:
- * *linear  out  (F + F^T)/2 - I    [eq:linear-strain]
- * *green   out  (F^T F - I)/2      [eq:green-strain]
- * *left    out  (F F^T - I)/2      [eq:left-strain]
- */
-static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
-{
-    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 2; j++) {
-            const double delta = i == j ? 1.0 : 0.0;
-            double right_product = 0.0, left_product = 0.0;
-            for (int k = 0; k < 2; k++) {
-                right_product += F.m[k][i] * F.m[k][j];
-                left_product += F.m[i][k] * F.m[j][k];
-            }
-            linear->m[i][j] = 0.5 * (F.m[i][j] + F.m[j][i]) - delta;
-            green->m[i][j] = 0.5 * (right_product - delta);
-            left->m[i][j] = 0.5 * (left_product - delta);
-        }
-    /* END 1c */
 }
 
 /* The strains of a body that is stretched along x and then turned. */

@@ -49,6 +49,7 @@ static enum status volumetric(enum law law, double J, struct volumetric *v)
         if (!(J > 0.0)) return INVERTED; /* NaN as well */
         *v = (struct volumetric){log(J), 1.0 / J, -1.0 / (J * J)};
     } else {
+        /* ln(1 + s) = s - s^2/2 + s^3/3 - ..., cut off behind s^3 */
         const double s = J - 1.0;
         v->r = s - s * s / 2.0 + s * s * s / 3.0;
         v->dr = 1.0 - s + s * s;
@@ -84,24 +85,11 @@ static enum status response1(const struct material *material, double F,
         out->psi = 0.5 * mu * (F * F - 1.0) - mu * v.r +
                    0.5 * lambda * v.r * v.r;
         out->P = mu * F + dg * v.dr;
+        /* mu + g'' r'^2 + g' r'', and g'' = lambda */
         out->dP = mu + lambda * v.dr * v.dr + dg * v.ddr;
     }
     /* END 2b */
     return OK;
-}
-
-/* Figure 6: a law where it is defined, F = -1 ... 3. */
-static void print_curve(const struct material *material, int n)
-{
-    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
-    table_begin(name[material->law], "F psi P dP");
-    for (int i = 0; i <= n; i++) {
-        const double F = (4.0 * i - n) / n;
-        struct response1 out;
-        if (response1(material, F, &out) == OK)
-            table_row(F, out.psi, out.P, out.dP);
-    }
-    table_end();
 }
 
 /*
@@ -126,6 +114,7 @@ static enum status response2(const struct material *material, mat2 F,
         *P = mat2_add(mat2_scale(2.0 * mu, eps),
                       mat2_scale(lambda * trace, mat2_identity()));
     } else {
+        /* cof F = dJ/dF; J F^-T is the same, but divides by J */
         const mat2 cof = {
             {{F.m[1][1], -F.m[1][0]}, {-F.m[0][1], F.m[0][0]}}};
         const double dg = (lambda * v.r - mu) * v.dr;
@@ -135,6 +124,50 @@ static enum status response2(const struct material *material, mat2 F,
     }
     /* END 2c */
     return OK;
+}
+
+/* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
+ * symmetric, A : dP(F; B) = B : dP(F; A). */
+static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
+                            mat2 *dP)
+{
+    const double mu = material->mu, lambda = material->lambda;
+    struct volumetric v = {0};
+    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
+    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
+     * of P in the direction dF. */
+    if (material->law == LINEAR) {
+        /* P is linear in F: its own formula, of dF */
+        const mat2 eps = mat2_scale(0.5, mat2_add(dF, mat2_transpose(dF)));
+        *dP = mat2_add(mat2_scale(2.0 * mu, eps),
+                       mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
+    } else {
+        const mat2 cof = mat2_cofactor(F); /* what you wrote in 2c */
+        const double dJ = mat2_dot(cof, dF);
+        const double dg = (lambda * v.r - mu) * v.dr;
+        const double ddg =
+            lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
+        /* in two dimensions cof is linear too: d(cof F) = cof dF */
+        *dP = mat2_add(mat2_scale(mu, dF),
+                       mat2_add(mat2_scale(ddg * dJ, cof),
+                                mat2_scale(dg, mat2_cofactor(dF))));
+    }
+    /* END 2d */
+    return OK;
+}
+
+/* Figure 6: a law where it is defined, F = -1 ... 3. */
+static void print_curve(const struct material *material, int n)
+{
+    const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
+    table_begin(name[material->law], "F psi P dP");
+    for (int i = 0; i <= n; i++) {
+        const double F = (4.0 * i - n) / n;
+        struct response1 out;
+        if (response1(material, F, &out) == OK)
+            table_row(F, out.psi, out.P, out.dP);
+    }
+    table_end();
 }
 
 /* A row of table state: r, r', r'', psi and P at F, where they exist. */
@@ -153,46 +186,19 @@ static void print_state(const struct material *material, mat2 F)
               cell_if(ok, P.m[1][0]), cell_if(ok, P.m[1][1]));
 }
 
-/* The change of P when F changes by a small dF [eq:dpk1]: linear in dF, and
- * symmetric, A : dP(F; B) = B : dP(F; A). */
-static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
-                            mat2 *dP)
-{
-    const double mu = material->mu, lambda = material->lambda;
-    struct volumetric v = {0};
-    if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
-     * of P in the direction dF. */
-    if (material->law == LINEAR) {
-        const mat2 eps = mat2_scale(0.5, mat2_add(dF, mat2_transpose(dF)));
-        *dP = mat2_add(mat2_scale(2.0 * mu, eps),
-                       mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
-    } else {
-        const mat2 cof = mat2_cofactor(F); /* what you wrote in 2c */
-        const double dJ = mat2_dot(cof, dF);
-        const double dg = (lambda * v.r - mu) * v.dr;
-        const double ddg =
-            lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
-        *dP = mat2_add(mat2_scale(mu, dF),
-                       mat2_add(mat2_scale(ddg * dJ, cof),
-                                mat2_scale(dg, mat2_cofactor(dF))));
-    }
-    /* END 2d */
-    return OK;
-}
-
 /* Four rows of table tangent: dP when one entry of F grows by 1. */
 static void print_tangent(const struct material *material, mat2 F)
 {
-    static const char *const entry[] = {"F11", "F12", "F21", "F22"};
-    for (int k = 0; k < 4; k++) {
-        mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
-        dF.m[k / 2][k % 2] = 1.0;
-        const int ok = tangent2(material, F, dF, &dP) == OK;
-        table_row(material_law(material->law), entry[k],
-                  cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
-                  cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
-    }
+    static const char *const entry[2][2] = {{"F11", "F12"}, {"F21", "F22"}};
+    for (int i = 0; i < 2; i++)
+        for (int j = 0; j < 2; j++) {
+            mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}}, dP = dF;
+            dF.m[i][j] = 1.0;
+            const int ok = tangent2(material, F, dF, &dP) == OK;
+            table_row(material_law(material->law), entry[i][j],
+                      cell_if(ok, dP.m[0][0]), cell_if(ok, dP.m[0][1]),
+                      cell_if(ok, dP.m[1][0]), cell_if(ok, dP.m[1][1]));
+        }
 }
 
 int main(int argc, char *argv[])

@@ -47,29 +47,13 @@ static struct quadrature quadrature_rule(enum rule rule)
         points = (struct quadrature){2, {0.0, 1.0}, {0.5, 0.5}};
         break;
     default: {
+        /* Gauss: -+ 1/sqrt(3) on (-1, 1), which is twice as long */
         const double d = 0.5 / sqrt(3.0);
         points = (struct quadrature){2, {0.5 - d, 0.5 + d}, {0.5, 0.5}};
     }
     }
     /* END 6a */
     return points;
-}
-
-/* What each rule makes of the monomials: int s^degree ds less the rule. */
-static void print_exactness(void)
-{
-    table_begin("exactness", "degree midpoint trapezoid gauss2");
-    for (int degree = 0; degree <= 5; degree++) {
-        double error[N_RULE];
-        for (int r = 0; r < N_RULE; r++) {
-            const struct quadrature rule = quadrature_rule((enum rule)r);
-            error[r] = 1.0 / (degree + 1);
-            for (int k = 0; k < rule.n; k++)
-                error[r] -= rule.w[k] * gsl_pow_int(rule.s[k], degree);
-        }
-        table_row(degree, error[0], error[1], error[2]);
-    }
-    table_end();
 }
 
 /* The integral of g times a shape over (x0, x1) [eq:quadrature]. */
@@ -83,20 +67,11 @@ static double element_integral(double x0, double x1, field *g,
     for (int k = 0; k < rule->n; k++) {
         const double s = rule->s[k];
         const double phi = shape == ONE ? 1.0 : shape == RISING ? s : 1.0 - s;
+        /* dx = h ds */
         sum += h * rule->w[k] * g(x0 + s * h) * phi;
     }
     /* END 6b */
     return sum;
-}
-
-/* mean[j], j = 1..n, is the mean of beta over element j; mean[0] is 0. */
-static void element_means(int n, const double x[], field *beta,
-                          const struct quadrature *rule, double mean[])
-{
-    mean[0] = 0.0;
-    for (int j = 1; j <= n; j++)
-        mean[j] = element_integral(x[j - 1], x[j], beta, ONE, rule) /
-                  (x[j] - x[j - 1]);
 }
 
 /* row[0..2] := A_{j,j-1}, A_jj, A_{j,j+1} before any boundary condition, 0
@@ -107,6 +82,7 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
     row[0] = row[1] = row[2] = 0.0;
     /* SLOT 6c(j, n, x, mean, row): the element on the left of vertex j, if
      * there is one, then the element on its right, if there is one. */
+    /* e_{j-1}' = -1/h, e_j' = 1/h: mean h (1/h)(1/h) = mean / h */
     if (j > 0) {
         const double k = mean[j] / (x[j] - x[j - 1]);
         row[0] -= k;
@@ -120,15 +96,30 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
     /* END 6c */
 }
 
-static void print_A(int n, const double x[], const double mean[])
+/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
+static double load_entry(int j, int n, const double x[], field *f,
+                         const struct quadrature *rule, double qa, double qb)
 {
-    table_begin("A", "j lower diagonal upper");
-    for (int j = 0; j <= n; j++) {
-        double row[3];
-        stiffness_row(j, n, x, mean, row);
-        table_row(j, cell_if(j > 0, row[0]), row[1], cell_if(j < n, row[2]));
-    }
-    table_end();
+    double b = 0.0;
+    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
+     * the hat e_j, one half only at an end, where its flux is added. */
+    /* e_j rises on the element on its left and falls on the other */
+    if (j > 0) b += element_integral(x[j - 1], x[j], f, RISING, rule);
+    if (j < n) b += element_integral(x[j], x[j + 1], f, FALLING, rule);
+    if (j == 0) b += qa;
+    if (j == n) b += qb;
+    /* END 6d */
+    return b;
+}
+
+/* mean[j], j = 1..n, is the mean of beta over element j; mean[0] is 0. */
+static void element_means(int n, const double x[], field *beta,
+                          const struct quadrature *rule, double mean[])
+{
+    mean[0] = 0.0;
+    for (int j = 1; j <= n; j++)
+        mean[j] = element_integral(x[j - 1], x[j], beta, ONE, rule) /
+                  (x[j] - x[j - 1]);
 }
 
 /* u := A^{-1} b, b in u; at node `held` u is given as sin 2x. */
@@ -151,19 +142,32 @@ static enum status solve(int n, const double x[], const double mean[], int held,
     return status;
 }
 
-/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
-static double load_entry(int j, int n, const double x[], field *f,
-                         const struct quadrature *rule, double qa, double qb)
+/* What each rule makes of the monomials: int s^degree ds less the rule. */
+static void print_exactness(void)
 {
-    double b = 0.0;
-    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, one half only at an end, where its flux is added. */
-    if (j > 0) b += element_integral(x[j - 1], x[j], f, RISING, rule);
-    if (j < n) b += element_integral(x[j], x[j + 1], f, FALLING, rule);
-    if (j == 0) b += qa;
-    if (j == n) b += qb;
-    /* END 6d */
-    return b;
+    table_begin("exactness", "degree midpoint trapezoid gauss2");
+    for (int degree = 0; degree <= 5; degree++) {
+        double error[N_RULE];
+        for (int r = 0; r < N_RULE; r++) {
+            const struct quadrature rule = quadrature_rule((enum rule)r);
+            error[r] = 1.0 / (degree + 1);
+            for (int k = 0; k < rule.n; k++)
+                error[r] -= rule.w[k] * gsl_pow_int(rule.s[k], degree);
+        }
+        table_row(degree, error[0], error[1], error[2]);
+    }
+    table_end();
+}
+
+static void print_A(int n, const double x[], const double mean[])
+{
+    table_begin("A", "j lower diagonal upper");
+    for (int j = 0; j <= n; j++) {
+        double row[3];
+        stiffness_row(j, n, x, mean, row);
+        table_row(j, cell_if(j > 0, row[0]), row[1], cell_if(j < n, row[2]));
+    }
+    table_end();
 }
 
 int main(int argc, char *argv[])
@@ -184,8 +188,9 @@ int main(int argc, char *argv[])
     const struct quadrature rule = quadrature_rule((enum rule)kind);
     const double qa = held == LEFT ? 0.0 : -2.0; /* beta u' n */
     const double qb = held == LEFT ? 2.0 * exp(1.0) * cos(2.0) : 0.0;
-    double *x = allocate(3 * (size_t)(n + 1), sizeof *x);
-    double *mean = x + n + 1, *u = mean + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *mean = allocate((size_t)n + 1, sizeof *mean);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     grid_make(0.0, 1.0, n, grading, x);
     element_means(n, x, smooth_beta, &rule, mean);
 
@@ -203,5 +208,7 @@ int main(int argc, char *argv[])
     for (int j = 0; j <= n; j++) table_row(x[j], u[j], smooth_exact(x[j]));
     table_end();
     free(x);
+    free(mean);
+    free(u);
     return table_finish();
 }

@@ -49,31 +49,6 @@ static void assemble(const struct problem *problem, enum load load, int n,
     if (load == EXACT_LOAD) bvp_exact_load(n, x, b);
 }
 
-struct solution {
-    int n;
-    double *x, *u, *b; /* [n + 1]; x owns the memory of all three */
-    struct matrix *A;  /* before the Dirichlet correction; owned */
-    struct poisson_error error;
-    double reaction; /* (A u - b)_0 = -beta u' at x = 0 [eq:reaction] */
-    double slope;    /* the same from the first element's slope */
-};
-
-static void print_solution(const struct solution *s)
-{
-    if (s->n <= 12) matrix_table("A", s->A);
-    table_vector("b", s->n + 1, s->b);
-    table_begin("nodes", "x u exact");
-    for (int j = 0; j <= s->n; j++)
-        table_row(s->x[j], s->u[j], bvp_exact(s->x[j]));
-    table_end();
-}
-
-static void solution_free(struct solution *s)
-{
-    free(s->x);
-    matrix_free(s->A);
-}
-
 /*
  * Solve the boundary value problem on the nodes x[0..n].
  *
@@ -95,8 +70,10 @@ static enum status solve_bvp(const struct problem *problem, enum load load,
     const int node[] = {0};
 
     assemble(problem, load, n, x, A, b);
+    /* the boundary term of the integration by parts: e_n(1) = 1 */
     b[n] += problem->q;
 
+    /* A and b stay as they are for the reaction */
     struct matrix *L = matrix_copy(A);
     for (int i = 0; i <= n; i++) u[i] = b[i];
     matrix_dirichlet(L, u, 1, node, &problem->g, KEEP_DIAGONAL);
@@ -134,6 +111,7 @@ static struct poisson_error measure(const struct problem *problem, int n,
             const double d = problem->exact(at) - (u[e] + slope * (at - x[e]));
             const double d_dx = problem->exact_dx(at) - slope;
             error.L2 += w * d * d;
+            /* int beta v'^2 dx, which is v^T A v where v is made of hats */
             error.energy += w * problem->beta(at) * d_dx * d_dx;
         }
     }
@@ -162,6 +140,7 @@ static struct order observed_order(double h1, double err1, double h2,
     /* SLOT 7c(h1, err1, h2, err2, floor, found): fill found.order and
      * found.constant, unless there is nothing to measure. */
     if (h1 > 0.0 && h2 > 0.0 && h1 != h2 && err1 > floor && err2 > floor) {
+        /* err1 / err2 = (h1 / h2)^p */
         found.order = log(err1 / err2) / log(h1 / h2);
         found.constant = err2 / pow(h2, found.order);
     }
@@ -169,11 +148,40 @@ static struct order observed_order(double h1, double err1, double h2,
     return found;
 }
 
+struct solution {
+    int n;
+    double *x, *u, *b; /* [n + 1]; owned */
+    struct matrix *A;  /* before the Dirichlet correction; owned */
+    struct poisson_error error;
+    double reaction; /* (A u - b)_0 = -beta u' at x = 0 [eq:reaction] */
+    double slope;    /* the same from the first element's slope */
+};
+
+static void print_solution(const struct solution *s)
+{
+    if (s->n <= 12) matrix_table("A", s->A);
+    table_vector("b", s->n + 1, s->b);
+    table_begin("nodes", "x u exact");
+    for (int j = 0; j <= s->n; j++)
+        table_row(s->x[j], s->u[j], bvp_exact(s->x[j]));
+    table_end();
+}
+
+static void solution_free(struct solution *s)
+{
+    free(s->x);
+    free(s->u);
+    free(s->b);
+    matrix_free(s->A);
+}
+
 static struct solution solution_of(const struct problem *problem,
                                    enum load load, int n, double grading)
 {
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    struct solution s = {.n = n, .x = x, .u = x + n + 1, .b = x + 2 * (n + 1),
+    const size_t N = (size_t)n + 1;
+    struct solution s = {.n = n, .x = allocate(N, sizeof(double)),
+                         .u = allocate(N, sizeof(double)),
+                         .b = allocate(N, sizeof(double)),
                          .A = matrix_alloc(BANDED, n + 1, 1)};
 
     grid_make(0.0, 1.0, n, grading, s.x);

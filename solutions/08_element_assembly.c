@@ -29,31 +29,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A run is valid when its u solves a system that differs from A u = b by at
- * most this many eps, as that of Cholesky does whatever the condition is. */
-static const double BACKWARD_EPS = 20.0;
-
-/* A system on a grid; x owns the memory of x, b and u. */
-struct system {
-    int n;
-    double *x, *b, *u;
-    struct matrix *A;
-};
-
-static void system_free(struct system *s)
-{
-    free(s->x);
-    matrix_free(s->A);
-}
-
-/* One run of factor + solve, a point of a speed-accuracy chart. */
-struct point {
-    enum status status; /* of the factorisation */
-    int valid;          /* 1, or 0: then there is no time */
-    double seconds;     /* factor + solve, the best of the repeats; or 0 */
-    double backward;    /* backward error in eps; or 0 */
-};
-
 /*
  * Stiffness and load of the element (x0, x1), its nodes 0 and 1, by a
  * quadrature rule [eq:poisson-local] [eq:quadrature]:
@@ -82,13 +57,15 @@ static void element(double x0, double x1, field *beta, field *f,
         r[0] += load * (1.0 - s);
         r[1] += load * s;
     }
+    /* mean(beta) h (-+ 1/h) (-+ 1/h) */
     K[0][0] = K[1][1] = beta_mean / h;
     K[0][1] = K[1][0] = -beta_mean / h;
     /* END 8a */
 }
 
 /*
- * A and b of all elements, no boundary condition yet [alg:element-assembly].
+ * A and b of all elements, no boundary condition yet [alg:element-assembly]:
+ * eight parameters, a problem, a mesh and a rule in, a system out.
  *
  * x      in   nodes x[0..n]
  * order  in   the elements 0..n-1 in the order in which to visit them
@@ -109,29 +86,13 @@ static void assemble(int n, const double x[], field *beta, field *f,
         const int e = order[k];
         double K[2][2], r[2];
         element(x[e], x[e + 1], beta, f, rule, K, r);
+        /* numbers 0 and 1 in the element are the nodes e and e + 1 */
         for (int a = 0; a < 2; a++) {
             b[e + a] += r[a];
             for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
         }
     }
     /* END 8b */
-}
-
-/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
-static struct system system_make(enum storage storage, int n, double grading,
-                                 const struct quadrature *rule, int reversed)
-{
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x);
-    const struct system s = {n, x, x + n + 1, x + 2 * (n + 1),
-                             matrix_alloc(storage, n + 1, 1)};
-    int *order = allocate((size_t)n, sizeof *order);
-    grid_make(0.0, 1.0, n, grading, s.x);
-    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
-    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
-    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
-    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
-    free(order);
-    return s;
 }
 
 /*
@@ -154,6 +115,18 @@ static double cholesky_flops(int N, int p)
     /* END 8c */
 }
 
+/* A run is valid when its u solves a system that differs from A u = b by at
+ * most this many eps, as that of Cholesky does whatever the condition is. */
+static const double BACKWARD_EPS = 20.0;
+
+/* One run of factor + solve, a point of a speed-accuracy chart. */
+struct point {
+    enum status status; /* of the factorisation */
+    int valid;          /* 1, or 0: then there is no time */
+    double seconds;     /* factor + solve, the best of the repeats; or 0 */
+    double backward;    /* backward error in eps; or 0 */
+};
+
 /*
  * u := A^{-1} b, timed [eq:cholesky].  Valid: factored, and a backward error
  * of at most BACKWARD_EPS.  A and b are left alone.
@@ -170,6 +143,7 @@ static struct point measure(const struct matrix *A, const double b[],
         struct matrix *L = matrix_copy(A);
         memcpy(u, b, (size_t)A->n * sizeof *u);
 
+        /* copies are no part of the method: they are made off the clock */
         const double start = clock_seconds();
         point.status = matrix_factor(L);
         if (point.status == OK) matrix_solve(L, u);
@@ -179,12 +153,47 @@ static struct point measure(const struct matrix *A, const double b[],
         matrix_free(L);
     }
     if (point.status == OK) {
+        /* of A itself: matrix_factor() has overwritten the copy */
         point.backward = matrix_backward_error(A, u, b);
         point.valid = point.backward <= BACKWARD_EPS; /* false for NaN */
     }
     if (!point.valid) point.seconds = point.backward = 0.0;
     /* END 8d */
     return point;
+}
+
+/* A system on a grid; its memory is its own. */
+struct system {
+    int n;
+    double *x, *b, *u;
+    struct matrix *A;
+};
+
+static void system_free(struct system *s)
+{
+    free(s->x);
+    free(s->b);
+    free(s->u);
+    matrix_free(s->A);
+}
+
+/* n elements on (0, 1), A and b assembled, the flux at x = 1 in b. */
+static struct system system_make(enum storage storage, int n, double grading,
+                                 const struct quadrature *rule, int reversed)
+{
+    const size_t N = (size_t)n + 1;
+    const struct system s = {n, allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             allocate(N, sizeof(double)),
+                             matrix_alloc(storage, n + 1, 1)};
+    int *order = allocate((size_t)n, sizeof *order);
+    grid_make(0.0, 1.0, n, grading, s.x);
+    for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
+    matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
+    assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);
+    s.b[n] -= 0.5; /* the flux beta u' at x = 1 */
+    free(order);
+    return s;
 }
 
 /* u(0) = 1 [eq:dirichlet-correction], then one run. */

@@ -35,6 +35,123 @@ struct elastic {
     double modulus;    /* P / u' of a bar that cannot move sideways, N/m^2 */
 };
 
+/* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
+static struct elastic elastic_make(double E, double nu)
+{
+    struct elastic m = {0};
+    /* SLOT 9a(E, nu, m): fill m.mu, m.lambda and m.modulus. */
+    m.mu = E / (2.0 * (1.0 + nu));
+    m.lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    /* uniaxial strain, eps = tr eps = u': P = 2 mu u' + lambda u' */
+    m.modulus = 2.0 * m.mu + m.lambda;
+    /* END 9a */
+    return m;
+}
+
+/*
+ * Stiffness matrix and loads, before any node is held [eq:bar-linear]:
+ *
+ *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
+ *
+ * f_mid    in    f at the middle of element e = 0..n-1, for the midpoint rule
+ * K, b     out   order n + 1, half bandwidth 1
+ */
+static void assemble(const struct bar_scene *s, double modulus,
+                     const double f_mid[], struct matrix *K, double b[])
+{
+    matrix_zero(K);
+    for (int i = 0; i <= s->n; i++) b[i] = 0.0;
+    /* SLOT 9b(s, modulus, f_mid, K, b): add every element, which joins nodes e
+     * and e + 1, to K and to b, then the tractions of the free ends to b. */
+    const double h = 1.0 / s->n, k = modulus / h;
+    for (int e = 0; e < s->n; e++) {
+        /* N_e = N_{e+1} = 1/2 at the middle */
+        const double half = 0.5 * h * f_mid[e];
+        matrix_add(K, e, e, k);
+        matrix_add(K, e, e + 1, -k);
+        matrix_add(K, e + 1, e, -k);
+        matrix_add(K, e + 1, e + 1, k);
+        b[e] += half;
+        b[e + 1] += half;
+    }
+    /* h = P n has the sign of n in it already */
+    if (!s->held[0]) b[0] += s->pull[0];
+    if (!s->held[1]) b[s->n] += s->pull[1];
+    /* END 9b */
+}
+
+/*
+ * Solve K u = b with the held ends at their values; K and b are left alone.
+ * With no end held u is known up to a constant: the solution with u_0 = 0.
+ *
+ * OK            u is the solution
+ * INCOMPATIBLE  no end is held and |sum b| > (n + 1) eps sum |b|: nothing
+ *               holds the bar, and its loads do not balance; u stays as it is
+ * NOT_SPD       the modulus is not positive; u stays as it is
+ */
+static enum status solve(const struct bar_scene *s, const struct matrix *K,
+                         const double b[], double u[])
+{
+    /* SLOT 9c(s, K, b, u): collect the held ends; with none of them check the
+     * balance of b and hold node 0 at 0.  Then matrix_copy, matrix_dirichlet,
+     * matrix_factor, matrix_solve, matrix_free. */
+    int node[2], n_held = 0;
+    double value[2], sum = 0.0, scale = 0.0;
+
+    for (int end = 0; end < 2; end++)
+        if (s->held[end]) {
+            node[n_held] = end * s->n;
+            value[n_held++] = s->g[end];
+        }
+    for (int i = 0; i <= s->n; i++) {
+        sum += b[i];
+        scale += fabs(b[i]);
+    }
+    if (n_held == 0) {
+        /* K u adds up to 0 for every u; a NaN is refused as well */
+        if (!(fabs(sum) <= (s->n + 1) * DBL_EPSILON * scale))
+            return INCOMPATIBLE;
+        /* u + c solves it too: take the one with u_0 = 0 */
+        node[0] = 0;
+        value[0] = 0.0;
+        n_held = 1;
+    }
+    /* in x: u stays as it is where A cannot be factored */
+    struct matrix *A = matrix_copy(K);
+    double *x = allocate((size_t)s->n + 1, sizeof *x);
+    for (int i = 0; i <= s->n; i++) x[i] = b[i];
+    matrix_dirichlet(A, x, n_held, node, value, KEEP_DIAGONAL);
+    const enum status status = matrix_factor(A);
+    if (status == OK) {
+        matrix_solve(A, x);
+        for (int i = 0; i <= s->n; i++) u[i] = x[i];
+    }
+    matrix_free(A);
+    free(x);
+    return status;
+    /* END 9c */
+}
+
+/*
+ * What the displacements say about forces.
+ *
+ * P         out  P[e - 1] = modulus u' on element e = 1..n
+ * reaction  out  the force on a held end, K u - b there [eq:reaction], else 0
+ */
+static void stress_and_reactions(const struct bar_scene *s, double modulus,
+                                 const double b[], const double u[],
+                                 double P[], double reaction[2])
+{
+    /* SLOT 9d(s, modulus, b, u, P, reaction): the stresses first; the first and
+     * the last row of K u are made of the first and the last of them. */
+    const int n = s->n;
+    for (int e = 1; e <= n; e++) P[e - 1] = modulus * (u[e] - u[e - 1]) * n;
+    /* row 0 of K u is -P_1, row n is P_n: the inner forces at the ends */
+    reaction[0] = -P[0] - b[0];
+    reaction[1] = P[n - 1] - b[n];
+    /* END 9d */
+}
+
 static struct bar_scene scene_of_options(int argc, char *argv[], double *nu)
 {
     struct bar_scene s = {.n = 8, .c = 100.0};
@@ -90,122 +207,15 @@ static void print_bar(const struct bar_scene *s, const double b[], int solved,
     table_end();
 }
 
-/* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
-static struct elastic elastic_make(double E, double nu)
-{
-    struct elastic m = {0};
-    /* SLOT 9a(E, nu, m): fill m.mu, m.lambda and m.modulus. */
-    m.mu = E / (2.0 * (1.0 + nu));
-    m.lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-    m.modulus = 2.0 * m.mu + m.lambda;
-    /* END 9a */
-    return m;
-}
-
-/*
- * Stiffness matrix and loads, before any node is held [eq:bar-linear]:
- *
- *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
- *
- * f_mid    in    f at the middle of element e = 0..n-1, for the midpoint rule
- * K, b     out   order n + 1, half bandwidth 1
- */
-static void assemble(const struct bar_scene *s, double modulus,
-                     const double f_mid[], struct matrix *K, double b[])
-{
-    matrix_zero(K);
-    for (int i = 0; i <= s->n; i++) b[i] = 0.0;
-    /* SLOT 9b(s, modulus, f_mid, K, b): add every element, which joins nodes e
-     * and e + 1, to K and to b, then the tractions of the free ends to b. */
-    const double h = 1.0 / s->n, k = modulus / h;
-    for (int e = 0; e < s->n; e++) {
-        const double half = 0.5 * h * f_mid[e];
-        matrix_add(K, e, e, k);
-        matrix_add(K, e, e + 1, -k);
-        matrix_add(K, e + 1, e, -k);
-        matrix_add(K, e + 1, e + 1, k);
-        b[e] += half;
-        b[e + 1] += half;
-    }
-    if (!s->held[0]) b[0] += s->pull[0];
-    if (!s->held[1]) b[s->n] += s->pull[1];
-    /* END 9b */
-}
-
-/*
- * Solve K u = b with the held ends at their values; K and b are left alone.
- * With no end held u is known up to a constant: the solution with u_0 = 0.
- *
- * OK            u is the solution
- * INCOMPATIBLE  no end is held and |sum b| > (n + 1) eps sum |b|: nothing
- *               holds the bar, and its loads do not balance; u stays as it is
- * NOT_SPD       the modulus is not positive; u stays as it is
- */
-static enum status solve(const struct bar_scene *s, const struct matrix *K,
-                         const double b[], double u[])
-{
-    /* SLOT 9c(s, K, b, u): collect the held ends; with none of them check the
-     * balance of b and hold node 0 at 0.  Then matrix_copy, matrix_dirichlet,
-     * matrix_factor, matrix_solve, matrix_free. */
-    int node[2], n_held = 0;
-    double value[2], sum = 0.0, scale = 0.0;
-
-    for (int end = 0; end < 2; end++)
-        if (s->held[end]) {
-            node[n_held] = end * s->n;
-            value[n_held++] = s->g[end];
-        }
-    for (int i = 0; i <= s->n; i++) {
-        sum += b[i];
-        scale += fabs(b[i]);
-    }
-    if (n_held == 0) {
-        if (!(fabs(sum) <= (s->n + 1) * DBL_EPSILON * scale))
-            return INCOMPATIBLE;
-        node[0] = 0;
-        value[0] = 0.0;
-        n_held = 1;
-    }
-    struct matrix *A = matrix_copy(K);
-    double *x = allocate((size_t)s->n + 1, sizeof *x);
-    for (int i = 0; i <= s->n; i++) x[i] = b[i];
-    matrix_dirichlet(A, x, n_held, node, value, KEEP_DIAGONAL);
-    const enum status status = matrix_factor(A);
-    if (status == OK) matrix_solve(A, x);
-    for (int i = 0; i <= s->n && status == OK; i++) u[i] = x[i];
-    matrix_free(A);
-    free(x);
-    return status;
-    /* END 9c */
-}
-
-/*
- * What the displacements say about forces.
- *
- * P         out  P[e - 1] = modulus u' on element e = 1..n
- * reaction  out  the force on a held end, K u - b there [eq:reaction], else 0
- */
-static void stress_and_reactions(const struct bar_scene *s, double modulus,
-                                 const double b[], const double u[],
-                                 double P[], double reaction[2])
-{
-    /* SLOT 9d(s, modulus, b, u, P, reaction): the stresses first; the first and
-     * the last row of K u are made of the first and the last of them. */
-    const int n = s->n;
-    for (int e = 1; e <= n; e++) P[e - 1] = modulus * (u[e] - u[e - 1]) * n;
-    reaction[0] = -P[0] - b[0];
-    reaction[1] = P[n - 1] - b[n];
-    /* END 9d */
-}
-
 int main(int argc, char *argv[])
 {
     double nu = 0.3, reaction[2] = {0.0, 0.0};
     const struct bar_scene s = scene_of_options(argc, argv, &nu);
     const size_t size = (size_t)s.n + 1;
     struct matrix *K = matrix_alloc(BANDED, s.n + 1, 1);
-    double *b = allocate(4 * size, sizeof *b), *u = b + size;
-    double *P = u + size, *f_mid = P + size;
+    double *b = allocate(size, sizeof *b), *u = allocate(size, sizeof *u);
+    double *P = allocate(size, sizeof *P);
+    double *f_mid = allocate(size, sizeof *f_mid);
 
     bar_scene_force(&s, f_mid);
     const struct elastic m = elastic_make(1000.0, nu);
@@ -216,5 +226,8 @@ int main(int argc, char *argv[])
     if (status != OK) die("%s: the bar has no solution", status_name(status));
     matrix_free(K);
     free(b);
+    free(u);
+    free(P);
+    free(f_mid);
     return table_finish();
 }

@@ -49,8 +49,10 @@ static enum status newton_step(const struct material *material, double p,
      * and the step; write every comparison so that a NaN fails it. */
     if (!material_defined(material, F)) return INVERTED;
     const double residual = material1_pk1(material, F) - p;
+    /* p = P(F) + P'(F) step */
     const double next = -residual / material1_dpk1(material, F);
     const double small = tolerance * material_modulus(material);
+    /* before the step is looked at: P' may be 0 where nothing is left over */
     if (residual == 0.0) return OK;
     if (!isfinite(residual) || !isfinite(next)) return NONFINITE;
     if (fabs(residual) <= small && increment <= tolerance) return OK;
@@ -75,11 +77,15 @@ static struct limits predict(double mu, double lambda, double F)
     struct limits limits = {0};
     /* SLOT 11b(mu, lambda, F, &limits): the six closed forms [eq:first-step].
      * limits.load at F = 1 is -(2 mu + lambda). */
+    /* F1 = F + (p - P) / P' is 0 at p = P - F P' */
     limits.load = (2.0 * lambda * log(F) - 2.0 * mu - lambda) / F;
     limits.step = mu * F + (mu + lambda - lambda * log(F)) / F; /* F P' */
+    /* limits.load = 0, solved for F */
     limits.start = exp(0.5 + mu / lambda);
+    /* F0 = 1 - dg / dX has to stay above 0 and below limits.start */
     limits.push = 1.0;
     limits.pull = 1.0 - limits.start;
+    /* r = -11/6 and r' = 3 at J = 0 */
     limits.collapse = -(3.0 * mu + 5.5 * lambda);
     /* END 11b */
     return limits;
@@ -104,6 +110,7 @@ static enum status line_search(const struct material *material, double p,
     if (!(slope < 0.0)) return NOT_SPD;
     for (; *length > 1e-12; *length *= 0.5) {
         const double trial = F + *length * step;
+        /* no energy there: the length is too long */
         if (!material_defined(material, trial)) continue;
         const double w_trial =
             material1_psi(material, trial) - p * (trial - 1.0);
@@ -162,6 +169,7 @@ static struct outcome load_stepping(const struct material *material, double p,
         if (trial.status == OK) {
             state.F = trial.F;
             s += ds;
+            /* as fast up as down: one bad place costs the rest nothing */
             ds *= 2.0;
         } else {
             ds *= 0.5;

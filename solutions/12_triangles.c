@@ -6,7 +6,7 @@
  *
  * Problem.  A body (-1, 1)^2 of Neo-Hookean material: some vertices are held,
  * u = g, and forces f act on the vertices.  Find the u at which no free vertex
- * is pulled: [eq:body-q] with dt = 1 and rho = 0, which is
+ * is pulled: [eq:body-q] at rest, which is
  *
  *     q_a = sum_e area_e P(F_e) grad N_a - f_a = 0
  *
@@ -37,23 +37,10 @@ static mat2 deformation(const int t[3], const double g[6], const double u[])
     for (int a = 0; a < 3; a++)
         for (int i = 0; i < 2; i++)
             for (int k = 0; k < 2; k++)
+                /* F_ik += u_ai dN_a/dX_k */
                 F.m[i][k] += u[2 * t[a] + i] * g[2 * a + k];
     /* END 12a */
     return F;
-}
-
-/* q of a held vertex is the force that holds it; hold: all of the left side. */
-static void print_solution(const struct scene *s, const double q[])
-{
-    const struct scene_measures m = scene_measure(s);
-    double hold[2] = {0.0, 0.0};
-    for (int r = 0; r < s->n_dof; r++)
-        if (s->mesh->X[r / 2 * 2] == -1.0) hold[r % 2] += q[r];
-    history_nodes(s, "q", q);
-    table_begin("result", "scene law elastic external min_J hold_x hold_y");
-    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
-              m.external, m.min_J, hold[0], hold[1]);
-    table_end();
 }
 
 /* q_a = sum_e area_e P(F_e) grad N_a - f_a [eq:element-force], at all vertices.
@@ -74,6 +61,7 @@ static enum status residual(const struct scene *s, const double u[], double q[])
         const mat2 P = material2_pk1(material, F);
         for (int a = 0; a < 3; a++)
             for (int i = 0; i < 2; i++)
+                /* area (P grad N_a)_i */
                 q[2 * t[a] + i] +=
                     area * (P.m[i][0] * g[2 * a] + P.m[i][1] * g[2 * a + 1]);
     }
@@ -105,6 +93,8 @@ static enum status tangent(const struct scene *s, const double u[],
         const double J = mat2_det(F);
         if (!material_defined(material, J)) return INVERTED;
         const struct volumetric v = material_r(material, J);
+        /* P = mu F + c2 cof F with c2 = (lambda r - mu) r'; dc2 = c1 dJ and
+         * dJ = cof F : dF */
         const double c1 = lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
         const double c2 = (lambda * v.r - mu) * v.dr;
 
@@ -115,10 +105,12 @@ static enum status tangent(const struct scene *s, const double u[],
                     for (int m = 0; m < 2; m++)
                         D.m[k][m] = c1 * cof.m[i][k] * cof.m[j][m] +
                                     (i == j && k == m ? mu : 0.0);
+                /* d cof_ik / dF_jm, for i != j and k != m: a sign, no more */
                 if (i != j) D.m[i][j] += c2;
                 if (i != j) D.m[j][i] -= c2;
                 for (int a = 0; a < 3; a++)
                     for (int b = 0; b < 3; b++) {
+                        /* grad N_a . D grad N_b */
                         double sum = 0.0;
                         for (int k = 0; k < 2; k++)
                             for (int m = 0; m < 2; m++)
@@ -146,9 +138,13 @@ static enum status increment(const struct scene *s, struct matrix *K,
      * vertices, s->held[a], in row[]; then matrix_dirichlet() with zero[] as
      * values, matrix_factor() and matrix_solve() of matrix.h. */
     int n_row = 0;
-    for (int a = 0; a < s->mesh->n_vertex; a++)
-        for (int i = 0; i < 2 && s->held[a]; i++) row[n_row++] = 2 * a + i;
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        if (!s->held[a]) continue;
+        row[n_row++] = 2 * a;
+        row[n_row++] = 2 * a + 1;
+    }
     for (int r = 0; r < s->n_dof; r++) du[r] = -q[r];
+    /* du = 0: a held vertex has its value in u already */
     matrix_dirichlet(K, du, n_row, row, zero, KEEP_DIAGONAL);
     status = matrix_factor(K);
     if (status == OK) matrix_solve(K, du);
@@ -172,11 +168,13 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     const double weight = material_modulus(&s->body->material);
     struct history report = {.status = MAX_ITERATIONS};
     struct matrix *K = matrix_alloc(BANDED, s->n_dof, 2 * s->mesh->n + 5);
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *du = q + s->n_dof;
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *du = allocate((size_t)s->n_dof, sizeof *du);
 
     /* SLOT 12e(s, tolerance, cap, weight, u, &report, K, q, du, residual,
      * tangent, increment): the loop, which fills report (history.h) on its way;
-     * body_max_free() is the size of q and du. */
+     * body_max_free() is the size of q and du.  New since 10e: report keeps the
+     * sizes of all iterations, and du is looked at before u takes it. */
     for (;;) {
         const int k = report.iterations;
         report.status = residual(s, u, q);
@@ -185,6 +183,7 @@ static struct history equilibrium(const struct scene *s, double tolerance,
         report.status = NONFINITE;
         if (!isfinite(report.residual[k])) break;
         report.status = OK;
+        /* increment[k - 1] is of the step that led to this u */
         if (k > 0 && report.increment[k - 1] <= tolerance &&
             report.residual[k] <= tolerance * weight)
             break;
@@ -196,6 +195,7 @@ static struct history equilibrium(const struct scene *s, double tolerance,
         if (report.status != OK) break;
         report.increment[k] = body_max_free(s->body, du);
         report.status = NONFINITE;
+        /* before u takes it: u is then the last good state */
         if (!isfinite(report.increment[k])) break;
         for (int r = 0; r < s->n_dof; r++) u[r] += du[r];
         report.iterations++;
@@ -203,7 +203,25 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     /* END 12e */
     matrix_free(K);
     free(q);
+    free(du);
     return report;
+}
+
+/* q of a held vertex is the force that holds it; hold: all of the left side. */
+static void print_solution(const struct scene *s, const double q[])
+{
+    const struct scene_measures m = scene_measure(s);
+    double hold[2] = {0.0, 0.0};
+    for (int a = 0; a < s->mesh->n_vertex; a++) {
+        if (s->mesh->X[2 * a] != -1.0) continue;
+        hold[0] += q[2 * a];
+        hold[1] += q[2 * a + 1];
+    }
+    history_nodes(s, "q", q);
+    table_begin("result", "scene law elastic external min_J hold_x hold_y");
+    table_row(scene_name(s->set.reading), material_law(s->set.law), m.elastic,
+              m.external, m.min_J, hold[0], hold[1]);
+    table_end();
 }
 
 int main(int argc, char *argv[])

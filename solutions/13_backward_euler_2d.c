@@ -31,17 +31,6 @@
 
 enum { CAP = 30 }; /* linear systems per time step */
 
-/* A row of `steps`; the centre is the vertex at (0, 0), or at (-1/n, -1/n). */
-static void print_state(const struct scene *s, int iterations)
-{
-    const struct scene_measures m = scene_measure(s);
-    const int n = s->mesh->n, centre = n / 2 * (n + 1) + n / 2;
-    table_row(s->steps * s->set.dt, iterations, m.kinetic, m.elastic,
-              m.external, m.kinetic + m.elastic + m.external, m.momentum[0],
-              m.momentum[1], m.angular, m.min_J, s->u[2 * centre],
-              s->u[2 * centre + 1]);
-}
-
 /* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab
  * [eq:overlap] or, LUMPED, the row sums of that to the diagonal [eq:mass]. */
 static void add_mass(const struct body *body, const double v[], double out[])
@@ -53,6 +42,7 @@ static void add_mass(const struct body *body, const double v[], double out[])
         const double m = body->rho * body->area[e];
         for (int a = 0; a < 3; a++)
             for (int c = 0; c < 3; c++) {
+                /* M_ac = m (1 + delta_ac) / 12; a row has the sum m / 3 */
                 double M_ac = a == c ? m / 6.0 : m / 12.0;
                 if (body->mass == LUMPED) M_ac = a == c ? m / 3.0 : 0.0;
                 for (int i = 0; i < 2; i++)
@@ -74,11 +64,13 @@ static void right_hand_side(const struct scene *s, double dt,
     double *w = allocate((size_t)s->n_dof, sizeof *w);
     /* SLOT 13b(s, dt, u0, v0, w, b, add_mass): what add_mass() is to multiply
      * goes into w; then triangle by triangle, then edge by edge. */
+    /* M (u0 + dt v0): where the vertices go if nothing acts on them */
     for (int r = 0; r < s->n_dof; r++) {
         w[r] = u0[r] + dt * v0[r];
         b[r] = 0.0;
     }
     add_mass(s->body, w, b);
+    /* dt^2 f int N_a: a third of the area is each vertex's */
     for (int e = 0; e < s->mesh->n_triangle; e++)
         for (int a = 0; a < 3; a++)
             for (int i = 0; i < 2; i++)
@@ -88,6 +80,7 @@ static void right_hand_side(const struct scene *s, double dt,
     const int n = s->mesh->n;
     for (int j = 0; j < n; j++) {
         const int A = 2 * (j * (n + 1) + n), B = A + 2 * (n + 1);
+        /* dt^2 t int N_a ds: half of the edge is each end's */
         const double half = 0.5 * hypot(X[B] - X[A], X[B + 1] - X[A + 1]);
         for (int i = 0; i < 2; i++) {
             b[A + i] += dt * dt * half * s->traction[i];
@@ -109,11 +102,13 @@ static enum status equation(const struct body *body, double dt,
     enum status status = OK;
     /* SLOT 13c(body, dt, u, b, q, A, K, &status): dPsi/du by body_force(), K by
      * body_stiffness(), M by body_mass_matrix(); then matrix_combine(). */
+    /* q = M u + dt^2 dPsi/du - b */
     status = body_force(body, u, q);
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
         q[r] = dt * dt * q[r] - b[r];
     add_mass(body, u, q);
-    if (status == OK) status = body_stiffness(body, u, K);
+    /* A = M + dt^2 K */
+    if (status == OK) status = body_stiffness(body, u, EXACT, K);
     body_mass_matrix(body, A);
     matrix_combine(A, dt * dt, K, A);
     /* END 13c */
@@ -147,12 +142,15 @@ static struct history step(struct scene *s, double tolerance, int cap,
     /* SLOT 13d(s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
      * right_hand_side, equation): write s->g into next; then the loop, which
      * fills report (history.h) on its way: body_increment() for du,
-     * body_max_free() for the size of q and du; then s->v and s->u. */
+     * body_max_free() for the size of q and du; then s->v and s->u.  New since
+     * 12e: b comes from the state before the step, and the end makes v. */
     right_hand_side(s, dt, s->u, s->v, b);
+    /* Held vertices jump to g at once; from there on their du is 0. */
     for (size_t r = 0; r < n_dof; r++)
         if (s->held[r / 2]) next[r] = s->g[r];
     for (;;) {
         const int k = report.iterations;
+        /* The status is set before each test: a break leaves the reason. */
         report.status = equation(s->body, dt, next, b, q, A);
         if (report.status != OK) break;
         report.residual[k] = body_max_free(s->body, q);
@@ -165,6 +163,7 @@ static struct history step(struct scene *s, double tolerance, int cap,
         report.status = MAX_ITERATIONS;
         if (k == cap) break;
 
+        /* A du = -q at the free vertices */
         report.status = body_increment(s->body, A, q, du);
         if (report.status != OK) break;
         report.increment[k] = body_max_free(s->body, du);
@@ -173,15 +172,27 @@ static struct history step(struct scene *s, double tolerance, int cap,
         for (size_t r = 0; r < n_dof; r++) next[r] += du[r];
         report.iterations++;
     }
-    for (size_t r = 0; r < n_dof && report.status == OK; r++) {
-        s->v[r] = (next[r] - s->u[r]) / dt;
-        s->u[r] = next[r];
-    }
+    if (report.status == OK)
+        for (size_t r = 0; r < n_dof; r++) {
+            s->v[r] = (next[r] - s->u[r]) / dt;
+            s->u[r] = next[r];
+        }
     /* END 13d */
     s->steps += report.status == OK;
     matrix_free(A);
     free(next);
     return report;
+}
+
+/* A row of `steps`; the centre is the vertex at (0, 0), or at (-1/n, -1/n). */
+static void print_state(const struct scene *s, int iterations)
+{
+    const struct scene_measures m = scene_measure(s);
+    const int n = s->mesh->n, centre = n / 2 * (n + 1) + n / 2;
+    table_row(s->steps * s->set.dt, iterations, m.kinetic, m.elastic,
+              m.external, m.kinetic + m.elastic + m.external, m.momentum[0],
+              m.momentum[1], m.angular, m.min_J, s->u[2 * centre],
+              s->u[2 * centre + 1]);
 }
 
 int main(int argc, char *argv[])

@@ -40,6 +40,7 @@ static enum status residual(const struct model *model, double dt,
     enum status status = OK;
     /* SLOT 14a(model, dt, u0, v0, u, q, n, move, force, &status): q[0..n-1],
      * by model_mass() and model_force() [eq:time-residual]. */
+    /* q = M (u - (u0 + dt v0)) + dt^2 (dPsi/du - f) */
     for (int i = 0; i < n; i++) move[i] = u[i] - (u0[i] + dt * v0[i]);
     model_mass(model, move, q);
     status = model_force(model, u, force);
@@ -59,30 +60,17 @@ static enum status symplectic_euler(const struct model *model, double dt,
     enum status status = OK;
     /* SLOT 14b(model, dt, u, v, n, a, &status): a[0..n-1] is for the
      * acceleration; model_force(), model_accelerate() [eq:symplectic-euler]. */
+    /* M a = f - dPsi/du at the beginning of the step */
     status = model_force(model, u, a);
     for (int i = 0; i < n; i++) a[i] = model->f[i] - a[i];
     model_accelerate(model, a);
     for (int i = 0; i < n; i++) {
         v[i] += dt * a[i];
-        u[i] += dt * v[i];
+        u[i] += dt * v[i]; /* the new v; the old one would gain energy */
     }
     /* END 14b */
     free(a);
     return status;
-}
-
-/* A loaded bar: q, and the velocity after a step of symplectic Euler. */
-static void print_stages(void)
-{
-    struct model *model = model_bar(4, CONSISTENT);
-    struct state s = state_ripple(model);
-    for (int i = 0; i < s.n; i++) model->f[i] = 10.0 + i;
-    residual(model, 0.01, s.u_before, s.v, s.u, s.v_before);
-    table_vector("residual", s.n, s.v_before);
-    symplectic_euler(model, 0.01, s.u, s.v);
-    table_vector("velocity", s.n, s.v);
-    state_free(&s);
-    model_free(model);
 }
 
 /*
@@ -106,6 +94,7 @@ static struct step_report implicit_step(
     /* SLOT 14c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report):
      * a, b, d of the method; integrate_solve() with your residual(); u, v from
      * u*, v* [eq:one-solve]. */
+    /* Two states are needed for BDF2, and at first there is only one. */
     const int first = s->steps == 0;
     const int bdf2 = method == BDF2 && !first;
     const int midpoint = method == IMPLICIT_MIDPOINT ||
@@ -113,12 +102,14 @@ static struct step_report implicit_step(
     const double d = midpoint ? 0.5 * dt : bdf2 ? 2.0 * dt / 3.0 : dt;
 
     for (int i = 0; i < n; i++) {
+        /* BDF2: u+ = (4 u - u_before) / 3 + 2/3 dt v+, and v alike */
         a[i] = bdf2 ? (4.0 * s->u[i] - s->u_before[i]) / 3.0 : s->u[i];
         b[i] = bdf2 ? (4.0 * s->v[i] - s->v_before[i]) / 3.0 : s->v[i];
         if (g) g_mid[i] = 0.5 * (s->u[i] + g[i]);
     }
     report =
         integrate_solve(model, residual, d, a, b, midpoint ? g_mid : g, u);
+    /* u*, v* of the midpoint rule are the means of before and after. */
     for (int i = 0; i < n; i++) {
         v[i] = (u[i] - a[i]) / d;
         if (midpoint) {
@@ -129,6 +120,69 @@ static struct step_report implicit_step(
     /* END 14c */
     free(a);
     return report;
+}
+
+/*
+ * One frame: u, v, v_before of now advance by dt to the boundary values g under
+ * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
+ * FAST, then with ROBUST, then with ROBUST in 2, 4, ... MOST_SUBSTEPS parts,
+ * the prescribed values going in a straight line to g.  Of a frame that is
+ * lost, now is exactly as it was.  See integrate.h for FAST, ROBUST, struct
+ * frame.
+ */
+static struct frame frame_step(struct body *body, double dt, const double g[],
+                               const double f[], struct state *now)
+{
+    struct state start = state_make(now->n);
+    double *g_part = allocate((size_t)now->n, sizeof *g_part);
+    struct frame frame = {.status = MAX_ITERATIONS};
+    /* SLOT 14d(body, dt, g, f, now, &start, g_part, &frame): attempts, one
+     * after the other, until one is OK; count in frame what each has cost. */
+    state_copy(now, &start);
+    for (int substeps = 0; substeps <= MOST_SUBSTEPS;
+         substeps = substeps ? 2 * substeps : 1) {
+        const struct step_control *control = substeps ? &ROBUST : &FAST;
+        const int parts = substeps ? substeps : 1; /* 0: FAST, in one */
+
+        frame.substeps = parts;
+        frame.attempts++;
+        for (int k = 1; k <= parts; k++) {
+            for (int i = 0; i < now->n; i++)
+                /* the last part ends at g itself, without round-off */
+                g_part[i] = k == parts ? g[i]
+                                       : start.u[i] + (double)k / parts *
+                                                          (g[i] - start.u[i]);
+            const struct step_report report =
+                step_backward_euler(body, control, dt / parts, g_part, f,
+                                    now->u, now->v, now->v_before);
+            frame.status = report.status;
+            frame.iterations += report.iterations;
+            frame.factorisations += report.factorisations;
+            if (report.status != OK) break;
+        }
+        /* All of the frame is made again from where it began. */
+        if (!substeps) frame.first = frame.status;
+        if (frame.status == OK) break;
+        state_copy(&start, now);
+    }
+    /* END 14d */
+    state_free(&start);
+    free(g_part);
+    return frame;
+}
+
+/* A loaded bar: q, and the velocity after a step of symplectic Euler. */
+static void print_stages(void)
+{
+    struct model *model = model_bar(4, CONSISTENT);
+    struct state s = state_ripple(model);
+    for (int i = 0; i < s.n; i++) model->f[i] = 10.0 + i;
+    residual(model, 0.01, s.u_before, s.v, s.u, s.v_before);
+    table_vector("residual", s.n, s.v_before);
+    symplectic_euler(model, 0.01, s.u, s.v);
+    table_vector("velocity", s.n, s.v);
+    state_free(&s);
+    model_free(model);
 }
 
 /* A mode, step by step, from u = 1, v = 0; velocities in units of w. */
@@ -152,53 +206,6 @@ static void print_mode(double w_dt)
     table_end();
     for (int m = 0; m < N_METHOD; m++) state_free(&s[m]);
     model_free(model);
-}
-
-/*
- * One frame: u, v, v_before of now advance by dt to the boundary values g under
- * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
- * FAST, then with ROBUST, then with ROBUST in 2, 4, ... MOST_SUBSTEPS parts,
- * the prescribed values going in a straight line to g.  Of a frame that is
- * lost, now is exactly as it was.  See integrate.h for FAST, ROBUST, struct
- * frame.
- */
-static struct frame frame_step(struct body *body, double dt, const double g[],
-                               const double f[], struct state *now)
-{
-    struct state start = state_make(now->n);
-    double *g_part = allocate((size_t)now->n, sizeof *g_part);
-    struct frame frame = {.status = MAX_ITERATIONS};
-    /* SLOT 14d(body, dt, g, f, now, &start, g_part, &frame): attempts, one
-     * after the other, until one is OK; count in frame what each has cost. */
-    state_copy(now, &start);
-    for (int substeps = 0; substeps <= MOST_SUBSTEPS;
-         substeps = substeps ? 2 * substeps : 1) {
-        const struct step_control *control = substeps ? &ROBUST : &FAST;
-        const int parts = substeps ? substeps : 1;
-
-        frame.substeps = parts;
-        frame.attempts++;
-        for (int k = 1; k <= parts; k++) {
-            for (int i = 0; i < now->n; i++)
-                g_part[i] = k == parts ? g[i]
-                                       : start.u[i] + (double)k / parts *
-                                                          (g[i] - start.u[i]);
-            const struct step_report report =
-                step_backward_euler(body, control, dt / parts, g_part, f,
-                                    now->u, now->v, now->v_before);
-            frame.status = report.status;
-            frame.iterations += report.iterations;
-            frame.factorisations += report.factorisations;
-            if (report.status != OK) break;
-        }
-        if (!substeps) frame.first = frame.status;
-        if (frame.status == OK) break;
-        state_copy(&start, now);
-    }
-    /* END 14d */
-    state_free(&start);
-    free(g_part);
-    return frame;
 }
 
 /* What each frame of the scripted user takes; u of the middle of the side. */

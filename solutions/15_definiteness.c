@@ -35,6 +35,8 @@ static struct svd signed_svd(mat2 F)
     struct svd svd = {.U = mat2_identity(), .V = mat2_identity()};
     /* SLOT 15a(F, &svd): U, V, s1, s2 of svd, in closed form, without a
      * division; mat2_rotation(); atan2(0, 0) is 0. */
+    /* p = (s1 + s2) (cos, sin)(minus), q = (s1 - s2) (cos, sin)(plus) for the
+     * turns of U by (plus + minus) / 2 and of V by (plus - minus) / 2. */
     const double p[2] = {F.m[0][0] + F.m[1][1], F.m[1][0] - F.m[0][1]};
     const double q[2] = {F.m[0][0] - F.m[1][1], F.m[1][0] + F.m[0][1]};
     const double minus = atan2(p[1], p[0]), plus = atan2(q[1], q[0]);
@@ -54,10 +56,11 @@ static void eigenvalues(const struct material *material, double s1, double s2,
     const double mu = material->mu, J = s1 * s2;
     const struct volume G = material_volume(material, J); /* G.dG, G.ddG */
     /* SLOT 15b(mu, J, G, s1, s2, value): s1 = s2 and s1 = -s2 as well. */
+    /* (a b; b c), psi's Hessian in s1 and s2, has the modes LOW and HIGH. */
     const double a = mu + G.ddG * s2 * s2, c = mu + G.ddG * s1 * s1;
     const double b = G.ddG * J + G.dG, root = hypot(0.5 * (a - c), b);
-    value[MODE_TWIST] = mu + G.dG;
-    value[MODE_FLIP] = mu - G.dG;
+    value[MODE_TWIST] = mu + G.dG; /* (P^1 + P^2) / (s1 + s2) */
+    value[MODE_FLIP] = mu - G.dG;  /* (P^1 - P^2) / (s1 - s2) */
     value[MODE_LOW] = 0.5 * (a + c) - root;
     value[MODE_HIGH] = 0.5 * (a + c) + root;
     /* END 15b */
@@ -76,6 +79,7 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     eigenvalues(material, s1, s2, value);
     /* SLOT 15c(svd, s1, s2, G, value, floor, dF, &dP): (e1, e2) is
      * (cos z, sin z) in MODE_HIGH, (-sin z, cos z) in MODE_LOW. */
+    /* 2 z is the angle of (a - c, 2 b) of 15b. */
     const double z = 0.5 * atan2(2.0 * (G.ddG * s1 * s2 + G.dG),
                                  G.ddG * (s2 * s2 - s1 * s1));
     const double half = sqrt(0.5);
@@ -85,6 +89,7 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
                       {{{cos(z), 0.0}, {0.0, sin(z)}}}};
     const mat2 turned = mat2_multiply(mat2_transpose(svd.U),
                                       mat2_multiply(dF, svd.V));
+    /* dP = U (sum of value (E : U^T dF V) E) V^T */
     mat2 sum = {0};
     for (int m = MODE_TWIST; m <= MODE_HIGH; m++) {
         const double factor = fmax(value[m], floor) * mat2_dot(E[m], turned);
@@ -93,6 +98,42 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     dP = mat2_multiply(svd.U, mat2_multiply(sum, mat2_transpose(svd.V)));
     /* END 15c */
     return dP;
+}
+
+/* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
+ * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
+ * projected elements; ON_DEMAND with these only where K as it is cannot be
+ * factored.  *definite: can it?  Not OK: du means nothing. */
+static enum status direction(struct body *body, enum projection projection,
+                             const double u[], double q[], double du[],
+                             int *definite)
+{
+    enum status status = OK;
+    double *b = allocate((size_t)body->n_equation, sizeof *b);
+    /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
+     * by body_assemble(body, at_rest(NULL), u, EXACT or PROJECTED, q), b[] by
+     * body_gather().  matrix_factor() overwrites K with what matrix_solve()
+     * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
+    status = body_assemble(body, at_rest(NULL), u, EXACT, q);
+    *definite = status == OK && matrix_factor(body->K) == OK;
+    /* Only K as it is can tell whether it is definite; the attempt to factor
+     * it has overwritten it. */
+    const int project = projection == ALWAYS ||
+                        (projection == ON_DEMAND && !*definite);
+    if (status == OK && (project || !*definite))
+        status = body_assemble(body, at_rest(NULL), u,
+                               project ? PROJECTED : EXACT, q);
+    if (status == OK && project) status = matrix_factor(body->K);
+    body_gather(body, q, b);
+    for (int k = 0; k < body->n_equation; k++) b[k] = -b[k];
+    if (status == OK && (project || *definite))
+        matrix_solve(body->K, b);
+    else if (status == OK)
+        status = matrix_solve_indefinite(body->K, b, NULL);
+    body_scatter(body, b, du);
+    /* END 15d */
+    free(b);
+    return status;
 }
 
 static const struct {
@@ -134,10 +175,6 @@ static void print_modes(const struct material *material)
     table_end();
 }
 
-static enum status direction(struct body *body, enum projection projection,
-                             const double u[], double q[], double du[],
-                             int *definite);
-
 /* du.q of the three directions, downhill is negative: pulled, pressed a little,
  * and half-way to the buckled column, after 12 systems of ON_DEMAND. */
 static void print_descent(struct scene *s, double e, double *q, double *du)
@@ -151,7 +188,7 @@ static void print_descent(struct scene *s, double e, double *q, double *du)
         double d[3] = {0.0, 0.0, 0.0};
         scene_rest(s);
         scene_press(s, load[k], 1e-3);
-        if (k == 2) step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+        if (k == 2) step_solve(s->body, &control, at_rest(NULL), s->u);
         for (int m = NEVER; m <= ALWAYS; m++) {
             direction(s->body, (enum projection)m, s->u, q, du, &definite);
             for (int r = 0; r < s->n_dof; r++) d[m] += q[r] * du[r];
@@ -168,56 +205,21 @@ static void print_column(struct scene *s, double e, double *q, double *du)
     const char *const method[] = {"notes", "demand+search", "always+search"};
     table_begin("column",
                 "load method push systems deflection energy start end status");
-    for (int k = 0, start = 0, end = 0; k < 6; k++) {
-        const enum projection m = (enum projection)(k / 2);
-        const double push = k % 2 ? 1e-3 : 0.0;
-        scene_rest(s);
-        scene_press(s, e, push);
-        direction(s->body, m, s->u, q, du, &start);
-        scene_rest(s);
-        const struct step_report report = scene_walk(s, method[m], e, push);
-        direction(s->body, m, s->u, q, du, &end);
-        const double energy = scene_energy(s);
-        table_row(e, method[m], push, report.iterations,
-                  fabs(*scene_middle(s)), cell_if(isfinite(energy), energy),
-                  start ? "yes" : "no", end ? "yes" : "no",
-                  status_name(report.status));
-    }
+    for (int m = NEVER, start = 0, end = 0; m <= ALWAYS; m++)
+        for (double push = 0.0; push <= 1e-3; push += 1e-3) {
+            scene_rest(s);
+            scene_press(s, e, push);
+            direction(s->body, (enum projection)m, s->u, q, du, &start);
+            scene_rest(s);
+            const struct step_report report = scene_walk(s, method[m], e, push);
+            direction(s->body, (enum projection)m, s->u, q, du, &end);
+            const double energy = scene_energy(s);
+            table_row(e, method[m], push, report.iterations,
+                      fabs(*scene_middle(s)),
+                      cell_if(isfinite(energy), energy), start ? "yes" : "no",
+                      end ? "yes" : "no", status_name(report.status));
+        }
     table_end();
-}
-
-/* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
- * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
- * projected elements; ON_DEMAND with these only where K as it is cannot be
- * factored.  *definite: can it?  Not OK: du means nothing. */
-static enum status direction(struct body *body, enum projection projection,
-                             const double u[], double q[], double du[],
-                             int *definite)
-{
-    enum status status = OK;
-    double *b = allocate((size_t)body->n_equation, sizeof *b);
-    /* SLOT 15d(body, projection, u, q, du, definite, b, &status): q and body->K
-     * by body_assemble(body, 1.0, u, NULL, u, EXACT or PROJECTED, q), b[] by
-     * body_gather().  matrix_factor() overwrites K with what matrix_solve()
-     * needs; matrix_solve_indefinite(K, b, NULL) needs K itself. */
-    status = body_assemble(body, 1.0, u, NULL, u, EXACT, q);
-    *definite = status == OK && matrix_factor(body->K) == OK;
-    const int project = projection == ALWAYS ||
-                        (projection == ON_DEMAND && !*definite);
-    if (status == OK && (project || !*definite))
-        status = body_assemble(body, 1.0, u, NULL, u,
-                               project ? PROJECTED : EXACT, q);
-    if (status == OK && project) status = matrix_factor(body->K);
-    body_gather(body, q, b);
-    for (int k = 0; k < body->n_equation; k++) b[k] = -b[k];
-    if (status == OK && (project || *definite))
-        matrix_solve(body->K, b);
-    else if (status == OK)
-        status = matrix_solve_indefinite(body->K, b, NULL);
-    body_scatter(body, b, du);
-    /* END 15d */
-    free(b);
-    return status;
 }
 
 int main(int argc, char *argv[])

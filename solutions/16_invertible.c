@@ -47,17 +47,20 @@ static void principal_extended(const struct principal_law *law,
                                const double s[2], double P[2])
 {
     const double mu = law->mu, lambda = law->lambda;
-    /* SLOT 16b(law, mu, lambda, s, P): P[0] and P[1]. */
+    /* SLOT 16a(law, mu, lambda, s, P): P[0] and P[1]. */
+    /* c: the nearest point with s1, s2 >= eps; from there, straight on */
     const double c[2] = {fmax(s[0], law->eps), fmax(s[1], law->eps)};
     const double pull = lambda * log(c[0] * c[1]) - mu;
     for (int i = 0; i < 2; i++) {
+        /* dP^i/ds_i; `pull` has the other c in it too, so that for `stress`
+         * dP^1/ds2 and dP^2/ds1 differ: no energy has these two. */
         const double own = law->form == BY_ENERGY
                                ? 2.0 * mu + lambda
                                : mu + (lambda - pull) / (c[i] * c[i]);
         P[i] = mu * c[i] + pull / c[i] + own * (s[i] - c[i]) +
                lambda / (c[0] * c[1]) * (s[1 - i] - c[1 - i]);
     }
-    /* END 16b */
+    /* END 16a */
 }
 
 /* G[0..2] := G, G', G'' at J of psi = mu/2 (F:F - 2) + G(J): the log law's
@@ -65,14 +68,16 @@ static void principal_extended(const struct principal_law *law,
  * second order with the same G, G', G'' at eps [eq:g-extended]. */
 static void extended(const struct principal_law *law, double J, double G[3])
 {
-    /* SLOT 16c(law, J, G): J is 0 or negative as well. */
+    /* SLOT 16b(law, J, G): J is 0 or negative as well. */
     const double at = fmax(J, law->eps), r = log(at), t = J - at;
     const double slope = law->lambda * r - law->mu; /* dG/dr */
+    /* dr/dJ = 1 / J: G' = G_r / J, G'' = (G_rr - G_r) / J^2, G_rr = lambda */
     G[2] = (law->lambda - slope) / (at * at);
+    /* Taylor's series at eps; above it t = 0, and these are the log law's. */
     G[1] = slope / at + G[2] * t;
     G[0] = -law->mu * r + 0.5 * law->lambda * r * r + slope / at * t +
            0.5 * G[2] * t * t;
-    /* END 16c */
+    /* END 16b */
 }
 
 /* P^; for a law of G(J) it is P^i = mu si + G'(J) sk, k the other one. */
@@ -92,24 +97,17 @@ static void principal(const struct principal_law *law, const double s[2],
 static mat2 stress(const struct principal_law *law, mat2 F)
 {
     mat2 P = F;
-    /* SLOT 16a(law, F, &P, principal): modes_svd(F) of modes.h gives U, V, s1
+    /* SLOT 16c(law, F, &P, principal): modes_svd(F) of modes.h gives U, V, s1
      * and s2; mat2_transpose(). */
     const struct svd svd = modes_svd(F);
+    /* The singular vectors of P are those of F; only the s change. */
     const double s[2] = {svd.s1, svd.s2};
     double hat[2];
     principal(law, s, hat);
     const mat2 D = {{{hat[0], 0.0}, {0.0, hat[1]}}};
     P = mat2_multiply(svd.U, mat2_multiply(D, mat2_transpose(svd.V)));
-    /* END 16a */
+    /* END 16c */
     return P;
-}
-
-/* P^ at s, for circuit_work() and the first table. */
-static void diagonal(const double s[2], void *law, double out[2])
-{
-    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
-    out[0] = P.m[0][0];
-    out[1] = P.m[1][1];
 }
 
 /*
@@ -118,7 +116,8 @@ static void diagonal(const double s[2], void *law, double out[2])
  *     K du = -q, K projected and shifted; u += du, or less by release_search()
  *
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
- * as it is, shifted: if it is not positive definite, the status is SADDLE.
+ * as it is, shifted: if it is not positive definite, the status is SADDLE.  New
+ * since 13d are the two changes of K, the search, and this test at the end.
  * recovered: OK, every J > 0, and Psi <= RELEASE_ENERGY.
  */
 enum { CAP = 300 };
@@ -128,14 +127,17 @@ static struct release_report release(struct body *body, double u[])
     double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
     double *du = q + 2 * body->mesh->n_vertex;
     struct release_report report = {.status = MAX_ITERATIONS};
-    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body, 1.0, u,
-     * NULL, u, PROJECTED or EXACT, q); release_shift(), matrix_factor() for
-     * body->K; body_max_free(), _increment(), _energy(), _min_J(). */
+    /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
+     * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
+     * matrix_factor() for body->K; body_max_free(), _increment(), _energy(),
+     * _min_J(). */
     for (;;) {
-        report.status = body_assemble(body, 1.0, u, NULL, u, PROJECTED, q);
+        report.status = body_assemble(body, at_rest(NULL), u, PROJECTED, q);
         if (report.status != OK || body_max_free(body, q) <= small) break;
         report.status = MAX_ITERATIONS;
         if (report.iterations == CAP) break;
+        /* Projected: no eigenvalue is negative.  Shifted: none is 0 either, as
+         * it would be for a body that can still turn. */
         release_shift(body);
         report.status = body_increment(body, body->K, q, du);
         if (report.status == OK)
@@ -144,8 +146,9 @@ static struct release_report release(struct body *body, double u[])
         report.iterations++;
     }
     if (report.status == OK) {
-        body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+        body_assemble(body, at_rest(NULL), u, EXACT, q);
         release_shift(body);
+        /* At rest on a minimum, or on a saddle? */
         if (matrix_factor(body->K) != OK) report.status = SADDLE;
     }
     body_energy(body, u, &report.energy);
@@ -155,6 +158,14 @@ static struct release_report release(struct body *body, double u[])
     /* END 16d */
     free(q);
     return report;
+}
+
+/* P^ at s, for circuit_work() and the first table. */
+static void diagonal(const double s[2], void *law, double out[2])
+{
+    const mat2 P = stress(law, (mat2){{{s[0], 0.0}, {0.0, s[1]}}});
+    out[0] = P.m[0][0];
+    out[1] = P.m[1][1];
 }
 
 /* One triangle, its vertex 0 held. */

@@ -36,14 +36,14 @@ static struct tension tension(const struct fibre *fibre, double l)
      * for MUSCLE; at a kink of T the T' of either side will do. */
     const double taut = fmax(e, 0.0), x = fmax(-w, fmin(e, w));
     if (fibre->law == CORD) {
-        t.W = 0.5 * k * e * e + active * e;
+        t.W = 0.5 * k * e * e + active * e; /* int T dl from l = 1 */
         t.T = k * e + active;
         t.dT = k;
     } else {
         t.W = k * taut * taut * taut / 3.0;
         t.W += active * (x - x * x * x / (3.0 * w * w));
         t.T = k * taut * taut + active * (1.0 - x * x / (w * w));
-        t.dT = 2.0 * k * taut;
+        t.dT = 2.0 * k * taut; /* and in the window that of the parabola */
         if (fabs(e) < w) t.dT -= active * 2.0 * x / (w * w);
     }
     /* END 17a */
@@ -67,22 +67,93 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
     }
     l = hypot(n[0], n[1]);
     const struct tension t = tension(fibre, l);
-    double along = t.dT, across = t.T / l;
+    double along = t.dT, across = t.T / l; /* of n: d(T n) by d(l n) */
     if (kind == PROJECTED) {
         along = fmax(along, 0.0);
         across = fmax(across, 0.0);
     }
     for (int i = 0; i < 2; i++) n[i] /= l;
-    const double dl = n[0] * dn[0] + n[1] * dn[1];
+    const double dl = n[0] * dn[0] + n[1] * dn[1]; /* n.dF g */
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
             const double change =
-                along * dl * n[i] + across * (dn[i] - dl * n[i]);
+                along * dl * n[i] + across * (dn[i] - dl * n[i]); /* d(T n) */
             P->m[i][k] = l > 0.0 ? t.T * n[i] * g[k] : 0.0;
             dP->m[i][k] = l > 0.0 ? change * g[k] : 0.0;
         }
     /* END 17b */
     return l;
+}
+
+/* The fibres of body->added all over a body: to *energy, or to q and K, what
+ * body.h says of a body_addition. */
+static void add_fibres(const struct body *body, double dt, const double u[],
+                       enum tangent kind, double *energy, double q[])
+{
+    const struct fibres *fibres = body->added;
+    /* SLOT 17c(body, dt, u, kind, energy, q, fibres, tension, stress): g from
+     * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
+     * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
+     * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
+    for (int e = 0; e < body->mesh->n_triangle; e++) {
+        const double g[2] = {cos(fibres->angle[e]), sin(fibres->angle[e])};
+        const int *t = &body->vertex[3 * e], *number = body->equation;
+        const double *G = &body->gradient[6 * e], area = body->area[e];
+        const mat2 F = body_deformation(body, u, e);
+        for (int c = 0; c < 6; c++) {
+            const int column = 2 * t[c / 2] + c % 2; /* vertex, component */
+            mat2 dF = {{{0.0}}}, P, dP;              /* dF/du of that unknown */
+            for (int m = 0; m < 2; m++) dF.m[c % 2][m] = G[c / 2 * 2 + m];
+            const double l = stress(&fibres->fibre, g, F, dF, kind, &P, &dP);
+            if (energy && !c) *energy += area * tension(&fibres->fibre, l).W;
+            if (q) q[column] += dt * dt * area * mat2_dot(P, dF);
+            if (kind == NO_TANGENT) continue;
+            for (int r = 0; r < 6; r++) {
+                const int row = 2 * t[r / 2] + r % 2;
+                const double *dP_i = dP.m[r % 2], *G_a = &G[r / 2 * 2];
+                const double K = dP_i[0] * G_a[0] + dP_i[1] * G_a[1];
+                if (number[row] >= 0 && number[column] >= 0)
+                    matrix_add(body->K, number[row], number[column],
+                               dt * dt * area * K);
+            }
+        }
+    }
+    /* END 17c */
+}
+
+enum { CAP = 40 }; /* systems; new in this loop: they are solved by hand */
+/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
+ * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
+ * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
+ * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
+static enum status strip(const struct material *material,
+                         const struct fibre *fibre, double load, double x[2])
+{
+    const double g[2] = {1.0, 0.0}, enough = 1e-13 * material_modulus(material);
+    enum status status = MAX_ITERATIONS;
+    x[0] = x[1] = 1.0;
+    /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
+     * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
+    for (int k = 0; k <= CAP; k++) {
+        const mat2 dl = {{{1.0}}}, dw = {{{0.0}, {0.0, 1.0}}};
+        const mat2 F = {{{x[0], 0.0}, {0.0, x[1]}}};
+        mat2 P, dP;
+        if (!material_defined(material, mat2_det(F))) return INVERTED;
+        stress(fibre, g, F, dl, EXACT, &P, &dP);
+        P = mat2_add(material2_pk1(material, F), P);
+        dP = mat2_add(material2_dpk1(material, F, dl), dP);
+        const double q[2] = {P.m[0][0] - load, P.m[1][1]};
+        if (!isfinite(q[0]) || !isfinite(q[1])) return NONFINITE;
+        if (fmax(fabs(q[0]), fabs(q[1])) <= enough) return OK;
+        if (k == CAP) break;
+        const double a = dP.m[0][0], b = dP.m[1][1];
+        const double c = material2_dpk1(material, F, dw).m[1][1];
+        if (!(a > 0.0) || !(a * c > b * b)) return NOT_SPD; /* (a b; b c) */
+        x[0] -= (c * q[0] - b * q[1]) / (a * c - b * b);    /* Cramer's rule */
+        x[1] -= (a * q[1] - b * q[0]) / (a * c - b * b);
+    }
+    /* END 17d */
+    return status;
 }
 
 /* The law over l, and in one F over the angle of the fibre. */
@@ -120,76 +191,6 @@ static void print_field(const struct scene *s, const struct fibres *fibres)
         table_row(e, fibres->angle[e], now, l, tension(&fibres->fibre, l).T);
     }
     table_end();
-}
-
-/* The fibres of body->added all over a body: to *energy, or to q and K, what
- * body.h says of a body_addition. */
-static void add_fibres(const struct body *body, double dt, const double u[],
-                       enum tangent kind, double *energy, double q[])
-{
-    const struct fibres *fibres = body->added;
-    /* SLOT 17c(body, dt, u, kind, energy, q, fibres, tension, stress): g from
-     * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
-     * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
-     * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
-    for (int e = 0; e < body->mesh->n_triangle; e++) {
-        const double g[2] = {cos(fibres->angle[e]), sin(fibres->angle[e])};
-        const int *t = &body->vertex[3 * e], *number = body->equation;
-        const double *G = &body->gradient[6 * e], area = body->area[e];
-        const mat2 F = body_deformation(body, u, e);
-        for (int c = 0; c < 6; c++) {
-            const int column = 2 * t[c / 2] + c % 2;
-            mat2 dF = {{{0.0}}}, P, dP; /* dF/du of that unknown */
-            for (int m = 0; m < 2; m++) dF.m[c % 2][m] = G[c / 2 * 2 + m];
-            const double l = stress(&fibres->fibre, g, F, dF, kind, &P, &dP);
-            if (energy && !c) *energy += area * tension(&fibres->fibre, l).W;
-            if (q) q[column] += dt * dt * area * mat2_dot(P, dF);
-            for (int r = 0; r < 6 && kind != NO_TANGENT; r++) {
-                const int row = 2 * t[r / 2] + r % 2;
-                const double *dP_i = dP.m[r % 2], *G_a = &G[r / 2 * 2];
-                const double K = dP_i[0] * G_a[0] + dP_i[1] * G_a[1];
-                if (number[row] >= 0 && number[column] >= 0)
-                    matrix_add(body->K, number[row], number[column],
-                               dt * dt * area * K);
-            }
-        }
-    }
-    /* END 17c */
-}
-
-enum { CAP = 40 }; /* linear systems of two equations, at most */
-/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
- * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
- * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
- * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
-static enum status strip(const struct material *material,
-                         const struct fibre *fibre, double load, double x[2])
-{
-    const double g[2] = {1.0, 0.0}, enough = 1e-13 * material_modulus(material);
-    enum status status = MAX_ITERATIONS;
-    x[0] = x[1] = 1.0;
-    /* SLOT 17d(material, fibre, load, x, enough, g, stress, &status): stress()
-     * with dF = diag(1, 0), and material2_dpk1() also with diag(0, 1). */
-    for (int k = 0; k <= CAP; k++) {
-        const mat2 dl = {{{1.0}}}, dw = {{{0.0}, {0.0, 1.0}}};
-        const mat2 F = {{{x[0], 0.0}, {0.0, x[1]}}};
-        mat2 P, dP;
-        if (!material_defined(material, mat2_det(F))) return INVERTED;
-        stress(fibre, g, F, dl, EXACT, &P, &dP);
-        P = mat2_add(material2_pk1(material, F), P);
-        dP = mat2_add(material2_dpk1(material, F, dl), dP);
-        const double q[2] = {P.m[0][0] - load, P.m[1][1]};
-        if (!isfinite(q[0]) || !isfinite(q[1])) return NONFINITE;
-        if (fmax(fabs(q[0]), fabs(q[1])) <= enough) return OK;
-        if (k == CAP) break;
-        const double a = dP.m[0][0], b = dP.m[1][1];
-        const double c = material2_dpk1(material, F, dw).m[1][1];
-        if (!(a > 0.0) || !(a * c > b * b)) return NOT_SPD;
-        x[0] -= (c * q[0] - b * q[1]) / (a * c - b * b);
-        x[1] -= (a * q[1] - b * q[0]) / (a * c - b * b);
-    }
-    /* END 17d */
-    return status;
 }
 
 /* At rising activations; isometric: the tension at l = 1. */
@@ -239,7 +240,7 @@ int main(int argc, char *argv[])
     s->body->add = add_fibres;
     s->body->added = &fibres;
     const enum status square =
-        step_solve(s->body, &newton, 1.0, s->g, s->f, s->u).status;
+        step_solve(s->body, &newton, at_rest(s->f), s->u).status;
     print_field(s, &fibres);
     if (status != OK || square != OK)
         die("strip: %s, square: %s", status_name(status), status_name(square));

@@ -20,11 +20,115 @@
 
 #include <math.h>
 
-static int weights(int order, double h, double x, double w[], double dw[]);
-static enum status p2g(const struct particles *p, struct grid *grid);
+/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
+ * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
+ * where the node at one end has no weight, either end may have it. */
+static int weights(int order, double h, double x, double w[], double dw[])
+{
+    int first = 0;
+    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
+    /* Order 2 has the nearest node in the middle; of orders 1 and 3 as many
+     * nodes are left of x as right of it. */
+    first = (int)floor(order == 2 ? x / h - 0.5 : x / h) - (order == 3);
+    for (int q = 0; q <= order; q++) {
+        const double t = x / h - (first + q), a = fabs(t), b = 2.0 - a;
+        double slope = -1.0; /* dN/da */
+        if (order == 1) w[q] = 1.0 - a;
+        if (order == 2) {
+            w[q] = a > 0.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0.75 - a * a;
+            slope = a > 0.5 ? a - 1.5 : -2.0 * a;
+        }
+        if (order == 3) {
+            w[q] = a > 1.0 ? b * b * b / 6.0 : 2.0 / 3.0 - a * a * (1 - a / 2);
+            slope = a > 1.0 ? -0.5 * b * b : a * (1.5 * a - 2.0);
+        }
+        /* dN/dx = dN/da da/dt dt/dx, and a = |t| */
+        dw[q] = (t < 0.0 ? -slope : slope) / h;
+    }
+    /* END 18a */
+    return first;
+}
+
+/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
+ * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
+static enum status p2g(const struct particles *p, struct grid *grid)
+{
+    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
+     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
+     * and D = diag(s.inertia); where that is 0, so are the ways. */
+    struct support s;
+    for (int a = 0; a < grid->n_node; a++)
+        grid->mass[a] = grid->v[2 * a] = grid->v[2 * a + 1] = 0.0;
+    for (int q = 0; q < p->n; q++) {
+        const enum status status = grid_support(grid, &p->x[2 * q], &s);
+        if (status != OK) return status;
+        for (int i = 0; i < s.n; i++) {
+            const double m = p->mass[q] * s.w[i];
+            grid->mass[s.node[i]] += m;
+            for (int k = 0; k < 2; k++) {
+                /* v_p + B_p D^-1 (x_a - x_p): the motion of p, at the node */
+                double v = p->v[2 * q + k];
+                for (int l = 0; l < 2; l++)
+                    if (s.inertia[l] > 0.0)
+                        v += p->B[q].m[k][l] / s.inertia[l] * s.offset[i][l];
+                grid->v[2 * s.node[i] + k] += m * v;
+            }
+        }
+    }
+    /* So far v is the momentum. */
+    for (int r = 0; r < 2 * grid->n_node; r++)
+        if (grid->mass[r / 2] > 0.0) grid->v[r] /= grid->mass[r / 2];
+    /* END 18b */
+    return OK;
+}
+
+/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
+ * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
 static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
-                       struct particles *p);
-static double angular(const struct particles *p);
+                       struct particles *p)
+{
+    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
+    struct support s;
+    for (int q = 0; q < p->n; q++) {
+        const enum status status = grid_support(grid, &p->x[2 * q], &s);
+        double after[2] = {0.0, 0.0}, change[2] = {0.0, 0.0};
+        mat2 B = {{{0.0}}};
+        if (status != OK) return status;
+        for (int i = 0; i < s.n; i++)
+            for (int k = 0; k < 2; k++) {
+                const int r = 2 * s.node[i] + k;
+                after[k] += s.w[i] * grid->next[r];
+                change[k] += s.w[i] * (grid->next[r] - grid->v[r]);
+                /* B = sum_a w_a v_a (x_a - x_p)^T */
+                if (scheme != APIC) continue;
+                for (int l = 0; l < 2; l++)
+                    B.m[k][l] += s.w[i] * grid->next[r] * s.offset[i][l];
+            }
+        for (int k = 0, r = 2 * q; k < 2; k++, r++) {
+            p->v[r] = scheme == FLIP ? p->v[r] + change[k] : after[k];
+            /* with the grid, by FLIP too, so that neighbours move alike */
+            p->x[r] += dt * after[k];
+        }
+        p->B[q] = B;
+    }
+    /* END 18c */
+    return OK;
+}
+
+/* The angular momentum of particles about 0, all of it [eq:apic]. */
+static double angular(const struct particles *p)
+{
+    double L = 0.0;
+    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
+    for (int q = 0; q < p->n; q++) {
+        const double *x = &p->x[2 * q], *v = &p->v[2 * q];
+        /* sum_a w_a (x_a - x_p) cross v_a, of which B is all that is kept */
+        const double turns = p->B[q].m[1][0] - p->B[q].m[0][1];
+        L += p->mass[q] * (x[0] * v[1] - x[1] * v[0] + turns);
+    }
+    /* END 18d */
+    return L;
+}
 
 /* There and back; `kick` times a rigid motion is added to the nodes between. */
 static void transfer(struct cloud c, enum transfer how, double dt, double kick)
@@ -102,117 +206,17 @@ static void print_spin(int order, enum transfer scheme, int steps)
 static void print_filter(int order, int ppc)
 {
     table_begin("filter", "wavelength scheme factor predicted");
-    for (int row = 0; row < 9; row++) {
-        const enum transfer scheme = (enum transfer)(row % 3);
-        const double cells = 16 >> row / 3, k = 2.0 * acos(-1.0) / cells;
-        struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
-        transfer(c, scheme, 0.0, 0.0);
-        table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
-                  transfer_factor(order, scheme, k));
-        cloud_free(c);
-    }
+    for (int cells = 16; cells >= 4; cells /= 2)
+        for (int s = PIC; s <= APIC; s++) {
+            const enum transfer scheme = (enum transfer)s;
+            const double k = 2.0 * acos(-1.0) / cells;
+            struct cloud c = cloud_wave(order, 16, ppc, k, scheme);
+            transfer(c, scheme, 0.0, 0.0);
+            table_row(cells, transfer_name(scheme), particles_wave_part(c.p, k),
+                      transfer_factor(order, scheme, k));
+            cloud_free(c);
+        }
     table_end();
-}
-
-/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
- * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
- * where the node at one end has no weight, either end may have it. */
-static int weights(int order, double h, double x, double w[], double dw[])
-{
-    int first = 0;
-    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
-    first = (int)floor(order == 2 ? x / h - 0.5 : x / h) - (order == 3);
-    for (int q = 0; q <= order; q++) {
-        const double t = x / h - (first + q), a = fabs(t), b = 2.0 - a;
-        double slope = -1.0; /* dN/da */
-        if (order == 1) w[q] = 1.0 - a;
-        if (order == 2) {
-            w[q] = a > 0.5 ? 0.5 * (1.5 - a) * (1.5 - a) : 0.75 - a * a;
-            slope = a > 0.5 ? a - 1.5 : -2.0 * a;
-        }
-        if (order == 3) {
-            w[q] = a > 1.0 ? b * b * b / 6.0 : 2.0 / 3.0 - a * a * (1 - a / 2);
-            slope = a > 1.0 ? -0.5 * b * b : a * (1.5 * a - 2.0);
-        }
-        dw[q] = (t < 0.0 ? -slope : slope) / h;
-    }
-    /* END 18a */
-    return first;
-}
-
-/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
- * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
-static enum status p2g(const struct particles *p, struct grid *grid)
-{
-    /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
-     * gives s.n nodes s.node[i], weights s.w[i], ways s.offset[i] = x_a - x_p,
-     * and D = diag(s.inertia); where that is 0, so are the ways. */
-    struct support s;
-    for (int a = 0; a < grid->n_node; a++)
-        grid->mass[a] = grid->v[2 * a] = grid->v[2 * a + 1] = 0.0;
-    for (int q = 0; q < p->n; q++) {
-        const enum status status = grid_support(grid, &p->x[2 * q], &s);
-        if (status != OK) return status;
-        for (int i = 0; i < s.n; i++) {
-            const double m = p->mass[q] * s.w[i];
-            grid->mass[s.node[i]] += m;
-            for (int k = 0; k < 2; k++) {
-                double v = p->v[2 * q + k];
-                for (int l = 0; l < 2; l++)
-                    if (s.inertia[l] > 0.0)
-                        v += p->B[q].m[k][l] / s.inertia[l] * s.offset[i][l];
-                grid->v[2 * s.node[i] + k] += m * v;
-            }
-        }
-    }
-    for (int r = 0; r < 2 * grid->n_node; r++)
-        if (grid->mass[r / 2] > 0.0) grid->v[r] /= grid->mass[r / 2];
-    /* END 18b */
-    return OK;
-}
-
-/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
- * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
-static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
-                       struct particles *p)
-{
-    /* SLOT 18c(grid, scheme, dt, p): all three schemes in one loop. */
-    struct support s;
-    for (int q = 0; q < p->n; q++) {
-        const enum status status = grid_support(grid, &p->x[2 * q], &s);
-        double after[2] = {0.0, 0.0}, change[2] = {0.0, 0.0};
-        mat2 B = {{{0.0}}};
-        if (status != OK) return status;
-        for (int i = 0; i < s.n; i++)
-            for (int k = 0; k < 2; k++) {
-                const int r = 2 * s.node[i] + k;
-                after[k] += s.w[i] * grid->next[r];
-                change[k] += s.w[i] * (grid->next[r] - grid->v[r]);
-                for (int l = 0; l < 2 && scheme == APIC; l++)
-                    B.m[k][l] += s.w[i] * grid->next[r] * s.offset[i][l];
-            }
-        for (int k = 0, r = 2 * q; k < 2; k++, r++) {
-            p->v[r] = scheme == FLIP ? p->v[r] + change[k] : after[k];
-            p->x[r] += dt * after[k];
-        }
-        p->B[q] = B;
-    }
-    /* END 18c */
-    return OK;
-}
-
-/* The angular momentum of particles about 0, all of it [eq:apic]. */
-static double angular(const struct particles *p)
-{
-    double L = 0.0;
-    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
-    for (int q = 0; q < p->n; q++) {
-        const double *x = &p->x[2 * q], *v = &p->v[2 * q];
-        const double turns = p->B[q].m[1][0] - p->B[q].m[0][1];
-        L += p->mass[q] * (x[0] * v[1] - x[1] * v[0] + turns);
-    }
-    /* END 18d */
-    return L;
 }
 
 int main(int argc, char *argv[])

@@ -31,12 +31,81 @@ struct moved {
     struct support s;
     mat2 F_hat, F_n, F; /* F_n is its own, as at t^n */
 };
+
+/* Particle p while the nodes are at x + u.  Statuses of grid_support();
+ * NONFINITE; INVERTED: the material is not defined at F. */
 static enum status move(const struct particle_body *body, int p,
-                        const double u[], struct moved *m);
+                        const double u[], struct moved *m)
+{
+    const struct particles *all = body->particles;
+    const enum status status = grid_support(body->grid, &all->x[2 * p], &m->s);
+    if (status != OK) return status;
+    m->F_n = m->F_hat = m->F = all->F[p];
+    /* SLOT 19a(u, m): F_hat and F from u, F_n, and the m->s.n nodes of m->s. */
+    /* F_hat = I + sum_a u_a grad N_a^T, where grad N_a is that of t^n */
+    m->F_hat = mat2_identity();
+    for (int i = 0; i < m->s.n; i++)
+        for (int k = 0; k < 2; k++)
+            for (int l = 0; l < 2; l++)
+                m->F_hat.m[k][l] +=
+                    u[2 * m->s.node[i] + k] * m->s.gradient[i][l];
+    m->F = mat2_multiply(m->F_hat, m->F_n);
+    /* END 19a */
+    const double J = mat2_det(m->F);
+    if (!isfinite(J)) return NONFINITE;
+    return material_defined(&body->material, J) ? OK : INVERTED;
+}
+
+/* The forces f on all nodes at x + u; statuses of move(). */
 static enum status force(const struct particle_body *body, const double u[],
-                         double f[]);
+                         double f[])
+{
+    struct moved m;
+    for (int r = 0; r < 2 * body->grid->n_node; r++) f[r] = 0.0;
+    for (int p = 0; p < body->particles->n; p++) {
+        const enum status status = move(body, p, u, &m);
+        if (status != OK) return status;
+        const double volume = body->particles->volume[p];
+        /* SLOT 19b(body, volume, &m, f): what this particle adds to f, with
+         * its stress material2_pk1(&body->material, m.F). */
+        const mat2 P = material2_pk1(&body->material, m.F);
+        /* f_a = -V P F_n^T grad N_a, as P is per area at t = 0 */
+        const mat2 pull = mat2_multiply(P, mat2_transpose(m.F_n));
+        for (int i = 0; i < m.s.n; i++)
+            for (int k = 0; k < 2; k++)
+                for (int l = 0; l < 2; l++)
+                    f[2 * m.s.node[i] + k] -=
+                        volume * pull.m[k][l] * m.s.gradient[i][l];
+        /* END 19b */
+    }
+    return OK;
+}
+
+/* out := K w for the tangent K = -df/du at x + u; statuses of move(). */
 static enum status product(const struct particle_body *body, const double u[],
-                           const double w[], double out[]);
+                           const double w[], double out[])
+{
+    struct moved m;
+    for (int r = 0; r < 2 * body->grid->n_node; r++) out[r] = 0.0;
+    for (int p = 0; p < body->particles->n; p++) {
+        const enum status status = move(body, p, u, &m);
+        if (status != OK) return status;
+        const double volume = body->particles->volume[p];
+        /* SLOT 19c(body, volume, &m, w, out): dF, its dP by material2_dpk1(),
+         * and 19b once more. */
+        /* Only F_hat depends on u: dF = (sum_a w_a grad N_a^T) F_n. */
+        const mat2 dF = mat2_multiply(support_gradient(&m.s, w), m.F_n);
+        const mat2 dP = material2_dpk1(&body->material, m.F, dF);
+        const mat2 pull = mat2_multiply(dP, mat2_transpose(m.F_n));
+        for (int i = 0; i < m.s.n; i++)
+            for (int k = 0; k < 2; k++)
+                for (int l = 0; l < 2; l++)
+                    out[2 * m.s.node[i] + k] +=
+                        volume * pull.m[k][l] * m.s.gradient[i][l];
+        /* END 19c */
+    }
+    return OK;
+}
 
 static void check(enum status status)
 {
@@ -106,95 +175,25 @@ static void print_bar(const char *name, struct material material, double F,
     static const char *const kernel[] = {"linear", "quadratic", "cubic"};
     const double stress = material1_pk1(&material, F), old = from_rest ? 1 : F;
     table_begin(name, "cells ppc kernel force_over_stress acceleration");
-    for (int row = 0; row < 12; row++) {
-        const int order = 1 + row / 4, cells = 8 << row % 4;
-        struct cloud bar = cloud_bar(order, cells, ppc, old, shift);
-        const struct particle_body body = {bar.grid, bar.p, material, NULL};
-        const int n = bar.grid->n_node;
-        double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + 2 * n;
-        for (int a = 0; a < n; a++)
-            u[2 * a] = (F / old - 1.0) * (a - 2) / cells;
-        check(force(&body, u, f));
-        const struct inner worst = cloud_bar_inner(bar, f);
-        table_row(cells, ppc, kernel[order - 1],
-                  cell_if(fabs(stress) > 0.0, worst.force / fabs(stress)),
-                  worst.acceleration);
-        free(u);
-        cloud_free(bar);
-    }
+    for (int order = 1; order <= 3; order++)
+        for (int cells = 8; cells <= 64; cells *= 2) {
+            struct cloud bar = cloud_bar(order, cells, ppc, old, shift);
+            const struct particle_body body = {bar.grid, bar.p, material, NULL};
+            const size_t n_dof = 2 * (size_t)bar.grid->n_node;
+            double *u = allocate(n_dof, sizeof *u);
+            double *f = allocate(n_dof, sizeof *f);
+            for (int a = 0; a < bar.grid->n_node; a++)
+                u[2 * a] = (F / old - 1.0) * (a - 2) / cells;
+            check(force(&body, u, f));
+            const struct inner worst = cloud_bar_inner(bar, f);
+            table_row(cells, ppc, kernel[order - 1],
+                      cell_if(fabs(stress) > 0.0, worst.force / fabs(stress)),
+                      worst.acceleration);
+            free(f);
+            free(u);
+            cloud_free(bar);
+        }
     table_end();
-}
-
-/* Particle p while the nodes are at x + u.  Statuses of grid_support();
- * NONFINITE; INVERTED: the material is not defined at F. */
-static enum status move(const struct particle_body *body, int p,
-                        const double u[], struct moved *m)
-{
-    const struct particles *all = body->particles;
-    const enum status status = grid_support(body->grid, &all->x[2 * p], &m->s);
-    if (status != OK) return status;
-    m->F_n = m->F_hat = m->F = all->F[p];
-    /* SLOT 19a(u, m): F_hat and F from u, F_n, and the m->s.n nodes of m->s. */
-    m->F_hat = mat2_identity();
-    for (int i = 0; i < m->s.n; i++)
-        for (int k = 0; k < 2; k++)
-            for (int l = 0; l < 2; l++)
-                m->F_hat.m[k][l] +=
-                    u[2 * m->s.node[i] + k] * m->s.gradient[i][l];
-    m->F = mat2_multiply(m->F_hat, m->F_n);
-    /* END 19a */
-    const double J = mat2_det(m->F);
-    if (!isfinite(J)) return NONFINITE;
-    return material_defined(&body->material, J) ? OK : INVERTED;
-}
-
-/* The forces f on all nodes at x + u; statuses of move(). */
-static enum status force(const struct particle_body *body, const double u[],
-                         double f[])
-{
-    struct moved m;
-    for (int r = 0; r < 2 * body->grid->n_node; r++) f[r] = 0.0;
-    for (int p = 0; p < body->particles->n; p++) {
-        const enum status status = move(body, p, u, &m);
-        if (status != OK) return status;
-        const double volume = body->particles->volume[p];
-        /* SLOT 19b(body, volume, &m, f): what this particle adds to f, with
-         * its stress material2_pk1(&body->material, m.F). */
-        const mat2 P = material2_pk1(&body->material, m.F);
-        const mat2 pull = mat2_multiply(P, mat2_transpose(m.F_n));
-        for (int i = 0; i < m.s.n; i++)
-            for (int k = 0; k < 2; k++)
-                for (int l = 0; l < 2; l++)
-                    f[2 * m.s.node[i] + k] -=
-                        volume * pull.m[k][l] * m.s.gradient[i][l];
-        /* END 19b */
-    }
-    return OK;
-}
-
-/* out := K w for the tangent K = -df/du at x + u; statuses of move(). */
-static enum status product(const struct particle_body *body, const double u[],
-                           const double w[], double out[])
-{
-    struct moved m;
-    for (int r = 0; r < 2 * body->grid->n_node; r++) out[r] = 0.0;
-    for (int p = 0; p < body->particles->n; p++) {
-        const enum status status = move(body, p, u, &m);
-        if (status != OK) return status;
-        const double volume = body->particles->volume[p];
-        /* SLOT 19c(body, volume, &m, w, out): dF, its dP by material2_dpk1(),
-         * and 19b once more. */
-        const mat2 dF = mat2_multiply(support_gradient(&m.s, w), m.F_n);
-        const mat2 dP = material2_dpk1(&body->material, m.F, dF);
-        const mat2 pull = mat2_multiply(dP, mat2_transpose(m.F_n));
-        for (int i = 0; i < m.s.n; i++)
-            for (int k = 0; k < 2; k++)
-                for (int l = 0; l < 2; l++)
-                    out[2 * m.s.node[i] + k] +=
-                        volume * pull.m[k][l] * m.s.gradient[i][l];
-        /* END 19c */
-    }
-    return OK;
 }
 
 int main(int argc, char *argv[])

@@ -27,33 +27,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static struct particle_report advance(struct cloud c, struct material material,
-                                      const struct particle_step *step);
-
-/* The bar hung by its end, at rest under 500 N/m, which `loads` steps without
- * inertia have put on; each begins with a new grid. */
-static void print_bar(int order, struct material material, enum wall wall)
-{
-    table_begin("bar", "cells ppc wall loads error stress_error status");
-    for (int row = 0; row < 12; row++) {
-        const int cells = 8 << row % 2, ppc = 1 << row / 4;
-        const int loads = row / 2 % 2 ? 10 : 1;
-        struct cloud c = cloud_hanging(order, cells, ppc);
-        struct particle_step step = {.wall = wall};
-        enum status status = OK;
-        for (int k = 1; k <= loads && status == OK; k++) {
-            step.g[0] = 500.0 * k / loads;
-            status = advance(c, material, &step).status;
-        }
-        const struct hanging_error e = hanging_error(c.p, &material, 500.0);
-        table_row(cells, ppc, wall_name(wall), loads,
-                  cell_if(status == OK, e.place),
-                  cell_if(status == OK, e.stress / 500.0), status_name(status));
-        cloud_free(c);
-    }
-    table_end();
-}
-
 /* E and r = dE/du at all nodes; 1 / dt is step->rate.  Statuses are those of
  * particle_force(); E and r are then incomplete. */
 static enum status potential(const struct particle_body *body,
@@ -73,9 +46,9 @@ static enum status potential(const struct particle_body *body,
     if (status == OK) status = particle_mass(body, step->consistent, w, Mw);
     for (int s = 0; s < n && status == OK; s++) {
         const double weight = mass[s / 2] * step->g[s % 2];
-        E->inertia += 0.5 * w[s] * Mw[s];
+        E->inertia += 0.5 * w[s] * Mw[s]; /* w = u / dt - v */
         E->load -= weight * u[s];
-        r[s] = step->rate * Mw[s] - r[s] - weight;
+        r[s] = step->rate * Mw[s] - r[s] - weight; /* dw/du = 1 / dt */
     }
     /* END 20a */
     free(w);
@@ -89,7 +62,7 @@ static void number(const struct grid *grid, enum wall wall,
 {
     const int columns = grid->nodes[0], axes = grid->nodes[1] > 1 ? 2 : 1;
     const int at_wall = (int)lround(-grid->origin[0] / grid->h);
-    /* SLOT 20c(grid, wall, columns, axes, at_wall, map): only nodes with mass
+    /* SLOT 20b(grid, wall, columns, axes, at_wall, map): only nodes with mass
      * move, by the first `axes` components; then their mirror images. */
     map->n = 0;
     for (int s = 0; s < map->n_dof; s++) {
@@ -98,20 +71,21 @@ static void number(const struct grid *grid, enum wall wall,
         map->equation[s] = moves ? map->n++ : -1;
         map->sign[s] = 1.0;
     }
-    for (int s = 0; s < map->n_dof && wall == MIRROR; s++) {
-        const int image = s + 4 * (at_wall - s / 2 % columns);
-        if (image <= s || image >= map->n_dof) continue;
+    for (int s = 0; s < map->n_dof; s++) {
+        const int image = s + 4 * (at_wall - s / 2 % columns); /* in its row */
+        if (wall != MIRROR || image <= s || image >= map->n_dof) continue;
         map->equation[s] = map->equation[image];
-        map->sign[s] = -1.0;
+        map->sign[s] = -1.0; /* in x_2 as well: u(-x_1) = -u(x_1) */
     }
-    /* END 20c */
+    /* END 20b */
 }
 
 /* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
  * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
  * that E falls.  Where A is not positive definite, it is made again without the
  * negative modes of dP/dF, `convex`; NOT_SPD: both fail; STALLED: 40 halvings;
- * MAX_ITERATIONS: after STEP_CAP systems.  A stalled one may count or not. */
+ * MAX_ITERATIONS: after STEP_CAP systems.  A stalled one may count or not.
+ * New since 16d: it projects on demand only, and is a step in time. */
 static struct particle_report newton(const struct particle_body *body,
                                      const struct particle_step *step,
                                      double u[])
@@ -127,13 +101,13 @@ static struct particle_report newton(const struct particle_body *body,
     double *trial = du + n, weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    /* SLOT 20b(body, &convex, step, n, small, &report, map, &there, r, y, du,
+    /* SLOT 20c(body, &convex, step, n, small, &report, map, &there, r, y, du,
      * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
     memset(u, 0, (size_t)n * sizeof *u);
     for (int k = 0;; k = ++report.iterations) {
         report.status = potential(body, step, u, &report.E, r);
         if (report.status != OK) break;
-        unknowns_gather(map, r, y);
+        unknowns_gather(map, r, y); /* dE/dy = T^T r */
         report.residual[k] = unknowns_largest(map, y);
         if (k > 0 && report.increment[k - 1] <= small &&
             report.residual[k] <= small * weight)
@@ -147,14 +121,14 @@ static struct particle_report newton(const struct particle_body *body,
             particle_stiffness(of, u, map->equation, map->sign, A);
             particle_mass_matrix(body, step->consistent,
                                  step->rate * step->rate, map, A);
-            weight = matrix_weight(A);
+            weight = matrix_max_diagonal(A);
             report.status = matrix_factor(A);
         }
         if (report.status != OK) break;
-        matrix_solve(A, y);
+        matrix_solve(A, y); /* A y = T^T r; u is to lose T y */
         report.increment[k] = unknowns_largest(map, y);
         unknowns_scatter(map, y, du);
-        double part = 2.0;
+        double part = 2.0; /* all of du is tried first */
         report.status = STALLED;
         while (report.status != OK && part > 1e-12) {
             part *= 0.5;
@@ -166,7 +140,7 @@ static struct particle_report newton(const struct particle_body *body,
         report.part[k] = part;
         memcpy(u, trial, (size_t)n * sizeof *u);
     }
-    /* END 20b */
+    /* END 20c */
     matrix_free(A);
     unknowns_free(map);
     free(r);
@@ -193,7 +167,7 @@ static enum status update(const struct grid *grid,
         for (int k = 0; k < 2; k++) {
             double *v = &p->v[2 * q + k];
             *v = step->transfer == FLIP ? *v - before[k] : 0.0;
-            *v += step->rate * moved[k];
+            *v += step->rate * moved[k]; /* v^{n+1} there, by both */
             p->x[2 * q + k] += moved[k];
         }
         /* END 20d */
@@ -211,6 +185,32 @@ static struct particle_report advance(struct cloud c, struct material material,
     if (report.status == OK) report.status = update(c.grid, step, u, c.p);
     for (int s = 0; s < 2 * c.grid->n_node; s++) u[s] *= step->rate;
     return report;
+}
+
+/* The bar hung by its end, at rest under 500 N/m, which `loads` steps without
+ * inertia have put on; each begins with a new grid. */
+static void print_bar(int order, struct material material, enum wall wall)
+{
+    table_begin("bar", "cells ppc wall loads error stress_error status");
+    for (int ppc = 1; ppc <= 4; ppc *= 2)
+        for (int loads = 1; loads <= 10; loads *= 10)
+            for (int cells = 8; cells <= 16; cells *= 2) {
+                struct cloud c = cloud_hanging(order, cells, ppc);
+                struct particle_step step = {.wall = wall};
+                enum status status = OK;
+                for (int k = 1; k <= loads && status == OK; k++) {
+                    step.g[0] = 500.0 * k / loads;
+                    status = advance(c, material, &step).status;
+                }
+                const struct hanging_error e =
+                    hanging_error(c.p, &material, 500.0);
+                table_row(cells, ppc, wall_name(wall), loads,
+                          cell_if(status == OK, e.place),
+                          cell_if(status == OK, e.stress / 500.0),
+                          status_name(status));
+                cloud_free(c);
+            }
+    table_end();
 }
 
 int main(int argc, char *argv[])

@@ -40,6 +40,129 @@ struct report {
     double residual[CAP + 1], curvature[CAP + 1];
 };
 
+static double dot(int n, const double x[], const double y[])
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += x[i] * y[i];
+    return sum;
+}
+
+/*
+ * Conjugate gradients from x = 0 [alg:cg]; z := B r is precondition(context, r,
+ * z).  OK: |r| <= tolerance |b|, Euclidean norms; NOT_SPD: p.Kp or r.z is not
+ * positive; NONFINITE: a number is not finite; MAX_ITERATIONS: not done after
+ * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.  Eight
+ * parameters: K, B and its context, b, x, and when to stop.
+ */
+static void cg(const struct csr *K, preconditioner *precondition,
+               const void *context, double tolerance, int cap,
+               const double b[], double x[], struct report *report)
+{
+    const int n = K->n;
+    const size_t bytes = (size_t)n * sizeof *x;
+    double *r = allocate(4 * (size_t)n, sizeof *r), *z = r + n;
+    double *p = z + n, *Kp = p + n;
+    memset(report, 0, sizeof *report);
+    /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n,
+     * bytes, r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
+    /* p is 0: the first direction is z, whatever this is. */
+    double before = 1.0;
+    memset(x, 0, bytes);
+    memcpy(r, b, bytes);
+    for (int k = 0;; k++) {
+        /* left = 0, or not a number, is the residual itself: b may be 0. */
+        const double left = dot(n, r, r);
+        report->iterations = k;
+        report->residual[k] = left > 0.0 ? sqrt(left / dot(n, b, b)) : left;
+        report->status = OK;
+        if (report->residual[k] <= tolerance) break;
+        report->status = isfinite(left) ? MAX_ITERATIONS : NONFINITE;
+        if (report->status == NONFINITE || k == cap) break;
+        precondition(context, r, z);
+        const double rz = dot(n, r, z);
+        /* p = z + beta p, so that p.K p = 0 with every p before it */
+        for (int i = 0; i < n; i++) p[i] = z[i] + rz / before * p[i];
+        csr_multiply(K, p, Kp);
+        const double pKp = dot(n, p, Kp);
+        report->curvature[k] = pKp / dot(n, p, p);
+        report->status = isfinite(pKp) ? NOT_SPD : NONFINITE;
+        if (!(rz > 0.0 && pKp > 0.0)) break;
+        /* to the least x.Kx / 2 - b.x along p; r = b - K x goes with it */
+        for (int i = 0; i < n; i++) x[i] += rz / pKp * p[i];
+        for (int i = 0; i < n; i++) r[i] -= rz / pKp * Kp[i];
+        before = rz;
+    }
+    /* END 22a */
+    free(r);
+}
+
+/*
+ * Between the free vertices of the grid of n squares per side, n even, and of
+ * n/2: fine += P coarse [eq:prolongation] or, down, coarse += P^T fine.
+ */
+static void transfer(int n, int down, double coarse[], double fine[])
+{
+    /* SLOT 22b(n, down, coarse, fine): a vertex has the mean of the one, two or
+     * four coarse ones around it; held ones count with 0. */
+    for (int j = 0; j <= n; j++)
+        for (int i = 1; i < n; i++)
+            for (int b = 0; b < 2; b++)
+                for (int a = 0; a < 2; a++) {
+                    /* Four meetings of 1/4: an even i meets i / 2 twice, an odd
+                     * one the two beside it, and so does j. */
+                    const int I = (i + a) / 2, J = (j + b) / 2;
+                    const int v = j * (n - 1) + i - 1;
+                    const int V = J * (n / 2 - 1) + I - 1;
+                    if (I == 0 || I == n / 2) continue;
+                    for (int k = 0; k < 2; k++)
+                        /* the same number both ways: down it is P^T */
+                        if (down)
+                            coarse[2 * V + k] += 0.25 * fine[2 * v + k];
+                        else
+                            fine[2 * v + k] += 0.25 * coarse[2 * V + k];
+                }
+    /* END 22b */
+}
+
+/* One V-cycle for m->K[g] x = b on grid g [alg:v-cycle]: x = m->x[g] and b =
+ * m->b[g]; m->r[g] is room for a residual.  Two sweeps forward before the
+ * coarser grid, two backward after it; on the coarsest one x is exact. */
+static void cycle(const struct multigrid *m, int g)
+{
+    const struct csr *K = m->K[g];
+    double *x = m->x[g], *b = m->b[g], *r = m->r[g];
+    /* SLOT 22c(m, g, K, x, b, r, transfer, cycle): x starts from 0;
+     * multigrid_sweep(); for the last grid matrix_solve() with m->coarsest. */
+    memset(x, 0, (size_t)K->n * sizeof *x);
+    /* On the coarsest grid there are few unknowns: a solve. */
+    if (g == m->grids - 1) {
+        memcpy(x, b, (size_t)K->n * sizeof *x);
+        matrix_solve(m->coarsest, x);
+        return;
+    }
+    for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 0, x);
+    csr_multiply(K, x, r);
+    for (int i = 0; i < K->n; i++) r[i] = b[i] - r[i];
+    /* The coarser grid finds the correction for what is left. */
+    memset(m->b[g + 1], 0, (size_t)m->K[g + 1]->n * sizeof *b);
+    transfer(m->n[g], 1, m->b[g + 1], r);
+    cycle(m, g + 1);
+    transfer(m->n[g], 0, m->x[g + 1], x);
+    /* backward, so that the whole is symmetric, as cg() needs it */
+    for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 1, x);
+    /* END 22c */
+}
+
+/* The preconditioner: z := the result of a V-cycle for K z = r. */
+static void v_cycle(const void *context, const double r[], double z[])
+{
+    const struct multigrid *m = context;
+    const size_t bytes = (size_t)m->K[0]->n * sizeof *z;
+    memcpy(m->b[0], r, bytes);
+    cycle(m, 0);
+    memcpy(z, m->x[0], bytes);
+}
+
 /* The last row is that of an iteration that was not made. */
 static void print_history(const struct report *report)
 {
@@ -65,116 +188,6 @@ static void print_solution(const struct system *s, const double x[])
     for (int v = 0; v < s->n_vertex; v++)
         table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
     table_end();
-}
-
-static double dot(int n, const double x[], const double y[])
-{
-    double sum = 0.0;
-    for (int i = 0; i < n; i++) sum += x[i] * y[i];
-    return sum;
-}
-
-/*
- * Conjugate gradients from x = 0 [alg:cg]; z := B r is precondition(context, r,
- * z).  OK: |r| <= tolerance |b|, Euclidean norms; NOT_SPD: p.Kp or r.z is not
- * positive; NONFINITE: a number is not finite; MAX_ITERATIONS: not done after
- * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.
- */
-static void cg(const struct csr *K, preconditioner *precondition,
-               const void *context, double tolerance, int cap,
-               const double b[], double x[], struct report *report)
-{
-    const int n = K->n;
-    const size_t bytes = (size_t)n * sizeof *x;
-    double *r = allocate(4 * (size_t)n, sizeof *r), *z = r + n;
-    double *p = z + n, *Kp = p + n;
-    memset(report, 0, sizeof *report);
-    /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n,
-     * bytes, r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
-    double before = 1.0;
-    memset(x, 0, bytes);
-    memcpy(r, b, bytes);
-    for (int k = 0;; k++) {
-        const double left = dot(n, r, r);
-        report->iterations = k;
-        report->residual[k] = left > 0.0 ? sqrt(left / dot(n, b, b)) : left;
-        report->status = OK;
-        if (report->residual[k] <= tolerance) break;
-        report->status = isfinite(left) ? MAX_ITERATIONS : NONFINITE;
-        if (report->status == NONFINITE || k == cap) break;
-        precondition(context, r, z);
-        const double rz = dot(n, r, z);
-        for (int i = 0; i < n; i++) p[i] = z[i] + rz / before * p[i];
-        csr_multiply(K, p, Kp);
-        const double pKp = dot(n, p, Kp);
-        report->curvature[k] = pKp / dot(n, p, p);
-        report->status = isfinite(pKp) ? NOT_SPD : NONFINITE;
-        if (!(rz > 0.0 && pKp > 0.0)) break;
-        for (int i = 0; i < n; i++) x[i] += rz / pKp * p[i];
-        for (int i = 0; i < n; i++) r[i] -= rz / pKp * Kp[i];
-        before = rz;
-    }
-    /* END 22a */
-    free(r);
-}
-
-/*
- * Between the free vertices of the grid of n squares per side, n even, and of
- * n/2: fine += P coarse [eq:prolongation] or, down, coarse += P^T fine.
- */
-static void transfer(int n, int down, double coarse[], double fine[])
-{
-    /* SLOT 22b(n, down, coarse, fine): a vertex has the mean of the one, two or
-     * four coarse ones around it; held ones count with 0. */
-    for (int v = 0; v < (n - 1) * (n + 1); v++)
-        for (int c = 0; c < 4; c++) {
-            const int I = (v % (n - 1) + 1 + c % 2) / 2;
-            const int J = (v / (n - 1) + c / 2) / 2;
-            const int V = J * (n / 2 - 1) + I - 1;
-            if (I == 0 || I == n / 2) continue;
-            for (int k = 0; k < 2; k++)
-                if (down)
-                    coarse[2 * V + k] += 0.25 * fine[2 * v + k];
-                else
-                    fine[2 * v + k] += 0.25 * coarse[2 * V + k];
-        }
-    /* END 22b */
-}
-
-/* One V-cycle for m->K[g] x = b on grid g [alg:v-cycle]: x = m->x[g] and b =
- * m->b[g]; m->r[g] is room for a residual.  Two sweeps forward before the
- * coarser grid, two backward after it; on the coarsest one x is exact. */
-static void cycle(const struct multigrid *m, int g)
-{
-    const struct csr *K = m->K[g];
-    double *x = m->x[g], *b = m->b[g], *r = m->r[g];
-    /* SLOT 22c(m, g, K, x, b, r, transfer, cycle): x starts from 0;
-     * multigrid_sweep(); for the last grid matrix_solve() with m->coarsest. */
-    memset(x, 0, (size_t)K->n * sizeof *x);
-    if (g == m->grids - 1) {
-        memcpy(x, b, (size_t)K->n * sizeof *x);
-        matrix_solve(m->coarsest, x);
-        return;
-    }
-    for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 0, x);
-    csr_multiply(K, x, r);
-    for (int i = 0; i < K->n; i++) r[i] = b[i] - r[i];
-    memset(m->b[g + 1], 0, (size_t)m->K[g + 1]->n * sizeof *b);
-    transfer(m->n[g], 1, m->b[g + 1], r);
-    cycle(m, g + 1);
-    transfer(m->n[g], 0, m->x[g + 1], x);
-    for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 1, x);
-    /* END 22c */
-}
-
-/* The preconditioner: z := the result of a V-cycle for K z = r. */
-static void v_cycle(const void *context, const double r[], double z[])
-{
-    const struct multigrid *m = context;
-    const size_t bytes = (size_t)m->K[0]->n * sizeof *z;
-    memcpy(m->b[0], r, bytes);
-    cycle(m, 0);
-    memcpy(z, m->x[0], bytes);
 }
 
 int main(int argc, char *argv[])

@@ -20,19 +20,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A row of `ladder`; truth may be NULL. */
-static void print_rung(int rung, const struct ladder_state *s,
-                       const double part[N_PART], int stable, double estimate,
-                       const struct ladder_state *truth, const char *verdict)
-{
-    table_row(rung, ladder_rung(s->model.rung),
-              s->model.moving ? "motion" : "rest", s->model.level,
-              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], stable ? "stable" : "unstable", estimate,
-              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
-              s->flops, verdict);
-}
-
 /*
  * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
  * all triangles [eq:left-geometry]; 0 where u = 0.
@@ -53,6 +40,7 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
         const mat2 H = mat2_subtract(F, mat2_identity());
+        /* The strain is (H + H^T) / 2 + H^T H / 2; linear is without that. */
         const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
         forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
         most = fmax(most, mat2_norm(H));
@@ -61,9 +49,11 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
     }
     part[GEOMETRY] = most > 0.0 ? forgotten / most : 0.0;
     part[LAW] = J[0] > 0.0 ? 0.0 : 1.0;
-    for (int k = 0; k < 2 && J[0] > 0.0; k++) {
+    if (!(J[0] > 0.0)) return; /* the log law has no stress there */
+    for (int k = 0; k < 2; k++) {
         const double P = material1_pk1(&logarithm, J[k]);
         const double off = fabs(material1_pk1(&cubic, J[k]) - P);
+        /* at J = 1 it would be 0 / 0 */
         if (J[k] != 1.0) part[LAW] = fmax(part[LAW], fmin(1.0, off / fabs(P)));
     }
     /* END 23a */
@@ -91,6 +81,7 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
         for (int k = 0; k < 3; k++) {
             const int a = s->mesh->triangle[3 * e + k];
             const mat2 G = mat2_scale(s->body->area[e], ladder_strain(s, e));
+            /* sums of area G and of area, whose quotient is the mean */
             recovered[a] = mat2_add(recovered[a], G);
             share[a] += s->body->area[e];
         }
@@ -102,6 +93,7 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
             const int a = s->mesh->triangle[3 * e + k];
             const mat2 d =
                 mat2_subtract(mat2_scale(1.0 / share[a], recovered[a]), G);
+            /* int psi(d) of a linear d, exact as psi is quadratic */
             off += s->body->area[e] / 12.0 * ladder_psi(s, d);
             sum = mat2_add(sum, d);
         }
@@ -137,10 +129,12 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     double N = 0.0, moment = 0.0, work = 0.0, mass = 0.0;
     for (int x = 0, y = 1; x < 2 * s->mesh->n_vertex; x += 2, y += 2) {
         N += f[x];
+        /* (X - (-1, 0)) cross f */
         moment += (X[x] + 1.0) * f[y] - X[y] * f[x];
         work += f[x] * u[x] + f[y] * u[y];
         mass += u[x] * Mu[x] + u[y] * Mu[y];
     }
+    /* A bar narrows freely; where it is held, s of it is missed. */
     const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
     const double along = fabs(N) * length / height;
     const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
@@ -149,6 +143,7 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     if (across + along > 0.0)
         part[DIMENSION] = (across + missed * along) / (across + along);
     part[INERTIA] = 1.0;
+    /* f = K u at rest: f.u / u.M u is Rayleigh's quotient of u. */
     if (mass > 0.0) part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
     /* END 23c */
 }
@@ -169,6 +164,7 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     int enough = 0;
     /* SLOT 23d(model, time, stable, tolerance, part, estimate, add, &enough):
      * model.rung, model.moving; set the part, *estimate, *add, enough. */
+    /* what the model has is not left out */
     if (model.rung != BAR) part[DIMENSION] = 0.0;
     if (model.rung == BAR) part[MESH] = 0.0;
     if (model.rung != BAR && model.rung != LINEAR_PLANE) part[GEOMETRY] = 0.0;
@@ -180,10 +176,24 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
         *estimate = hypot(*estimate, part[k]);
         if (part[k] > part[*add]) *add = (enum part)k;
     }
+    /* Where a body goes when it buckles is a matter of geometry. */
     if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
     enough = stable && *estimate <= tolerance;
     /* END 23d */
     return enough;
+}
+
+/* A row of `ladder`; truth may be NULL. */
+static void print_rung(int rung, const struct ladder_state *s,
+                       const double part[N_PART], int stable, double estimate,
+                       const struct ladder_state *truth, const char *verdict)
+{
+    table_row(rung, ladder_rung(s->model.rung),
+              s->model.moving ? "motion" : "rest", s->model.level,
+              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
+              part[MESH], stable ? "stable" : "unstable", estimate,
+              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              s->flops, verdict);
 }
 
 /* Climb from the bar, a row per rung.  Returns whether the last is enough. */

@@ -32,6 +32,157 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* to := where a hand at `from` is after a frame on its way to the pointer: the
+ * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
+ * LIVE_REACH [eq:live-hand]. */
+static void hand_next(const double from[2], const struct pointer *pointer,
+                      double to[2])
+{
+    /* SLOT 24a(from, pointer, to): to[0], to[1]; LIVE_FAR, LIVE_REACH (m). */
+    const double target[2] = {fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x)),
+                              fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y))};
+    const double way = hypot(target[0] - from[0], target[1] - from[1]);
+    /* all of the way, or as much of it as one frame allows */
+    const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
+    for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);
+    /* END 24a */
+}
+
+/*
+ * How many vertices inside the square are knots: at rest the angles of the
+ * triangles round a vertex add up to 2 pi.  They are between -pi and pi, and
+ * negative where a triangle is inverted; a sum that is off by more than pi is a
+ * knot [eq:winding].
+ */
+static int count_knots(const struct mesh *mesh, const double u[])
+{
+    const double *X = mesh->X;
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle);
+    int knots = 0;
+    /* SLOT 24b(mesh, X, u, angle, &knots): angle[a] is 0; vertex a is at
+     * X[2a] + u[2a], X[2a + 1] + u[2a + 1], and inside if -1 < X < 1 twice. */
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int *t = &mesh->triangle[3 * e];
+            double side[2][2];
+            /* the sides from vertex k, and the angle between them */
+            for (int s = 0; s < 2; s++)
+                for (int i = 0; i < 2; i++) {
+                    const int to = 2 * t[(k + 1 + s) % 3] + i;
+                    const int from = 2 * t[k] + i;
+                    side[s][i] = X[to] + u[to] - X[from] - u[from];
+                }
+            angle[t[k]] += atan2(
+                side[0][0] * side[1][1] - side[0][1] * side[1][0],
+                side[0][0] * side[1][0] + side[0][1] * side[1][1]);
+        }
+    for (int a = 0; a < mesh->n_vertex; a++)
+        /* The sum is a multiple of 2 pi, but for round-off. */
+        knots += fabs(X[2 * a]) < 1.0 && fabs(X[2 * a + 1]) < 1.0 &&
+                 fabs(angle[a] - 2.0 * M_PI) > M_PI;
+    /* END 24b */
+    free(angle);
+    return knots;
+}
+
+/*
+ * u := u0 with the held values g, and what that does to the rest: the first
+ * iteration of Newton's method, in which the jump enters linearly
+ * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
+ * `tangent` and q are those of Phi, by body_assemble().
+ * OK, or the status of an assembly or of the factorisation, or NONFINITE:
+ * something would move by more than LIVE_LEAP.
+ */
+static enum status elastic_lift(struct body *body, struct incremental Phi,
+                                const double u0[], const double g[],
+                                enum tangent tangent, double u[])
+{
+    const int n = 2 * body->mesh->n_vertex;
+    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
+    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    enum status status = OK;
+    for (int r = 0; r < n; r++) {
+        move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
+        size = fmax(size, fabs(move[r]));
+    }
+    const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
+    /* SLOT 24c(body, Phi, u0, tangent, u, move, q, ahead, behind, e, &status):
+     * n numbers each; K_fh move is the central difference of q over u0 - e move
+     * and u0 + e move; body_assemble(), body_increment(). */
+    for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
+    status = body_assemble(body, Phi, u, NO_TANGENT, ahead);
+    for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
+    if (status == OK)
+        status = body_assemble(body, Phi, u, NO_TANGENT, behind);
+    if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
+    for (int r = 0; r < n && status == OK && e > 0.0; r++)
+        /* q_f + K_fh move: what the jump of the held ones does to q */
+        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+    if (status == OK) status = body_increment(body, body->K, q, u);
+    for (int r = 0; r < n && status == OK; r++) {
+        /* du, whose size is looked at before it is added */
+        u[r] += move[r];
+        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
+        u[r] += u0[r];
+    }
+    /* END 24c */
+    free(move);
+    return status;
+}
+
+/*
+ * The second rung: backward Euler from the last state [alg:live-frame].  The
+ * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
+ * and live_start() is: LIVE_TRIES at most, and none with the last of
+ * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the
+ * systems that are left, whose status is returned; u is taken as it is then.
+ * v = (u - u0) / dt, but 0 where that is not OK or the hand was held back.
+ *
+ * report  in/out  systems: those of the frame so far, with one more for each
+ *                 lift and those of Newton's method; part: of the hand's way
+ */
+static enum status downhill(struct live *live, double u[], double v[],
+                            struct live_report *report)
+{
+    const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
+    const int n = live->n_dof;
+    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    const struct incremental Phi = {dt, w, NULL};
+    struct step_control control = LIVE_DOWNHILL;
+    enum status status = INVERTED;
+    /* SLOT 24d(live, dt, u0, v0, n, w, Phi, g, u, v, report, &status,
+     * &control): w and g are to be filled; live->g has the held values at the
+     * end of the way. */
+    for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
+    report->part = 1.0;
+    for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
+        /* The last system is for Newton's method. */
+        if (report->systems == FRAME_SYSTEMS - 1) break;
+        if (k > 0) report->part *= 0.5;
+        for (int r = 0; r < n; r++)
+            g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
+        report->systems++;
+        status = elastic_lift(live->body, Phi, u0, g, PROJECTED, u);
+        if (status == OK) status = live_start(live, Phi, g, u);
+    }
+    if (status != OK) {
+        /* The hand waits: from u0, Newton's method can always begin. */
+        report->part = 0.0;
+        memcpy(u, u0, (size_t)n * sizeof *u);
+    }
+    control.max_iterations = FRAME_SYSTEMS - report->systems;
+    const struct step_report newton =
+        step_solve(live->body, &control, Phi, u);
+    report->systems += newton.iterations;
+    status = newton.status;
+    /* A body that was held back must not keep the speed of the attempt. */
+    const int whole = status == OK && report->part == 1.0;
+    for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
+    /* END 24d */
+    free(w);
+    return status;
+}
+
 /* What is counted over all frames. */
 struct summary {
     int frames, lost, downhill, most;
@@ -61,149 +212,6 @@ static void print_frame(const struct live *live, int knots, struct cell ms,
     sum->downhill += strcmp(report->rung, "downhill") == 0;
     if (report->systems > sum->most) sum->most = report->systems;
     if (energy > sum->energy) sum->energy = energy;
-}
-
-/* to := where a hand at `from` is after a frame on its way to the pointer: the
- * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
- * LIVE_REACH [eq:live-hand]. */
-static void hand_next(const double from[2], const struct pointer *pointer,
-                      double to[2])
-{
-    /* SLOT 24a(from, pointer, to): to[0], to[1]; LIVE_FAR, LIVE_REACH (m). */
-    const double target[2] = {fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x)),
-                              fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y))};
-    const double way = hypot(target[0] - from[0], target[1] - from[1]);
-    const double s = way > LIVE_REACH ? LIVE_REACH / way : 1.0;
-    for (int i = 0; i < 2; i++) to[i] = from[i] + s * (target[i] - from[i]);
-    /* END 24a */
-}
-
-/*
- * How many vertices inside the square are knots: at rest the angles of the
- * triangles round a vertex add up to 2 pi.  They are between -pi and pi, and
- * negative where a triangle is inverted; a sum that is off by more than pi is a
- * knot [eq:winding].
- */
-static int count_knots(const struct mesh *mesh, const double u[])
-{
-    const double *X = mesh->X;
-    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle);
-    int knots = 0;
-    /* SLOT 24b(mesh, X, u, angle, &knots): angle[a] is 0; vertex a is at
-     * X[2a] + u[2a], X[2a + 1] + u[2a + 1], and inside if -1 < X < 1 twice. */
-    for (int e = 0; e < mesh->n_triangle; e++)
-        for (int k = 0; k < 3; k++) {
-            const int *t = &mesh->triangle[3 * e];
-            double side[2][2];
-            for (int s = 0; s < 2; s++)
-                for (int i = 0; i < 2; i++) {
-                    const int to = 2 * t[(k + 1 + s) % 3] + i;
-                    const int from = 2 * t[k] + i;
-                    side[s][i] = X[to] + u[to] - X[from] - u[from];
-                }
-            angle[t[k]] += atan2(
-                side[0][0] * side[1][1] - side[0][1] * side[1][0],
-                side[0][0] * side[1][0] + side[0][1] * side[1][1]);
-        }
-    for (int a = 0; a < mesh->n_vertex; a++)
-        knots += fabs(X[2 * a]) < 1.0 && fabs(X[2 * a + 1]) < 1.0 &&
-                 fabs(angle[a] - 2.0 * M_PI) > M_PI;
-    /* END 24b */
-    free(angle);
-    return knots;
-}
-
-/*
- * u := u0 with the held values g, and what that does to the rest: the first
- * iteration of Newton's method, in which the jump enters linearly
- * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are of body_assemble() with dt, w and no f.
- * OK, or the status of an assembly or of the factorisation, or NONFINITE:
- * something would move by more than LIVE_LEAP.
- */
-static enum status elastic_lift(struct body *body, double dt, const double w[],
-                                const double u0[], const double g[],
-                                enum tangent tangent, double u[])
-{
-    const int n = 2 * body->mesh->n_vertex;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *ahead = q + n, *behind = ahead + n, size = 0.0;
-    enum status status = OK;
-    for (int r = 0; r < n; r++) {
-        move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
-        size = fmax(size, fabs(move[r]));
-    }
-    const double e = size > 0.0 ? 1e-6 / size : 0.0; /* e move: a micrometre */
-    /* SLOT 24c(body, dt, w, u0, tangent, u, move, q, ahead, behind, e,
-     * &status): n numbers each; K_fh move is the central difference of q over
-     * u0 - e move and u0 + e move; body_assemble(), body_increment(). */
-    for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
-    status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
-    for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
-    if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
-    if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
-    for (int r = 0; r < n && status == OK && e > 0.0; r++)
-        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
-    if (status == OK) status = body_increment(body, body->K, q, u);
-    for (int r = 0; r < n && status == OK; r++) {
-        u[r] += move[r];
-        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
-        u[r] += u0[r];
-    }
-    /* END 24c */
-    free(move);
-    return status;
-}
-
-/*
- * The second rung: backward Euler from the last state [alg:live-frame].  The
- * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
- * and live_start() is: LIVE_TRIES at most, and none with the last of
- * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the
- * systems that are left, whose status is returned; u is taken as it is then.
- * v = (u - u0) / dt, but 0 where that is not OK or the hand was held back.
- *
- * report  in/out  systems: those of the frame so far, with one more for each
- *                 lift and those of Newton's method; part: of the hand's way
- */
-static enum status downhill(struct live *live, double u[], double v[],
-                            struct live_report *report)
-{
-    const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
-    const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
-    struct step_control control = LIVE_DOWNHILL;
-    enum status status = INVERTED;
-    /* SLOT 24d(live, dt, u0, v0, n, w, g, u, v, report, &status, &control): w
-     * and g are to be filled; live->g has the held values at the end of the
-     * way. */
-    for (int r = 0; r < n; r++) w[r] = u0[r] + dt * v0[r];
-    report->part = 1.0;
-    for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
-        if (report->systems == FRAME_SYSTEMS - 1) break;
-        if (k > 0) report->part *= 0.5;
-        for (int r = 0; r < n; r++)
-            g[r] = u0[r] + report->part * (live->g[r] - u0[r]);
-        report->systems++;
-        status = elastic_lift(live->body, dt, w, u0, g, PROJECTED, u);
-        if (status == OK) status = live_start(live, w, g, u);
-    }
-    if (status != OK) {
-        report->part = 0.0;
-        memcpy(u, u0, (size_t)n * sizeof *u);
-    }
-    control.max_iterations = FRAME_SYSTEMS - report->systems;
-    const struct step_report newton =
-        step_solve(live->body, &control, dt, w, NULL, u);
-    report->systems += newton.iterations;
-    status = newton.status;
-    const int whole = status == OK && report->part == 1.0;
-    for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
-    /* END 24d */
-    free(w);
-    return status;
 }
 
 /* One frame of input: the hand, the solver, a row of the table, a picture. */

@@ -84,6 +84,17 @@ BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
 DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED) many/many)
 workbook: $(DATA)
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill
+# of one lesson: only the data that its two files show
+pages = $(wildcard lessons/$1.md solutions/$1.md)
+shown = $(patsubst %,$(BUILD)/data/%.tsv,$(sort $(shell grep -ohE \
+    '<!-- (table|n) [0-9a-z_/]+' /dev/null $(call pages,$1) | awk '{ print $$3 }')))
+define workbook_rule
+.PHONY: workbook-$(call number,$1)
+workbook-$(call number,$1): $$$$(call shown,$1)
+	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill $(call pages,$1)
+	@BUILD='$(BUILD)' sh tests/tools/workbook.sh lead
+endef
+$(foreach l,$(LESSONS),$(eval $(call workbook_rule,$l)))
 
 # ---- each lesson ------------------------------------------------------------
 
@@ -113,9 +124,11 @@ $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
 .PHONY: verify-$(call number,$1)
 verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result) \
         $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
-	@cat $$^ | sh tests/tools/count.sh
+	@{ cat $$^; sh tests/tools/lint.sh $1; } | sh tests/tools/count.sh
 endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
+.PHONY: lint
+lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
         $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
@@ -195,7 +208,7 @@ $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
 look: $(LOOKED:%=$(BUILD)/looked/%)
 
 # what any test may rest on
-EVERYTHING := Makefile README.md $(BOOK) $(wildcard common/*/* solutions/*.c \
+EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
               lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING) | $(DEPS)
@@ -230,7 +243,7 @@ $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade limits): $(T)/%.result: tests/cli/%.sh \
+$(patsubst %,$(T)/%.result,hostile grade limits new): $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(call mistakes_of,$(TRIED))
@@ -247,7 +260,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
            $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/many.result $(SAME_RESULTS) \
+           $(T)/limits.result $(T)/new.result $(T)/many.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 test: $(RESULTS)

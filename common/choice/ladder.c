@@ -178,7 +178,7 @@ static enum status linear_start(struct ladder_state *s, double d,
     *l = (struct linear){.K = body_matrix(s->body), .A = body_matrix(s->body)};
     l->rhs = allocate(2 * size, sizeof *l->rhs);
     l->some = l->rhs + size;
-    enum status status = body_stiffness(s->body, s->u, l->K);
+    enum status status = body_stiffness(s->body, s->u, EXACT, l->K);
     if (s->model.moving) body_mass_matrix(s->body, l->A);
     matrix_combine(l->A, d * d, l->K, l->A);
     if (status == OK) status = matrix_factor(l->A);
@@ -207,7 +207,7 @@ static void linear_end(struct linear *l)
     free(l->rhs);
 }
 
-/* Newton's method for backward Euler from w by d, or for rest (d = 1). */
+/* Newton's method for backward Euler from w by d, or for rest (w NULL). */
 static enum status newton(struct ladder_state *s, double d, const double w[],
                           double share, double u[])
 {
@@ -218,8 +218,8 @@ static enum status newton(struct ladder_state *s, double d, const double w[],
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     double *f = allocate(size, sizeof *f);
     for (size_t r = 0; r < size; r++) f[r] = share * s->f[r];
-    const struct step_report report =
-        step_solve(s->body, &control, d, w, f, u);
+    const struct incremental Phi = {d, w, f};
+    const struct step_report report = step_solve(s->body, &control, Phi, u);
     s->flops += report.factorisations * (cost.flops + sweep(s, 1)) +
                 report.iterations * (cost.solve + sweep(s, 0));
     free(f);
@@ -266,7 +266,7 @@ static enum status move(struct ladder_state *s)
 
 static enum status rest(struct ladder_state *s)
 {
-    if (s->model.rung != LINEAR_PLANE) return newton(s, 1.0, s->u, 1.0, s->u);
+    if (s->model.rung != LINEAR_PLANE) return newton(s, 1.0, NULL, 1.0, s->u);
     struct linear linear;
     const enum status status = linear_start(s, 1.0, &linear);
     if (status == OK) linear_solve(s, &linear, 1.0, NULL, 1.0, s->u);
@@ -316,7 +316,7 @@ double *ladder_momentum(const struct ladder_state *s)
 
 int ladder_stable(const struct ladder_state *s)
 {
-    return s->model.moving || step_certify(s->body, 1.0, s->u) == OK;
+    return s->model.moving || step_certify(s->body, at_rest(NULL), s->u) == OK;
 }
 
 int ladder_add(const struct ladder_scene *scene, enum part part,

@@ -16,12 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *storage_name(enum storage storage)
-{
-    static const char *const name[] = {"dense", "banded", "sparse", "plain"};
-    return name[storage];
-}
-
 /* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
  * storage hold i >= j only. */
 static double *entry(const struct matrix *A, int i, int j)

@@ -56,10 +56,6 @@ struct matrix_cost {
     double solve;   /* flops of the two triangular solves */
 };
 
-/* The storage as the word that programs print: "dense", "banded", "sparse",
- * "plain". */
-const char *storage_name(enum storage storage);
-
 /* A zero matrix; p is ignored when dense.  The caller frees it. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_alloc_sparse(const struct sparse *pattern);

@@ -48,7 +48,9 @@ INLINE void columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
     }
 }
 
-/* The columns of a band from k up to end. */
+/* The columns of a band from k up to end.  This function and those below have
+ * up to eleven parameters: in a struct the tile t would not stay in registers.
+ */
 INLINE int subtract(const int q, int k, int end, int J, int i, ptrdiff_t next,
                     const double a[], vec t[W][Q])
 {

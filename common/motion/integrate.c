@@ -184,7 +184,7 @@ struct step_report integrate_step(struct model *model, enum method method,
 }
 
 /* Go from `start` to g in `parts` steps of backward Euler; false when one of
- * them has failed. */
+ * them has failed.  Nine parameters: those of a frame, and how it is tried. */
 static int attempt(struct body *body, const struct step_control *control,
                    int parts, double dt, const double g[], const double f[],
                    const struct state *start, struct state *now,

@@ -156,7 +156,7 @@ void live_carry(struct live *live, const double to[2])
  * the quotient and its round-off are then both about 1e-11 of it. */
 static const double PROBE = 1e-6;
 
-enum status live_lift_within(struct body *body, double dt, const double w[],
+enum status live_lift_within(struct body *body, struct incremental Phi,
                              const double u0[], const double g[],
                              enum tangent tangent, double leap, double u[])
 {
@@ -170,12 +170,11 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
     }
     const double e = size > 0.0 ? PROBE / size : 0.0;
     for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
-    status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, ahead);
+    status = body_assemble(body, Phi, u, NO_TANGENT, ahead);
     for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
     if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u, NO_TANGENT, behind);
-    if (status == OK)
-        status = body_assemble(body, dt, w, NULL, u0, tangent, q);
+        status = body_assemble(body, Phi, u, NO_TANGENT, behind);
+    if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
     for (int r = 0; r < n && status == OK && e > 0.0; r++)
         q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
@@ -188,11 +187,11 @@ enum status live_lift_within(struct body *body, double dt, const double w[],
     return status;
 }
 
-enum status live_lift(struct body *body, double dt, const double w[],
+enum status live_lift(struct body *body, struct incremental Phi,
                       const double u0[], const double g[],
                       enum tangent tangent, double u[])
 {
-    return live_lift_within(body, dt, w, u0, g, tangent, LIVE_LEAP, u);
+    return live_lift_within(body, Phi, u0, g, tangent, LIVE_LEAP, u);
 }
 
 /* Where no rung comes after it, `fast` may take its time. */
@@ -212,6 +211,7 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     const int midpoint = live->set.method == IMPLICIT_MIDPOINT;
     const double d = midpoint ? 0.5 * live->dt : live->dt;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    const struct incremental Phi = {d, w, NULL};
     enum status status = OK;
     for (int r = 0; r < n; r++) {
         w[r] = now->u[r] + d * now->v[r];
@@ -220,14 +220,14 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     }
     if (live->set.start == ELASTIC) {
         report->systems++;
-        status = lift(live->body, d, w, now->u, g, EXACT, u);
+        status = lift(live->body, Phi, now->u, g, EXACT, u);
     } else {
         step_boundary(live->body, g, live->set.start == ROWS, u);
     }
     if (status == OK) {
         const struct step_report newton =
             step_solve(live->body, live->set.ladder ? &LIVE_FAST : &LIVE_ALONE,
-                       d, w, NULL, u);
+                       Phi, u);
         report->systems += newton.iterations;
         status = newton.indefinite ? NOT_SPD : newton.status;
     }
@@ -244,7 +244,7 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     return status;
 }
 
-enum status live_start(const struct live *live, const double w[],
+enum status live_start(const struct live *live, struct incremental Phi,
                        const double g[], const double u[])
 {
     const struct body *body = live->body;
@@ -253,44 +253,41 @@ enum status live_start(const struct live *live, const double w[],
     double lifted, phi, noise;
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
-    enum status status =
-        step_potential(body, live->dt, w, NULL, u, work, &lifted, &noise);
-    if (status == OK && step_potential(body, live->dt, w, NULL, left, work,
-                                       &phi, &noise) == OK &&
+    enum status status = step_potential(body, Phi, u, work, &lifted, &noise);
+    if (status == OK &&
+        step_potential(body, Phi, left, work, &phi, &noise) == OK &&
         lifted > phi + 16.0 * DBL_EPSILON * noise)
         status = STALLED;
     free(left);
     return status;
 }
 
-enum status live_downhill_by(struct live *live, live_lifter *lift,
-                             enum tangent tangent, int tries,
-                             const struct step_control *control, double u[],
+enum status live_downhill_by(struct live *live, struct live_way way, double u[],
                              double v[], struct live_report *report)
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
     double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
-    struct step_control rest = *control;
+    const struct incremental Phi = {live->dt, w, NULL};
+    struct step_control rest = *way.control;
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
     report->part = 1.0;
-    for (int k = 0; k < tries && status != OK; k++) {
+    for (int k = 0; k < way.tries && status != OK; k++) {
         if (report->systems == FRAME_SYSTEMS - 1) break;
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
         report->systems++;
-        status = lift(live->body, live->dt, w, now->u, g, tangent, u);
-        if (status == OK) status = live_start(live, w, g, u);
+        status = way.lift(live->body, Phi, now->u, g, way.tangent, u);
+        if (status == OK) status = live_start(live, Phi, g, u);
     }
     if (status != OK) {
         report->part = 0.0;
         memcpy(u, now->u, (size_t)n * sizeof *u);
     }
     rest.max_iterations = FRAME_SYSTEMS - report->systems;
-    const struct step_report newton =
-        step_solve(live->body, &rest, live->dt, w, NULL, u);
+    const struct step_report newton = step_solve(live->body, &rest, Phi, u);
     report->systems += newton.iterations;
     const int whole = newton.status == OK && report->part == 1.0;
     for (int r = 0; r < n; r++)
@@ -302,8 +299,9 @@ enum status live_downhill_by(struct live *live, live_lifter *lift,
 enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
-                            &LIVE_DOWNHILL, u, v, report);
+    const struct live_way way = {live_lift, PROJECTED, LIVE_TRIES,
+                                 &LIVE_DOWNHILL};
+    return live_downhill_by(live, way, u, v, report);
 }
 
 struct live_report live_frame_by(struct live *live, live_lifter *lift,

@@ -105,27 +105,27 @@ struct live_report {
  *
  *     K du = -(q(u0) + K_fh (g - u0)),   u = u0 + du, and g where it is held
  *
- * q and K of body_assemble() at u0, K projected or exact.  OK, or the status of
- * the assembly or of the factorisation, or NONFINITE: K is so nearly singular
- * that something would move by more than LIVE_LEAP; u is then of no use.
+ * q and K of Phi at u0, K projected or exact.  OK, or the status of an assembly
+ * or of the factorisation, or NONFINITE: K is so nearly singular that something
+ * would move by more than LIVE_LEAP; u is then of no use.
  */
-enum status live_lift(struct body *body, double dt, const double w[],
+enum status live_lift(struct body *body, struct incremental Phi,
                       const double u0[], const double g[],
                       enum tangent tangent, double u[]);
 
 /* The same, where nothing may move by more than `leap`. */
-enum status live_lift_within(struct body *body, double dt, const double w[],
+enum status live_lift_within(struct body *body, struct incremental Phi,
                              const double u0[], const double g[],
                              enum tangent tangent, double leap, double u[]);
 
 /*
  * Is u, lifted to the held values g, a start for the second rung?  OK; or the
  * status of step_potential() at u; or STALLED, where Phi is larger than with
- * the free vertices left where they are; w = u0 + dt v0.  (Where K is nearly
+ * the free vertices left where they are.  (Where K is nearly
  * singular a lift can be finite, defined and worse than none; on fine meshes
  * frames without end follow from one.)
  */
-enum status live_start(const struct live *live, const double w[],
+enum status live_start(const struct live *live, struct incremental Phi,
                        const double g[], const double u[]);
 
 /*
@@ -138,14 +138,18 @@ enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);
 extern const struct step_control LIVE_DOWNHILL;
 
-/* The same by another lift and its K, after so many tries, of which each goes
- * half the way of the one before, with another control. */
-typedef enum status live_lifter(struct body *body, double dt, const double w[],
+/* The same on another way: by another lift and its K, after so many tries, of
+ * which each goes half as far as the one before, with another control. */
+typedef enum status live_lifter(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],
                                 enum tangent tangent, double u[]);
-enum status live_downhill_by(struct live *live, live_lifter *lift,
-                             enum tangent tangent, int tries,
-                             const struct step_control *control, double u[],
+struct live_way {
+    live_lifter *lift;
+    enum tangent tangent;
+    int tries;
+    const struct step_control *control;
+};
+enum status live_downhill_by(struct live *live, struct live_way way, double u[],
                              double v[], struct live_report *report);
 
 /* One frame; hand, u and v advance [alg:live-frame]. */

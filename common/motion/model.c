@@ -183,7 +183,7 @@ double model_frequency(const struct model *model)
     struct matrix *A = body_matrix(model->body);
     double *rest = allocate((size_t)model->n_dof, sizeof *rest);
     body_mass_matrix(model->body, M);
-    body_stiffness(model->body, rest, A);
+    body_stiffness(model->body, rest, EXACT, A);
     const double omega = largest_frequency(M, A);
     free(rest);
     matrix_free(M);

@@ -86,13 +86,6 @@ double unknowns_largest(const struct unknowns *map, const double y[])
     return most;
 }
 
-double matrix_weight(const struct matrix *A)
-{
-    double most = 0.0;
-    for (int e = 0; e < A->n; e++) most = fmax(most, matrix_get(A, e, e));
-    return most;
-}
-
 /* ---- mass ---------------------------------------------------------------- */
 
 enum status particle_mass(const struct particle_body *body, int consistent,
@@ -249,7 +242,7 @@ static enum status factor(const struct particle_body *body,
         status = particle_mass_matrix(body, step->consistent,
                                       step->rate * step->rate, map, A);
     if (status != OK) return status;
-    *weight = matrix_weight(A);
+    *weight = matrix_max_diagonal(A);
     return matrix_factor(A);
 }
 

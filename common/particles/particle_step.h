@@ -58,9 +58,6 @@ double unknowns_largest(const struct unknowns *map, const double y[]);
 struct matrix *unknowns_matrix(const struct particle_body *body,
                                const struct unknowns *map);
 
-/* The largest diagonal entry of A. */
-double matrix_weight(const struct matrix *A);
-
 /* out := M w; grid->mass is that of P2G. */
 enum status particle_mass(const struct particle_body *body, int consistent,
                           const double w[], double out[]);

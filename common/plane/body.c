@@ -198,6 +198,11 @@ double body_min_J(const struct body *body, const double u[])
     return least;
 }
 
+struct incremental at_rest(const double f[])
+{
+    return (struct incremental){.dt = 1.0, .w = NULL, .f = f};
+}
+
 /* What a triangle adds to K is M_ab I + dt^2 area (...); its factors. */
 struct factors {
     double m_aa, m_ab;  /* mass of a vertex, of a pair */
@@ -271,18 +276,19 @@ static void add_projected(struct factors s, const double g[6],
         }
 }
 
-enum status body_assemble(struct body *body, double dt, const double w[],
-                          const double f[], const double u[],
-                          enum tangent tangent, double q[])
+enum status body_assemble(struct body *body, struct incremental Phi,
+                          const double u[], enum tangent tangent, double q[])
 {
-    const double rho_aa = body->rho * mass_share(body->mass, 0, 0);
-    const double rho_ab = body->rho * mass_share(body->mass, 0, 1);
+    const double dt = Phi.dt, rho = Phi.w ? body->rho : 0.0;
+    const double rho_aa = rho * mass_share(body->mass, 0, 0);
+    const double rho_ab = rho * mass_share(body->mass, 0, 1);
+    const double *w = Phi.w ? Phi.w : u; /* at rest u - w is 0 */
     const int n_dof = 2 * body->mesh->n_vertex;
     const size_t stride = body->K->stride;
     double *entries = body->K->a;
 
     if (tangent != NO_TANGENT) matrix_zero(body->K);
-    for (int r = 0; r < n_dof; r++) q[r] = f ? -dt * dt * f[r] : 0.0;
+    for (int r = 0; r < n_dof; r++) q[r] = Phi.f ? -dt * dt * Phi.f[r] : 0.0;
     for (int e = 0; e < body->mesh->n_triangle; e++) {
         const int *t = &body->vertex[3 * e];
         const double *g = &body->gradient[6 * e];
@@ -326,21 +332,10 @@ enum status body_assemble(struct body *body, double dt, const double w[],
     return OK;
 }
 
-/* Assemble into matrix (NULL: none) and not into the body's own. */
-static enum status assemble_into(const struct body *body, double rho, double dt,
-                                 const double u[], struct matrix *matrix,
-                                 double q[])
-{
-    struct body view = *body;
-    view.rho = rho;
-    if (matrix) view.K = matrix;
-    /* with w = u there is no inertia in q */
-    return body_assemble(&view, dt, u, NULL, u, matrix ? EXACT : NO_TANGENT, q);
-}
-
 enum status body_force(const struct body *body, const double u[], double q[])
 {
-    return assemble_into(body, 0.0, 1.0, u, NULL, q);
+    struct body view = *body; /* whose K is not written */
+    return body_assemble(&view, at_rest(NULL), u, NO_TANGENT, q);
 }
 
 struct matrix *body_matrix(const struct body *body)
@@ -350,10 +345,13 @@ struct matrix *body_matrix(const struct body *body)
 }
 
 enum status body_stiffness(const struct body *body, const double u[],
-                           struct matrix *K)
+                           enum tangent tangent, struct matrix *K)
 {
     double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
-    const enum status status = assemble_into(body, 0.0, 1.0, u, K, q);
+    struct body view = *body;
+    view.K = K;
+    const enum status status =
+        body_assemble(&view, at_rest(NULL), u, tangent, q);
     free(q);
     return status;
 }
@@ -362,7 +360,10 @@ void body_mass_matrix(const struct body *body, struct matrix *M)
 {
     double *rest = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *rest);
     double *q = rest + 2 * body->mesh->n_vertex;
-    assemble_into(body, body->rho, 0.0, rest, M, q); /* K = M + 0 */
+    struct body view = *body;
+    view.K = M;
+    body_assemble(&view, (struct incremental){0.0, rest, NULL}, rest, EXACT,
+                  q); /* K = M + 0 */
     free(rest);
 }
 

@@ -13,8 +13,8 @@
  *     q      = dPhi/du = M (u - w) + dt^2 (dPsi/du - f)          [eq:body-q]
  *     K      = dq/du                                        [eq:body-tangent]
  *
- * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; with dt = 1 and
- * rho = 0 it is quasistatics.
+ * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; at_rest(f) is
+ * quasistatics: Phi = Psi(u) - f.u alone.
  *
  * Only free vertices have equations.  In a band they are numbered row by row
  * from right to left, so that the diagonals of the mesh do not widen the band:
@@ -39,6 +39,17 @@
 
 enum mass { CONSISTENT, LUMPED };
 enum tangent { NO_TANGENT, EXACT, PROJECTED };
+
+/* The potential Phi of a step; its vectors go over all vertices. */
+struct incremental {
+    double dt;       /* time step (s) */
+    const double *w; /* where u would be without forces; NULL: nothing moves,
+                      * there is no inertia, not in q and not in K */
+    const double *f; /* nodal forces (N); NULL: none */
+};
+
+/* Phi = Psi(u) - f.u, whatever the density is; f NULL: no forces. */
+struct incremental at_rest(const double f[]);
 
 /*
  * What a body has besides its material, fibres for example (fibre.h), adds its
@@ -102,12 +113,12 @@ enum status body_force(const struct body *body, const double u[], double q[]);
 
 /*
  * Matrices of the free unknowns, numbered by body->equation: a zero one for the
- * caller to free; K := d2Psi/du2 at u [eq:element-tangent], statuses as
- * body_energy(); M := the mass matrix [eq:mass].
+ * caller to free; K := d2Psi/du2 at u [eq:element-tangent], EXACT or PROJECTED,
+ * statuses as body_energy(); M := the mass matrix [eq:mass].
  */
 struct matrix *body_matrix(const struct body *body);
 enum status body_stiffness(const struct body *body, const double u[],
-                           struct matrix *K);
+                           enum tangent tangent, struct matrix *K);
 void body_mass_matrix(const struct body *body, struct matrix *M);
 
 /* Between vectors over all vertices and over the free unknowns: some := the
@@ -128,14 +139,13 @@ enum status body_increment(const struct body *body, struct matrix *A,
                            const double q[], double du[]);
 
 /*
- * q at u, of all vertices (at prescribed ones it is what holds them), and K of
- * the free ones into body->K unless NO_TANGENT.  PROJECTED clamps the negative
- * eigenvalues of every dP/dF to 0 [eq:projection]; K is then positive definite
- * where M is.  f may be NULL: no forces.  Statuses as body_energy(); q and K
- * are incomplete after them.
+ * q of Phi at u, of all vertices (at prescribed ones it is what holds them),
+ * and K of the free ones into body->K unless NO_TANGENT.  PROJECTED clamps the
+ * negative eigenvalues of every dP/dF to 0 [eq:projection]; K is then positive
+ * definite where M is.  Statuses as body_energy(); q and K are incomplete after
+ * them.
  */
-enum status body_assemble(struct body *body, double dt, const double w[],
-                          const double f[], const double u[],
-                          enum tangent tangent, double q[]);
+enum status body_assemble(struct body *body, struct incremental Phi,
+                          const double u[], enum tangent tangent, double q[]);
 
 #endif

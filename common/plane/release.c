@@ -82,7 +82,7 @@ void release_shift(struct body *body)
 static enum status descend(struct body *body, double q[], double du[],
                            double u[], int *done)
 {
-    enum status status = body_assemble(body, 1.0, u, NULL, u, PROJECTED, q);
+    enum status status = body_assemble(body, at_rest(NULL), u, PROJECTED, q);
     if (status != OK) return status;
     *done = body_max_free(body, q) <=
             RELEASE_TOLERANCE * material_modulus(&body->material);
@@ -107,7 +107,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
         if (report.iterations == max_iterations) break;
     }
     if (report.status == OK) {
-        body_assemble(body, 1.0, u, NULL, u, EXACT, q);
+        body_stiffness(body, u, EXACT, body->K);
         release_shift(body);
         if (matrix_factor(body->K) != OK) report.status = SADDLE;
     }

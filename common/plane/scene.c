@@ -146,10 +146,10 @@ struct step_report scene_walk(struct scene *scene, const char *method, double e,
     struct step_control control = step_method(method);
     control.max_iterations = 400;
     scene_press(scene, e, fabs(*scene_middle(scene)) < 1e-3 ? push : 0.0);
-    struct step_report report = step_solve(scene->body, &control, 1.0, scene->u,
-                                           NULL, scene->u);
+    struct step_report report =
+        step_solve(scene->body, &control, at_rest(NULL), scene->u);
     if (report.status == OK)
-        report.status = step_certify(scene->body, 1.0, scene->u);
+        report.status = step_certify(scene->body, at_rest(NULL), scene->u);
     return report;
 }
 

@@ -34,19 +34,19 @@ const char *step_reason(const struct step_control *control,
     return blown_up && !control->line_search ? "fails" : status_name(status);
 }
 
-enum status step_potential(const struct body *body, double dt,
-                           const double w[], const double f[],
+enum status step_potential(const struct body *body, struct incremental Phi,
                            const double u[], double work[], double *phi,
                            double *noise)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     double *move = work, *momentum = work + n_dof, kinetic = 0.0, power = 0.0;
+    const double dt = Phi.dt;
     double elastic;
     const enum status status = body_energy(body, u, &elastic);
     if (status != OK) return status;
     for (int r = 0; r < n_dof; r++) {
-        move[r] = u[r] - w[r];
-        if (f) power += f[r] * u[r];
+        move[r] = Phi.w ? u[r] - Phi.w[r] : 0.0;
+        if (Phi.f) power += Phi.f[r] * u[r];
     }
     body_mass(body, move, momentum);
     for (int r = 0; r < n_dof; r++) kinetic += 0.5 * move[r] * momentum[r];
@@ -63,22 +63,21 @@ struct work {
 /* u := u + length du with the first length 1, 1/2, 1/4, ... at which Phi is
  * defined and decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search];
  * *halved says whether it is not 1. */
-static enum status line_search(const struct body *body, double dt,
-                               const double w[], const double f[],
+static enum status line_search(const struct body *body, struct incremental Phi,
                                struct work work, double u[], int *halved)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     double slope = 0.0, start, noise, phi, unused;
     enum status status =
-        step_potential(body, dt, w, f, u, work.twice, &start, &noise);
+        step_potential(body, Phi, u, work.twice, &start, &noise);
     if (status != OK) return status;
     for (int r = 0; r < n_dof; r++) slope += work.q[r] * work.du[r];
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
         for (int r = 0; r < n_dof; r++)
             work.trial[r] = u[r] + length * work.du[r];
         *halved = length < 1.0;
-        status = step_potential(body, dt, w, f, work.trial, work.twice, &phi,
-                           &unused);
+        status =
+            step_potential(body, Phi, work.trial, work.twice, &phi, &unused);
         /* close to the minimum Phi has no digits left to compare */
         if (status == OK && phi <= start + 1e-4 * length * slope +
                                        16.0 * DBL_EPSILON * noise) {
@@ -89,9 +88,8 @@ static enum status line_search(const struct body *body, double dt,
     return STALLED;
 }
 
-enum status step_search(const struct body *body, double dt, const double w[],
-                        const double f[], const double q[], const double du[],
-                        double u[])
+enum status step_search(const struct body *body, struct incremental Phi,
+                        const double q[], const double du[], double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
     double *memory = allocate(5 * n_dof, sizeof *memory);
@@ -100,8 +98,7 @@ enum status step_search(const struct body *body, double dt, const double w[],
     int halved;
     memcpy(work.q, q, n_dof * sizeof *q);
     memcpy(work.du, du, n_dof * sizeof *du);
-    const enum status status =
-        line_search(body, dt, w, f, work, u, &halved);
+    const enum status status = line_search(body, Phi, work, u, &halved);
     free(memory);
     return status;
 }
@@ -111,8 +108,7 @@ enum status step_search(const struct body *body, double dt, const double w[],
  * (*as_it_is) leave it assembled for matrix_solve_indefinite(), or give up.
  */
 static enum status factor(struct body *body, const struct step_control *control,
-                          double dt, const double w[], const double f[],
-                          const double u[], double q[],
+                          struct incremental Phi, const double u[], double q[],
                           struct step_report *report, int *as_it_is)
 {
     *as_it_is = 0;
@@ -122,13 +118,13 @@ static enum status factor(struct body *body, const struct step_control *control,
     if (control->projection == ON_DEMAND) {
         report->factorisations++;
         report->projections++;
-        body_assemble(body, dt, w, f, u, PROJECTED, q);
+        body_assemble(body, Phi, u, PROJECTED, q);
         return matrix_factor(body->K);
     }
     if (control->projection == ALWAYS || control->line_search) return NOT_SPD;
     report->indefinite++;
     *as_it_is = 1;
-    return body_assemble(body, dt, w, f, u, EXACT, q);
+    return body_assemble(body, Phi, u, EXACT, q);
 }
 
 /* du := -K^-1 q, 0 at prescribed vertices. */
@@ -151,9 +147,9 @@ static enum status increment(struct body *body, const double q[], int as_it_is,
 }
 
 static struct step_report newton(struct body *body,
-                                 const struct step_control *control, double dt,
-                                 const double w[], const double f[],
-                                 struct work work, double u[])
+                                 const struct step_control *control,
+                                 struct incremental Phi, struct work work,
+                                 double u[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
@@ -165,8 +161,8 @@ static struct step_report newton(struct body *body,
     for (;;) {
         const int small = report.increment <= control->tolerance;
         const int with_K = fresh && !small;
-        report.status = body_assemble(body, dt, w, f, u,
-                                      with_K ? kind : NO_TANGENT, work.q);
+        report.status =
+            body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, work.q);
         if (report.status != OK) break;
         if (with_K) scale = matrix_max_diagonal(body->K);
         report.residual = body_max_free(body, work.q) / scale;
@@ -178,9 +174,9 @@ static struct step_report newton(struct body *body,
         if (report.iterations == control->max_iterations) break;
 
         if (fresh && small)
-            body_assemble(body, dt, w, f, u, kind, work.q);
-        report.status = fresh ? factor(body, control, dt, w, f, u, work.q,
-                                       &report, &as_it_is)
+            body_assemble(body, Phi, u, kind, work.q);
+        report.status = fresh ? factor(body, control, Phi, u, work.q, &report,
+                                       &as_it_is)
                               : OK;
         if (report.status == OK)
             report.status =
@@ -190,7 +186,7 @@ static struct step_report newton(struct body *body,
         const double before = report.increment;
         report.increment = body_max_free(body, work.du);
         if (control->line_search)
-            report.status = line_search(body, dt, w, f, work, u, &halved);
+            report.status = line_search(body, Phi, work, u, &halved);
         else
             for (int r = 0; r < n_dof; r++) u[r] += work.du[r];
         if (report.status != OK) break;
@@ -201,23 +197,23 @@ static struct step_report newton(struct body *body,
 }
 
 struct step_report step_solve(struct body *body,
-                              const struct step_control *control, double dt,
-                              const double w[], const double f[], double u[])
+                              const struct step_control *control,
+                              struct incremental Phi, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
     double *memory = allocate(5 * n_dof, sizeof *memory);
     const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
-    const struct step_report report =
-        newton(body, control, dt, w, f, work, u);
+    const struct step_report report = newton(body, control, Phi, work, u);
     free(memory);
     return report;
 }
 
-enum status step_certify(struct body *body, double dt, const double u[])
+enum status step_certify(struct body *body, struct incremental Phi,
+                         const double u[])
 {
     double *q = allocate(2 * (size_t)body->mesh->n_vertex, sizeof *q);
-    enum status status = body_assemble(body, dt, u, NULL, u, EXACT, q);
+    enum status status = body_assemble(body, Phi, u, EXACT, q);
     if (status == OK && matrix_factor(body->K) != OK) status = SADDLE;
     free(q);
     return status;
@@ -261,8 +257,8 @@ struct step_report step_backward_euler(struct body *body,
         if (guess == EXTRAPOLATED) next[r] += dt * (v[r] - v_before[r]);
     }
     step_boundary(body, g, control->lift, next);
-    const struct step_report report =
-        step_solve(body, control, dt, w, f, next);
+    const struct step_report report = step_solve(
+        body, control, (struct incremental){dt, w, f}, next);
     for (int r = 0; r < n_dof && report.status == OK; r++) {
         if (v_before) v_before[r] = v[r];
         v[r] = (next[r] - u[r]) / dt;

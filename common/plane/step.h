@@ -70,37 +70,36 @@ const char *step_reason(const struct step_control *control,
                         enum status status);
 
 /*
- * Newton's method for q(u) = 0 from u, whose prescribed vertices have their
- * values [alg:body-newton]; guess and lift of control are not looked at.  u is
- * the solution, or the last state reached when the status is not OK.
+ * Newton's method for q(u) = 0 of Phi, from u, whose prescribed vertices have
+ * their values [alg:body-newton]; guess and lift of control are not looked at.
+ * u is the solution, or the last state reached when the status is not OK.
  */
 struct step_report step_solve(struct body *body,
-                              const struct step_control *control, double dt,
-                              const double w[], const double f[], double u[]);
+                              const struct step_control *control,
+                              struct incremental Phi, double u[]);
 
 /*
  * *phi := Phi(u) [eq:incremental-potential], *noise := the size of what is
  * added up, on which its round-off depends.  work: [4 n_vertex].  OK; the
  * status of body_energy() where u has no energy; NONFINITE.
  */
-enum status step_potential(const struct body *body, double dt,
-                           const double w[], const double f[],
+enum status step_potential(const struct body *body, struct incremental Phi,
                            const double u[], double work[], double *phi,
                            double *noise);
 
 /* u := u + length du, the length by the line search that step_solve() has, for
  * q at u and du = 0 at prescribed vertices [alg:line-search].  STALLED: none
  * decreases Phi; u is unchanged. */
-enum status step_search(const struct body *body, double dt, const double w[],
-                        const double f[], const double q[], const double du[],
-                        double u[]);
+enum status step_search(const struct body *body, struct incremental Phi,
+                        const double q[], const double du[], double u[]);
 
 /*
  * Converged is not stable.  At the u that step_solve() ends in, K is factored
  * once more [alg:certify]: OK when it is positive definite, so that Phi has a
  * minimum there, else SADDLE; statuses of body_energy() where u has no K.
  */
-enum status step_certify(struct body *body, double dt, const double u[]);
+enum status step_certify(struct body *body, struct incremental Phi,
+                         const double u[]);
 
 /*
  * Write the boundary values g (read at prescribed vertices only) into the guess
@@ -118,6 +117,8 @@ void step_boundary(const struct body *body, const double g[], int lift,
  * v_before   in/out  velocity of the step before, which EXTRAPOLATED reads; a
  *                    step that is OK, whatever its guess, leaves the v of its
  *                    beginning there.  NULL: nobody keeps it
+ *
+ * Eight parameters: what a step reads, and the three vectors that it moves on.
  */
 struct step_report step_backward_euler(struct body *body,
                                        const struct step_control *control,

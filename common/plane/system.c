@@ -8,8 +8,8 @@ void system_store(struct system *system, enum storage storage)
 {
     struct scene *s = system->scene;
     if (s->body->K->storage != storage) body_store(s->body, storage);
-    if (body_assemble(s->body, s->set.dt, s->u, NULL, s->u, EXACT,
-                      system->b) != OK)
+    const struct incremental Phi = {s->set.dt, s->u, NULL};
+    if (body_assemble(s->body, Phi, s->u, EXACT, system->b) != OK)
         die("the stretched body is not defined");
     for (int r = 0; r < s->n_dof; r++) system->b[r] = -system->b[r];
 }
@@ -19,7 +19,8 @@ void system_press(struct system *system, double squeeze)
     struct scene *s = system->scene;
     double *q = allocate(2 * (size_t)s->n_dof, sizeof *q), *u = q + s->n_dof;
     for (int r = 0; r < s->n_dof; r += 2) u[r] = -squeeze * s->mesh->X[r];
-    if (body_assemble(s->body, s->set.dt, u, NULL, u, EXACT, q) != OK)
+    const struct incremental Phi = {s->set.dt, u, NULL};
+    if (body_assemble(s->body, Phi, u, EXACT, q) != OK)
         die("the pressed body is not defined");
     free(q);
 }

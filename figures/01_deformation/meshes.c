@@ -21,14 +21,20 @@ struct triangles {
 /* (-a, a) x (-b, b) in nx x ny cells, cut by diagonals that take turns. */
 static void cut(struct triangles *t, double a, double b, int nx, int ny)
 {
-    static const int corner[2][6] = {{0, 1, 3, 3, 0, 2}, {0, 1, 2, 3, 1, 2}};
+    /* of the two triangles of a cell, as steps along x and y */
+    static const int corner[2][6][2] = {
+        {{0, 0}, {1, 0}, {1, 1}, {1, 1}, {0, 0}, {0, 1}},
+        {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {1, 0}, {0, 1}}};
+    double *X = t->X;
+
     t->n = 2 * nx * ny;
-    for (int k = 0; k < 3 * t->n; k++) {
-        const int i = k / 6 % nx, j = k / 6 / nx;
-        const int c = corner[(i + j) % 2][k % 6];
-        t->X[2 * k] = a * (2.0 * (i + c % 2) / nx - 1.0);
-        t->X[2 * k + 1] = b * (2.0 * (j + c / 2) / ny - 1.0);
-    }
+    for (int j = 0; j < ny; j++)
+        for (int i = 0; i < nx; i++)
+            for (int k = 0; k < 6; k++) {
+                const int *c = corner[(i + j) % 2][k];
+                *X++ = a * (2.0 * (i + c[0]) / nx - 1.0);
+                *X++ = b * (2.0 * (j + c[1]) / ny - 1.0);
+            }
 }
 
 static void push(double s, const double X[2], double x[2])
@@ -66,10 +72,15 @@ static int owners(const struct triangles *t, int e)
 {
     double centre[2] = {0.0, 0.0};
     int count = 0;
-    for (int k = 0; k < 6; k++) centre[k % 2] += t->x[6 * e + k] / 3.0;
+
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < 2; i++)
+            centre[i] += t->x[6 * e + 2 * a + i] / 3.0;
     for (int k = 0; k < t->n; k++) {
-        const double *x = t->x + 6 * k, p = area(centre, x, x + 2);
-        const double q = area(centre, x + 2, x + 4), r = area(centre, x + 4, x);
+        const double *x = t->x + 6 * k;
+        const double p = area(centre, x, x + 2);
+        const double q = area(centre, x + 2, x + 4);
+        const double r = area(centre, x + 4, x);
         count += p * q > 0.0 && q * r > 0.0;
     }
     return count;
@@ -90,9 +101,11 @@ int main(void)
 {
     struct triangles *t = allocate(1, sizeof *t);
     double shared[7] = {0.0}, least = INFINITY;
+
     cut(t, 1.0, 1.0, 16, 16);
     for (int k = 0; k < 3 * t->n; k++) push(1.05, t->X + 2 * k, t->x + 2 * k);
     print_triangles("square", t);
+
     cut(t, 3.0, half_width, 60, 6);
     table_begin("bend", "degrees inverted min_J exact_min_J shared");
     for (int k = 1; k <= 6; k++) {
@@ -102,10 +115,11 @@ int main(void)
             bend(angle, t->X + 2 * a, t->x + 2 * a);
         for (int e = 0; e < t->n; e++) {
             const double J = J_of(t->X + 6 * e, t->x + 6 * e);
-            least = fmin(least, min_J = fmin(min_J, J));
+            min_J = fmin(min_J, J);
             inverted += !(J > 0.0);
             shared[k] += (owners(t, e) > 1) / (double)t->n;
         }
+        least = fmin(least, min_J);
         table_row(45 * k, inverted, min_J, 1.0 - half_width * angle / arc,
                   shared[k]);
     }

@@ -17,6 +17,25 @@ polygons(table, first, test) = sprintf( \
      on == 2 && (%s) { for (k = 0; k < 4; k++) \
          print $(%d + 2 * (k %% 3)) \"\t\" $(%d + 1 + 2 * (k %% 3)); \
          print \"\" }' '%s'", table, test, first, first, data)
+# The edges of the triangles of a table, each once, in as few lines as walks
+# along them take.
+edges(table, first) = sprintf( \
+    "< awk -F'\t' '$0 == \"# %s\" { on = 1; next } NF == 0 { on = 0 } \
+     on == 1 { on = 2; next } \
+     on == 2 { for (k = 0; k < 3; k++) { \
+         a = vertex($(%d + 2 * k) \"\t\" $(%d + 1 + 2 * k)); \
+         b = vertex($(%d + 2 * ((k + 1) %% 3)) \"\t\" \
+                    $(%d + 1 + 2 * ((k + 1) %% 3))); \
+         if (!seen[a, b]++ && !seen[b, a]++) { \
+             to[a, ++n[a]] = b; to[b, ++n[b]] = a } } } \
+     function vertex(xy) { if (!(xy in id)) { id[xy] = ++last; at[last] = xy } \
+         return id[xy] } \
+     function next_of(v,  i) { for (i = 1; i <= n[v]; i++) \
+         if (!gone[v, to[v, i]]) return to[v, i]; return 0 } \
+     END { print \"x\ty\"; for (v = 1; v <= last; v++) while (next_of(v)) { \
+         w = v; print at[w]; while ((u = next_of(w))) { \
+             gone[w, u] = gone[u, w] = 1; print at[u]; w = u } print \"\" } }' \
+     '%s'", table, first, first, first, first, data)
 # the push of the scene: how far the centre goes
 s = system("awk -F'\t' '$0 == \"# square\" { on = 1 } NF == 0 { on = 0 } \
             on { for (k = 3; k <= 7; k += 2) \
@@ -42,16 +61,16 @@ set label 1 "before: where J < 0" at graph 0, graph 1.05
 # J = 0 where (1 - Y^2)^2 = 1 / (4 s X (1 - X^2))
 height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
 edge(X) = X > 0 && X < 1 && height(X) >= 0 ? sqrt(height(X)) : NaN
-set samples 2001
-plot polygons("square", 9, "$1 > 0") using 1:2 with filledcurves closed \
-         fc rgb "#CFE3F0", \
-     polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
+set samples 601
+set object 1 rectangle from -1, -1 to 1, 1 fc rgb "#CFE3F0" fs noborder behind
+plot polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
          fc rgb "#D55E00", \
-     polygons("square", 9, "1") using 1:2 with lines lw 0.5 \
+     edges("square", 9) using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2", \
      edge(x) with lines lw 2 dt 2 lc rgb "black", \
      -edge(x) with lines lw 2 dt 2 lc rgb "black"
 
+unset object 1
 set lmargin at screen 0.38
 set rmargin at screen 0.675
 set xlabel "x (m)"
@@ -61,7 +80,7 @@ plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("square", 3, "$1 <= 0") using 1:2 with filledcurves closed \
          fs transparent solid 0.6 fc rgb "#D55E00", \
-     polygons("square", 3, "1") using 1:2 with lines lw 0.5 \
+     edges("square", 3) using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2"
 
 set lmargin at screen 0.70
@@ -71,10 +90,10 @@ set yrange [-0.4:2.5]
 set xlabel "x (m)"
 unset ylabel
 set label 1 "J > 0 everywhere, covered twice" at graph 0, graph 1.05
-plot polygons("strip", 3, "$1 > 0") using 1:2 with filledcurves closed \
+plot polygons("strip", 3, "$1 > 0 && $2 <= 1") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("strip", 3, "$2 > 1") using 1:2 with filledcurves closed \
          fc rgb "#CC79A7", \
-     polygons("strip", 3, "1") using 1:2 with lines lw 0.4 \
+     edges("strip", 3) using 1:2 with lines lw 0.4 \
          lc rgb "#0072B2"
 unset multiplot

@@ -63,8 +63,9 @@ static void print_rigid(void)
 static double max_change(mat2 A, mat2 B)
 {
     double largest = 0.0;
-    for (int k = 0; k < 4; k++)
-        largest = fmax(largest, fabs(A.m[k / 2][k % 2] - B.m[k / 2][k % 2]));
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            largest = fmax(largest, fabs(A.m[i][k] - B.m[i][k]));
     return largest;
 }
 

@@ -1,9 +1,9 @@
 /*
  * log_or_cubic.c - what does the cubic r change of the log law, and where?
  *
- * Figure 6 of the notes and what it does not show.  Tables: r(J) itself
- * [eq:r-cubic]; energy, stress and tangent of the three laws in one dimension;
- * how far the stresses of the cubic and of the linear law are from the log
+ * Figure 6 of the notes and what it does not show.  Tables: energy, stress and
+ * tangent of the three laws in one dimension, and r(J) itself [eq:r-cubic]; how
+ * far the stresses of the cubic and of the linear law are from the log
  * law's, and at which F they first are so by 1, 5 and 10 per cent.
  */
 #include "material/material.h"
@@ -25,28 +25,20 @@ static double r_of(enum law law, double J)
     return material_r(&material, J).r;
 }
 
-static void print_r(void)
-{
-    table_begin("r", "J log cubic");
-    for (int i = 0; i <= POINTS; i++) {
-        const double J = point(i);
-        table_row(J, J > 0.0 ? cell_number(r_of(LOG, J)) : cell_word(MISSING),
-                  r_of(CUBIC, J));
-    }
-    table_end();
-}
-
+/* The linear law has no r. */
 static void print_curve(enum law law)
 {
     const struct material m = material_notes(law);
     static const char *const name[] = {"curve_linear", "curve_log",
                                        "curve_cubic"};
-    table_begin_note(name[law], "F psi P dP", "where the law is defined");
+    table_begin_note(name[law], "F psi P dP r",
+                     "where the law is defined; r(J) at J = F");
     for (int i = 0; i <= POINTS; i++) {
         const double F = point(i);
-        if (material_defined(&m, F))
-            table_row(F, material1_psi(&m, F), material1_pk1(&m, F),
-                      material1_dpk1(&m, F));
+        if (!material_defined(&m, F)) continue;
+        const double r = law == LINEAR ? 0.0 : r_of(law, F);
+        table_row(F, material1_psi(&m, F), material1_pk1(&m, F),
+                  material1_dpk1(&m, F), cell_if(law != LINEAR, r));
     }
     table_end();
 }
@@ -70,9 +62,10 @@ static double excess(double F, void *context)
 }
 
 /* The first F where the difference reaches the level, going out from 1 by
- * factors of 1.001 or of 1 / 1.001. */
-static double first_passing(struct level level, double factor)
+ * factors, of 1.001 or of 1 / 1.001. */
+static double first_passing(enum law law, double percent, double factor)
 {
+    struct level level = {law, percent};
     double F = factor;
     while (excess(F * factor, &level) < 0.0) F *= factor;
     return root_of(excess, &level, F, F * factor);
@@ -82,9 +75,8 @@ int main(void)
 {
     const struct material cubic = material_notes(CUBIC);
     const double percent[] = {1.0, 5.0, 10.0};
-    double F[4], least = INFINITY;
+    double least = INFINITY;
 
-    print_r();
     for (int law = LINEAR; law <= CUBIC; law++) print_curve((enum law)law);
     table_begin_note("difference", "F cubic linear", "100 (P / P_log - 1)");
     for (int i = 0; i <= POINTS; i++)
@@ -95,13 +87,14 @@ int main(void)
     table_begin("passes", "percent cubic_tension cubic_compression "
                           "linear_tension linear_compression");
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 4; k++)
-            F[k] = first_passing(
-                (struct level){k < 2 ? CUBIC : LINEAR, percent[i]},
-                k % 2 ? 1.0 / 1.001 : 1.001);
-        for (int k = 0; k < 2; k++)
-            least = fmin(least, fabs((F[k] - 1.0) / (F[k + 2] - 1.0)));
-        table_row(percent[i], F[0], F[1], F[2], F[3]);
+        double cubic_F[2], linear_F[2]; /* tension, compression */
+        for (int k = 0; k < 2; k++) {
+            const double factor = k == 0 ? 1.001 : 1.0 / 1.001;
+            cubic_F[k] = first_passing(CUBIC, percent[i], factor);
+            linear_F[k] = first_passing(LINEAR, percent[i], factor);
+            least = fmin(least, fabs((cubic_F[k] - 1.0) / (linear_F[k] - 1.0)));
+        }
+        table_row(percent[i], cubic_F[0], cubic_F[1], linear_F[0], linear_F[1]);
     }
     table_end();
 

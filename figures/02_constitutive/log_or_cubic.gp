@@ -1,7 +1,6 @@
 # log_or_cubic.gp - Figure 6 of the notes: r, energy and stress of the log and
 # the cubic law in one dimension, and how far the stresses are apart.
-# Reads   data  tables r, curve_log, curve_cubic, curve_linear, difference,
-#               passes
+# Reads   data  tables curve_log, curve_cubic, curve_linear, difference, passes
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 860,700
@@ -44,9 +43,9 @@ set yrange [-3.5:3]
 set ytics 1
 set label 1 at graph 0.02, graph 0.93
 set label 2 "r(0) = -11/6" at -0.08, -1.55 right font ",12"
-plot data index "r" using "J":"log" with lines ls 1, \
-     "" index "r" using "J":"cubic" with lines ls 2, \
-     "" index "r" using "J":(column("J") == 0 ? column("cubic") : NaN) \
+plot data index "curve_log" using "F":"r" with lines ls 1, \
+     "" index "curve_cubic" using "F":"r" with lines ls 2, \
+     "" index "curve_cubic" using "F":(column("F") == 0 ? column("r") : NaN) \
          with points pt 7 ps 0.8 lc rgb "#D55E00"
 
 # ---- energy

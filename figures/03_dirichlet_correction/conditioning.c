@@ -30,11 +30,14 @@ static struct matrix *corrected(int n, int k, const int nodes[],
 {
     const double value[3] = {0.0, 0.0, 0.0};
     struct matrix *A = matrix_alloc(DENSE, n + 1, 1);
-    double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *b = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *b = allocate((size_t)n + 1, sizeof *b);
+
     grid_make(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, modulus, field_zero, &MIDPOINT, A, b);
     matrix_dirichlet(A, b, k, nodes, value, diagonal);
     free(x);
+    free(b);
     return A;
 }
 

@@ -65,9 +65,11 @@ int main(void)
                     fmax(asymmetry[unit],
                          fabs(matrix_get(A, i, j) - matrix_get(A, j, i)));
         status[unit] = matrix_factor(A);
-        if (status[unit] == OK) matrix_solve(A, v);
-        for (int i = 0; i < N && status[unit] == OK; i++)
-            wrong[unit] = fmax(wrong[unit], fabs(u[i] - v[i]));
+        if (status[unit] == OK) {
+            matrix_solve(A, v);
+            for (int i = 0; i < N; i++)
+                wrong[unit] = fmax(wrong[unit], fabs(u[i] - v[i]));
+        }
         table_row(unit ? "one" : "kept", asymmetry[unit],
                   status_name(status[unit]),
                   cell_if(status[unit] == OK, wrong[unit]));

@@ -20,7 +20,8 @@
 static double defect(int n, const struct quadrature *rule, enum status *status)
 {
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    double *x = allocate(2 * (size_t)(n + 1), sizeof *x), *b = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *b = allocate((size_t)n + 1, sizeof *b);
     double sum = 0.0, scale = 0.0;
 
     grid_make(0.0, 1.0, n, 1.0, x);
@@ -35,6 +36,7 @@ static double defect(int n, const struct quadrature *rule, enum status *status)
                                                              : INCOMPATIBLE;
     matrix_free(A);
     free(x);
+    free(b);
     return sum;
 }
 

@@ -21,7 +21,8 @@ int main(void)
                      "asymmetry and row_sum: of the largest entry");
     for (int n = 1; n <= 256; n *= 2) {
         const int N = n + 1;
-        double *x = allocate(2 * (size_t)N, sizeof *x), *b = x + N;
+        double *x = allocate((size_t)N, sizeof *x);
+        double *b = allocate((size_t)N, sizeof *b);
         struct matrix *A = matrix_alloc(DENSE, N, 0);
         int nonzeros = 0, half_bandwidth = 0;
         double largest = 0.0, asymmetry = 0.0, row_sum = 0.0;
@@ -47,6 +48,7 @@ int main(void)
         worst = fmax(worst, fmax(asymmetry, row_sum) / largest);
         matrix_free(A);
         free(x);
+        free(b);
     }
     table_end();
 

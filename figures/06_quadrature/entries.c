@@ -42,7 +42,8 @@ static double adaptive_integral(struct integrand f)
 int main(void)
 {
     const struct quadrature *const rule[] = {&GAUSS2, &TRAPEZOID, &MIDPOINT};
-    double x[N], diagonal[N] = {0}, load[N] = {-2.0}, b[N], off[3][2] = {{0}};
+    double x[N], diagonal[N] = {0}, load[N] = {-2.0}, b[N];
+    double off_A[3] = {0}, off_b[3] = {0}; /* of the rules */
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
     grid_make(0.0, 1.0, n, 2.385, x);
@@ -62,8 +63,8 @@ int main(void)
         b[0] -= 2.0;
         for (int j = 0; j <= n; j++) {
             const double d = matrix_get(A, j, j) - diagonal[j];
-            off[r][0] = fmax(off[r][0], fabs(d / diagonal[j]));
-            off[r][1] = fmax(off[r][1], fabs(b[j] - load[j]));
+            off_A[r] = fmax(off_A[r], fabs(d / diagonal[j]));
+            off_b[r] = fmax(off_b[r], fabs(b[j] - load[j]));
         }
     }
     table_begin("A", "j diagonal diagonal_gsl");
@@ -76,11 +77,11 @@ int main(void)
     matrix_free(A);
 
     /* (e^x)'' h^2 / 24 of e^x is h^2 / 24, h at most 1/4; twice that */
-    claim(off[2][0] < 1.0 / 16 / 24 && off[1][0] < 1.0 / 16 / 12,
+    claim(off_A[2] < 1.0 / 16 / 24 && off_A[1] < 1.0 / 16 / 12,
           "the diagonal is right to h^2/24 by the midpoint rule and to h^2/12 "
-          "by the trapezoidal rule (%g, %g)", off[2][0], off[1][0]);
-    claim(off[0][0] < 1e-2 * off[2][0] && off[0][1] < 3e-2 * off[2][1],
+          "by the trapezoidal rule (%g, %g)", off_A[2], off_A[1]);
+    claim(off_A[0] < 1e-2 * off_A[2] && off_b[0] < 3e-2 * off_b[2],
           "two Gauss points are far closer than the midpoint (%g of %g, %g of "
-          "%g)", off[0][0], off[2][0], off[0][1], off[2][1]);
+          "%g)", off_A[0], off_A[2], off_b[0], off_b[2]);
     return table_finish();
 }

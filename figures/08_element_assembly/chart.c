@@ -28,8 +28,10 @@ struct point {
  * midpoint rule has 0.032) plus round-off N^2 eps. */
 static struct point measured(enum storage storage, int n)
 {
-    double *x = allocate(3 * ((size_t)n + 1), sizeof *x), *b = x + n + 1;
-    double *u = b + n + 1, N = n + 1.0;
+    const double N = n + 1.0;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *b = allocate((size_t)n + 1, sizeof *b);
+    double *u = allocate((size_t)n + 1, sizeof *u);
     struct matrix *A = bvp_system(storage, n, x, b);
     struct point point = {(double)NAN, (double)NAN, (double)NAN, 1};
     static struct times t;
@@ -54,6 +56,8 @@ static struct point measured(enum storage storage, int n)
     if (point.valid) point.seconds = times_best(&t);
     matrix_free(A);
     free(x);
+    free(b);
+    free(u);
     return point;
 }
 

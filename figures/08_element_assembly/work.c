@@ -20,8 +20,8 @@ int main(void)
                         "entries_banded L2_dense L2_banded");
     for (int n = 4; n <= 256; n *= 2) {
         for (int storage = DENSE; storage <= BANDED; storage++) {
-            double *x = allocate(2 * ((size_t)n + 1), sizeof *x);
-            double *u = x + n + 1;
+            double *x = allocate((size_t)n + 1, sizeof *x);
+            double *u = allocate((size_t)n + 1, sizeof *u);
             struct matrix *A = bvp_system((enum storage)storage, n, x, u);
             const struct matrix_cost cost =
                 matrix_cost(A->storage, n + 1, A->p);
@@ -33,6 +33,7 @@ int main(void)
                                          bvp_exact_dx).L2;
             matrix_free(A);
             free(x);
+            free(u);
         }
         apart = fmax(apart, fabs(L2[0] / L2[1] - 1.0));
         table_row(n, flops[0], flops[1], entries[0], entries[1], L2[0], L2[1]);

@@ -49,6 +49,7 @@ int main(void)
     const struct material law[] = {material_notes(LOG), material_notes(CUBIC)};
     const double modulus = material_modulus(&law[0]);
     const double slope = (law[0].mu + 1.5 * law[0].lambda) / modulus;
+    const double errors[] = {0.01, 0.05, 0.10};
     int farther[2] = {1, 1};
     double off = 0.0;
 
@@ -76,7 +77,7 @@ int main(void)
                      "strain: stress error; load: strain error");
     for (int l = 0; l < 2; l++)
         for (int k = 0; k < 3; k++) {
-            const double error = (double[]){0.01, 0.05, 0.10}[k];
+            const double error = errors[k];
             double strain[2], load[2];
             for (int t = 0; t < 2; t++) {
                 const double sign = t ? -1.0 : 1.0;

@@ -48,7 +48,8 @@ static void errors(int n, double error[N_ERROR])
     const int held[] = {0};
     const double zero[] = {0.0};
     struct matrix *K = matrix_alloc(BANDED, n + 1, 1);
-    double *x = allocate(2 * (size_t)n + 2, sizeof *x), *u = x + n + 1;
+    double *x = allocate((size_t)n + 1, sizeof *x);
+    double *u = allocate((size_t)n + 1, sizeof *u);
 
     grid_make(0.0, 1.0, n, 1.0, x);
     for (int way = EXACT; way >= MIDPOINT_RULE; way--) {
@@ -66,6 +67,7 @@ static void errors(int n, double error[N_ERROR])
     }
     matrix_free(K);
     free(x);
+    free(u);
 }
 
 int main(void)

@@ -21,6 +21,18 @@
 enum solver { READABLE, GSL, FUSED, FUSED_BOTH, SOLVERS };
 static const char *const name[] = {"readable", "gsl", "fused", "both"};
 
+/* At most `steps` steps from the state. */
+static struct newton_report run(struct bar_state *s, enum solver solver,
+                                const struct newton_control *control)
+{
+    switch (solver) {
+    case READABLE: return bar_newton(&s->bar, control, s->u, NULL);
+    case GSL: return bar_gsl_newton(&s->bar, control, s->u);
+    case FUSED: return bar_fast_newton(&s->bar, control, FROM_LEFT, s->u);
+    default: return bar_fast_newton(&s->bar, control, FROM_BOTH_ENDS, s->u);
+    }
+}
+
 /* At most `steps` steps from rest; the seconds of the best of the repeats. */
 static double timed(struct bar_state *s, enum solver solver, int steps,
                     double tolerance, int repeats)
@@ -30,12 +42,7 @@ static double timed(struct bar_state *s, enum solver solver, int steps,
     for (int k = 0; k < repeats; k++) {
         memset(s->u, 0, ((size_t)s->bar.n + 1) * sizeof *s->u);
         const double start = clock_seconds();
-        s->report =
-            solver == READABLE ? bar_newton(&s->bar, &control, s->u, NULL)
-            : solver == GSL ? bar_gsl_newton(&s->bar, &control, s->u)
-            : bar_fast_newton(&s->bar, &control,
-                              solver == FUSED ? FROM_LEFT : FROM_BOTH_ENDS,
-                              s->u);
+        s->report = run(s, solver, &control);
         times_record(&t, clock_seconds() - start, 1);
     }
     return times_best(&t);

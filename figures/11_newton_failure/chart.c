@@ -38,7 +38,8 @@ int main(void)
         for (int c = 0; c < N_CURE; c++) {
             const struct stretch_report end =
                 stretch_cured((enum cure)c, m, load.p, 0.0, 1, control);
-            row[c + 1] = error[k][c] = fabs(end.F - exact) / exact;
+            error[k][c] = fabs(end.F - exact) / exact;
+            row[c + 1] = error[k][c];
             reason[c] = status_name(end.status);
         }
         table_row_of(N_CURE + 1, row);

@@ -1,5 +1,5 @@
 # load_map.gp - Newton's end over load and start: converged,
-# by iterations, or inverted; the predicted boundary p = P(F0) - F0 P'(F0).
+# by iterations, or inverted (orange); the predicted boundary p = P(F0) - F0 P'(F0).
 # Reads   data  tables load_map, boundary
 # Writes  out   SVG
 load "figures/style.gp"
@@ -19,7 +19,17 @@ stats data index "load_map" using "load":"start" name "GRID" nooutput
 between = sqrt(GRID_records) - 1
 w = 0.5 * (GRID_max_x - GRID_min_x) / between + 0.003
 h = 0.5 * (GRID_max_y - GRID_min_y) / between + 0.003
-box(reason) = reason eq "OK" ? column("start") : NaN
+# First and last load, start, iterations: a box where neighbours are equal.
+boxes(reason) = sprintf("< awk -F'\t' 'function end(j) { if (n[j] != \"\") \
+        print first[j] \"\t\" last[j] \"\t\" start[j] \"\t\" n[j] } \
+    BEGIN { print \"first\tlast\tstart\titerations\" } \
+    /^#/ { on = $0 == \"# load_map\" || (on && NR < 3) } \
+    on && NF == 6 && $1 + 0 == $1 { \
+        j = $1 == load ? j + 1 : 1; load = $1; \
+        k = $%d == \"OK\" ? $(%d + 1) : \"0\"; \
+        if (k != n[j]) { end(j); n[j] = k; first[j] = load } \
+        last[j] = load; start[j] = $2 } \
+    END { for (i = 1; i <= j; i++) end(i) }' '%s'", reason, reason, data)
 set multiplot layout 1,2 margins 0.075,0.875,0.13,0.85 spacing 0.05,0
 unset colorbox
 set label 1 "log law" at graph 0.03, graph 1.09 font ",13"
@@ -29,11 +39,10 @@ set label 3 "inverted at the start" at -3.3, -0.5 textcolor rgb "#D55E00" front
 set label 4 "rest" at 0.1, 0.78 front
 set object 1 circle at 0, 1 size 0.06 fc rgb "black" fs solid front
 set key at graph 1, graph 1.09 right top
-plot data index "load_map" using "load":(box(strcol("reason_log"))):(w):(h):\
-         "iterations_log" with boxxy palette notitle, \
-     data index "load_map" using "load":\
-         (strcol("reason_log") ne "OK" ? column("start") : NaN) \
-         with points pt 2 ps 0.3 lc rgb "#D55E00" notitle, \
+plot boxes(3) using (0.5*($1 + $2)):($4 > 0 ? $3 : NaN):(0.5*($2 - $1) + w):\
+         (h):($4) with boxxy palette notitle, \
+     boxes(3) using (0.5*($1 + $2)):($4 == 0 ? $3 : NaN):(0.5*($2 - $1) + w):(h) \
+         with boxxy lc rgb "#FBE3CF" notitle, \
      data index "boundary" using "relative":"start" \
          with lines lc rgb "black" lw 2 title "predicted", \
      0 with lines lc rgb "black" lw 2 notitle
@@ -43,6 +52,6 @@ unset ylabel
 set format y ""
 unset label 2
 unset label 3
-plot data index "load_map" using "load":(box(strcol("reason_cubic"))):(w):(h):\
-         "iterations_cubic" with boxxy palette notitle
+plot boxes(5) using (0.5*($1 + $2)):($3):(0.5*($2 - $1) + w):(h):($4) \
+         with boxxy palette notitle
 unset multiplot

@@ -7,6 +7,10 @@ load "figures/style.gp"
 set terminal svg size 860,620
 set output out
 stats data index "predicted" using "push" name "PUSH" nooutput
+# every second jump; the rows go through all n of one jump
+sizes = system("awk -F'\t' '$1 == \"# step_map\" { on = 1 } NF == 0 { on = 0 } \
+    on && $2 ~ /^[0-9]/ && !seen[$2]++ { n++ } END { print n }' '".data."'") + 0
+drawn(reason) = strcol(name) eq reason && int(column(0) / sizes) % 2 == 0
 stats data index "predicted" using "pull" name "PULL" nooutput
 set logscale xy
 set xrange [0.0028:11]
@@ -33,10 +37,10 @@ do for [k = 1:4] {
     if (k == 1) {
         set key at graph -0.04, graph 1.12 left top width -1
     } else { unset key }
-    plot data index "step_map" using "dg":(strcol(name) eq "OK" ? column("n") \
-             : NaN) with points pt 7 ps 0.4 lc rgb "#0072B2" \
+    plot data index "step_map" using "dg":(drawn("OK") ? column("n") : NaN) \
+             with points pt 7 ps 0.4 lc rgb "#0072B2" \
              title "converged", \
-         data index "step_map" using "dg":(strcol(name) eq "INVERTED" ? \
+         data index "step_map" using "dg":(drawn("INVERTED") ? \
              column("n") : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" \
              title "inverted"
 }

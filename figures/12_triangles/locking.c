@@ -30,10 +30,11 @@ static double droop(int n, double ratio)
     struct scene *s = scene_alloc(&set);
     struct matrix *K = body_matrix(s->body);
     for (int r = 0; r < s->n_dof; r++) s->g[r] = -s->f[r]; /* q at rest */
-    if (body_stiffness(s->body, s->u, K) != OK ||
+    if (body_stiffness(s->body, s->u, EXACT, K) != OK ||
         body_increment(s->body, K, s->g, s->u) != OK)
         die("no increment, n = %d, nu = %g", n, ratio);
-    const double down = s->u[2 * (n / 2 * (n + 1) + n) + 1];
+    const int row = n / 2, vertex = row * (n + 1) + n; /* at (1, 0) */
+    const double down = s->u[2 * vertex + 1];
     matrix_free(K);
     scene_free(s);
     return down;

@@ -35,29 +35,37 @@ static mat2 change(const struct material *law, mat2 F, int slip, int j,
     return dP;
 }
 
+/* Column (b, j) of what triangle e adds to K: dP is the change of P with
+ * component j of its vertex b; rho = 1. */
+static void add_column(const struct scene *s, int e, int b, int j, mat2 dP,
+                       gsl_matrix *K)
+{
+    const int *t = &s->body->vertex[3 * e];
+    const double *g = &s->body->gradient[6 * e], area = s->body->area[e];
+    const double dt = s->set.dt;
+
+    for (int a = 0; a < 3; a++)
+        for (int i = 0; i < 2; i++) {
+            double *at = gsl_matrix_ptr(K, (size_t)(2 * t[a] + i),
+                                        (size_t)(2 * t[b] + j));
+            *at += dt * dt * area * (dP.m[i][0] * g[2 * a] +
+                                     dP.m[i][1] * g[2 * a + 1]);
+            if (i == j) *at += area / (a == b ? 6.0 : 12.0);
+        }
+}
+
 /* The full K with slips. */
 static void printed_tangent(const struct scene *s, int slip, gsl_matrix *K)
 {
-    const double dt = s->set.dt;
     gsl_matrix_set_zero(K);
     for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const int *t = &s->body->vertex[3 * e];
-        const double *g = &s->body->gradient[6 * e], area = s->body->area[e];
-        mat2 F = mat2_identity();
-        for (int r = 0; r < 12; r++) /* a = r / 4, i = r / 2 % 2, k = r % 2 */
-            F.m[r / 2 % 2][r % 2] +=
-                s->u[2 * t[r / 4] + r / 2 % 2] * g[r / 4 * 2 + r % 2];
-        for (int c = 0; c < 6; c++) {
-            const int b = c / 2, j = c % 2, column = 2 * t[b] + j;
-            const mat2 dP = change(&s->body->material, F, slip, j, &g[2 * b]);
-            for (int r = 0; r < 6; r++) {
-                const int a = r / 2, i = r % 2, row = 2 * t[a] + i;
-                double *at = gsl_matrix_ptr(K, (size_t)row, (size_t)column);
-                *at += dt * dt * area * (dP.m[i][0] * g[2 * a] +
-                                         dP.m[i][1] * g[2 * a + 1]);
-                if (i == j) *at += area / (a == b ? 6.0 : 12.0); /* rho = 1 */
+        const mat2 F = body_deformation(s->body, s->u, e);
+        for (int b = 0; b < 3; b++)
+            for (int j = 0; j < 2; j++) {
+                const double *g = &s->body->gradient[6 * e + 2 * b];
+                add_column(s, e, b, j,
+                           change(&s->body->material, F, slip, j, g), K);
             }
-        }
     }
 }
 
@@ -67,18 +75,23 @@ static int let_go(double angle, int slip, double residual[])
 {
     const struct scene_setting set = scene_notes(SPIN, CUBIC, 4);
     const mat2 R = mat2_rotation(angle);
+    const double velocity[2] = {0.2, 0.1};
     struct scene *s = scene_alloc(&set);
     double w[SIZE], q[SIZE], entries[SIZE * SIZE], move = INFINITY;
     gsl_matrix_view K = gsl_matrix_view_array(entries, SIZE, SIZE);
     gsl_vector_view du = gsl_vector_view_array(q, SIZE);
     int iterations = -1;
-    for (int r = 0; r < SIZE; r++) {
-        const double *X = &s->mesh->X[r / 2 * 2], *row = R.m[r % 2];
-        s->u[r] = 1.2385 * row[0] * X[0] + row[1] * X[1] - X[r % 2];
-        w[r] = s->u[r] + set.dt * (r % 2 ? 0.1 : 0.2);
-    }
+
+    for (int a = 0; a < s->mesh->n_vertex; a++)
+        for (int i = 0; i < 2; i++) {
+            const double *X = &s->mesh->X[2 * a], *row = R.m[i];
+            const int r = 2 * a + i;
+            s->u[r] = 1.2385 * row[0] * X[0] + row[1] * X[1] - X[i];
+            w[r] = s->u[r] + set.dt * velocity[i];
+        }
+    const struct incremental Phi = {set.dt, w, NULL};
     for (int k = 0; k <= CAP && iterations < 0; k++) {
-        body_assemble(s->body, set.dt, w, NULL, s->u, NO_TANGENT, q);
+        body_assemble(s->body, Phi, s->u, NO_TANGENT, q);
         const double size = body_max_free(s->body, q);
         if (!(size < 1e12)) break;
         residual[k] = size;
@@ -96,6 +109,7 @@ int main(void)
 {
     double residual[2][SLIPS][CAP + 1] = {{{0.0}}};
     int n[2][SLIPS];
+
     table_begin("slip_iterations", "slip iterations iterations_turned");
     for (int i = NONE; i < SLIPS; i++) {
         for (int c = 0; c < 2; c++)
@@ -108,13 +122,18 @@ int main(void)
                      "k <= %d; later ones depend on round-off", DRAWN);
     for (int c = 0; c < 2; c++)
         for (int i = NONE; i < SLIPS; i++)
-            for (int k = 0; k <= DRAWN && residual[c][i][k] > 0.0; k++)
+            for (int k = 0; k <= DRAWN; k++) {
+                if (!(residual[c][i][k] > 0.0)) break;
                 table_row(c ? "turned" : "upright", name[i], k,
                           residual[c][i][k]);
+            }
     table_end();
-    claim(n[0][NONE] == 5 && n[1][NONE] == 5 && n[0][COLUMN] == 6 &&
-              n[1][COLUMN] + n[0][HALF] + n[1][HALF] == -3,
-          "5 iterations with the right tangent; with a column for a row 6, and "
-          "no solution when turned; with half of mu no solution");
+
+    claim(n[0][NONE] == 5 && n[1][NONE] == 5,
+          "5 iterations with the right tangent (%d, %d)", n[0][NONE],
+          n[1][NONE]);
+    claim(n[0][COLUMN] == 6 && n[1][COLUMN] < 0,
+          "with a column for a row 6, and no solution when turned");
+    claim(n[0][HALF] < 0 && n[1][HALF] < 0, "with half of mu no solution");
     return table_finish();
 }

@@ -25,13 +25,19 @@ static void slopes(mat2 F, int slip, double D[4][4])
     const double stress = law.lambda * v.r - law.mu, c2 = stress * v.dr;
     const double c1 = law.lambda * v.dr * v.dr + stress * v.ddr;
     const mat2 cof = mat2_cofactor(F);
-    for (int r = 0; r < 16; r++) {
-        const int i = r / 8, k = r / 4 % 2, j = r / 2 % 2, m = r % 2;
-        double *at = &D[2 * i + k][2 * j + m];
-        *at = c1 * cof.m[i][k] * (slip & COLUMN ? cof.m[m][j] : cof.m[j][m]);
-        if (i == j && k == m && (k == i || !(slip & HALF))) *at += law.mu;
-        if (i != j && k != m) *at += k == i ? c2 : -c2;
-    }
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            for (int j = 0; j < 2; j++)
+                for (int m = 0; m < 2; m++)
+                    D[2 * i + k][2 * j + m] =
+                        c1 * cof.m[i][k] *
+                        (slip & COLUMN ? cof.m[m][j] : cof.m[j][m]);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++) {
+            double *row = D[2 * i + k];
+            if (k == i || !(slip & HALF)) row[2 * i + k] += law.mu;
+            row[2 * (1 - i) + 1 - k] += k == i ? c2 : -c2;
+        }
 }
 
 /* Error and asymmetry of dP/dF, relative to its norm. */
@@ -40,11 +46,12 @@ static void slip_error(mat2 F, int slip, double *error, double *asymmetry)
     double D[4][4], right[4][4], norm = 0.0, off = 0.0, odd = 0.0;
     slopes(F, NONE, right);
     slopes(F, slip, D);
-    for (int r = 0; r < 16; r++) {
-        norm += gsl_pow_2(right[r / 4][r % 4]);
-        off += gsl_pow_2(D[r / 4][r % 4] - right[r / 4][r % 4]);
-        odd += gsl_pow_2(D[r / 4][r % 4] - D[r % 4][r / 4]);
-    }
+    for (int r = 0; r < 4; r++)
+        for (int c = 0; c < 4; c++) {
+            norm += gsl_pow_2(right[r][c]);
+            off += gsl_pow_2(D[r][c] - right[r][c]);
+            odd += gsl_pow_2(D[r][c] - D[c][r]);
+        }
     *error = sqrt(off / norm);
     *asymmetry = sqrt(odd / norm);
 }

@@ -59,8 +59,9 @@ static void approach(int m, double distance[SYSTEMS + 1])
         scene_rest(s);
         scene_press(s, 0.2, 0.0);
         const enum status status =
-            step_solve(s->body, &control, 1.0, s->u, NULL, s->u).status;
-        if (k < 0 && (status != OK || step_certify(s->body, 1.0, s->u) != OK))
+            step_solve(s->body, &control, at_rest(NULL), s->u).status;
+        if (k < 0 && (status != OK ||
+                      step_certify(s->body, at_rest(NULL), s->u) != OK))
             die("the square pressed by 0.2 is not at a minimum");
         for (int r = 0; r < s->n_dof; r++) {
             if (k < 0) goal[r] = s->u[r];

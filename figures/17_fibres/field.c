@@ -87,14 +87,14 @@ int main(void)
         for (int k = 0; k <= STEPS && b > 0; k++) {
             fibres.fibre.activation = k / (double)STEPS;
             const struct step_report r =
-                step_solve(s->body, &newton, 1.0, s->g, s->f, s->u);
+                step_solve(s->body, &newton, at_rest(s->f), s->u);
             if (r.status != OK) die("no state: %s", status_name(r.status));
             bend[b][k] = bend_of(s, &fibres);
             force[b] = end_force(s, &move[b]);
             table_row(name[b], fibres.fibre.activation, bend[b][k], force[b],
                       move[b], r.iterations);
         }
-        stable += b > 0 && step_certify(s->body, 1.0, s->u) == OK;
+        stable += b > 0 && step_certify(s->body, at_rest(NULL), s->u) == OK;
     }
     table_end();
     table_begin("fibres", "block x y dx dy l");

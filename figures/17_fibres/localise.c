@@ -57,8 +57,8 @@ static enum status pull(struct scene *s, const struct fibres *fibres,
     scene_hold(s, 2.0 * atan(1.0));
     step_boundary(s->body, s->g, 1, s->u);
     const struct step_report r =
-        step_solve(s->body, &control, 1.0, s->g, s->f, s->u);
-    const enum status state = step_certify(s->body, 1.0, s->u);
+        step_solve(s->body, &control, at_rest(s->f), s->u);
+    const enum status state = step_certify(s->body, at_rest(NULL), s->u);
     const double P = measure(s, fibres, share);
     table_row(method, l, cell_if(r.status == OK, P),
               cell_if(r.status == OK, *share), r.iterations, r.projections,

@@ -28,15 +28,22 @@ plot data index "grid" using "i":"j":"depth" with points pt 7 ps 1.75 \
 set border 15 ls 9
 set xrange [-3:145]
 set yrange [145:-3]
-kind(w) = strcol("what") eq w ? column("row") : NaN
+# Column, first and last row of what stands below each other.
+runs(table, what) = sprintf("< awk -F'\t' '$0 == \"# %s\" { on = 1 } \
+    NF == 0 { on = 0 } on && $3 == \"%s\" { print $2, $1 }' '%s' | \
+    sort -n -k 1,1 -k 2,2 | awk 'function end() { if (NR > 1) \
+        print column, first, last } \
+    $1 != column || $2 != last + 1 { end(); column = $1; first = $2 } \
+    { last = $2 } END { end() }'", table, what, data)
+set style fill solid noborder
+set datafile separator whitespace
+set datafile nocolumnheaders
 set title "L, numbered row by row:\n".blocks(0)
-plot data index "rows" using "column":(kind("fill")) with points pt 7 ps 0.13 \
-         lc rgb "#D55E00", \
-     data index "rows" using "column":(kind("entry")) with points pt 7 ps 0.22 \
-         lc rgb "#0072B2"
+plot for [k = 1:2] runs("rows", word("fill entry", k)) \
+         using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \
+         lc rgb word("#D55E00 #0072B2", k)
 set title "L, numbered by dissection:\n".blocks(1)
-plot data index "dissection" using "column":(kind("fill")) with points pt 7 \
-         ps 0.13 lc rgb "#D55E00", \
-     data index "dissection" using "column":(kind("entry")) with points pt 7 \
-         ps 0.22 lc rgb "#0072B2"
+plot for [k = 1:2] runs("dissection", word("fill entry", k)) \
+         using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \
+         lc rgb word("#D55E00 #0072B2", k)
 unset multiplot

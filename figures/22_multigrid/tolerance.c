@@ -41,9 +41,10 @@ static void step(struct system *sys, double tolerance, int chord,
     }
     scene_hold(s, ++s->steps * s->set.dt);
     step_boundary(s->body, s->g, 1, next);
+    const struct incremental Phi = {s->set.dt, w, NULL};
     for (int k = 0, fresh = 1; size > 1e-10 && k < CAP; k++) {
-        if (body_assemble(s->body, s->set.dt, w, NULL, next,
-                          fresh ? EXACT : NO_TANGENT, q) != OK)
+        if (body_assemble(s->body, Phi, next, fresh ? EXACT : NO_TANGENT,
+                          q) != OK)
             die("a step is not defined");
         if (fresh) {
             multigrid_free(m), csr_free(K);

@@ -100,10 +100,12 @@ int main(void)
         double *u0 = u + (k - 1) * n, *to = u + k * n;
         for (int a = 0; a < mesh->n_vertex; a++)
             hook(mesh, a, 0.5 * k, &g[2 * a]);
-        if (live_lift(body, 1.0, u0, u0, g, EXACT, to) != OK) die("no lift");
+        if (live_lift(body, at_rest(NULL), u0, g, EXACT, to) != OK)
+            die("no lift");
         const struct step_report report =
-            step_solve(body, &newton, 1.0, g, NULL, to);
-        claim(report.status == OK && step_certify(body, 1.0, to) == OK,
+            step_solve(body, &newton, at_rest(NULL), to);
+        claim(report.status == OK &&
+                  step_certify(body, at_rest(NULL), to) == OK,
               "%s: no stable balance, %s", WHEN[k], status_name(report.status));
         apart = fmax(apart, measure(k, body, to, 1 + report.iterations));
     }

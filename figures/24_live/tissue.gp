@@ -19,16 +19,23 @@ set datafile separator whitespace
 set xrange [-54.5:54.5]
 
 # From table strip, in mm: strips of a layer, once around each; the upper sides
-# of all of them; every second line across them.  From table pull: a cell.
-rows(when, layer, do) = sprintf("< awk -F'\t' 'function end() { \
-        for (; n > 0; n--) print back[n]; print \"\" } END { end() } \
-    $1 == \"%s\" && NF == 7 && $2 ~ /%s/ { new = $3 != strip; strip = $3; \
-        low = 1e3 * $4 \" \" 1e3 * $5; high = 1e3 * $6 \" \" 1e3 * $7; \
-        %s }' '%s'", when, layer, do, data)
-around(when, layer) = rows(when, layer, "if (new) end(); print low; back[++n] = high")
-upper(when) = rows(when, ".", "if (new) end(); print high")
-across(when) = rows(when, ".", "if (lines++ % 2 == 0) print low; \
-    if (lines % 2) { print high; print \"\" }")
+# of all of them; lines across them.  From table pull: a cell.  Of the vertices
+# of a strip it takes the ends and one of `step`, the same ones in strips that
+# begin behind the wound, in the middle.
+rows(when, layer, step, do) = sprintf("< awk -F'\t' 'function end() { \
+        shift = low[1] + 0 > 0 ? n : 0; \
+        for (i = 1; i <= n; i++) if (i == 1 || i == n || \
+            (i + shift) %% %d == 1 %% %d) { %s } \
+        for (; m > 0; m--) print back[m]; print \"\"; n = 0 } \
+    END { end() } $1 == \"%s\" && NF == 7 && $2 ~ /%s/ { \
+        if ($3 != strip) end(); strip = $3; \
+        low[++n] = 1e3 * $4 \" \" 1e3 * $5; \
+        high[n] = 1e3 * $6 \" \" 1e3 * $7 }' '%s'", step, step, do, when, \
+    layer, data)
+around(when, layer, step) = \
+    rows(when, layer, step, "print low[i]; back[++m] = high[i]")
+upper(when) = rows(when, ".", 2, "print high[i]")
+across(when) = rows(when, ".", 4, "print low[i]; print high[i]; print \"\"")
 pull(column) = system(sprintf("awk -F'\t' '$1 == \"%s\" && NF == 11 { \
     print $%d }' '%s'", w, column, data)) + 0.0
 
@@ -76,10 +83,10 @@ do for [k = 1:2] {
     }
     set label 8 sprintf("%.3f N", pull(8)) tc rgb "#D55E00" \
         at hx(3, 1) - fx + 1.5, hy(3) + fy - 1
-    plot around("rest", ".") with filledcurves closed fc rgb "#DDDDDD", \
-         around(w, "muscle") with filledcurves closed fc rgb "#B3473F", \
-         around(w, "fat") with filledcurves closed fc rgb "#F3D07A", \
-         around(w, "skin") with filledcurves closed fc rgb "#E3A787", \
+    plot around("rest", ".", 51) with filledcurves closed fc rgb "#DDDDDD", \
+         around(w, "muscle", 2) with filledcurves closed fc rgb "#B3473F", \
+         around(w, "fat", 2) with filledcurves closed fc rgb "#F3D07A", \
+         around(w, "skin", 2) with filledcurves closed fc rgb "#E3A787", \
          upper(w) with lines lw 0.6 lc rgb "#B0401000", \
          across(w) with lines lw 0.6 lc rgb "#B0401000", \
          for [side = -1:1:2] [q = 0:3] "+" using (hx($1, side)):(hy($1)) \

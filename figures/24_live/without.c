@@ -19,11 +19,11 @@ const char *without_word(enum without without)
 
 /* ---- a lift -------------------------------------------------------------- */
 
-static enum status leap(struct body *body, double dt, const double w[],
+static enum status leap(struct body *body, struct incremental Phi,
                         const double u0[], const double g[],
                         enum tangent tangent, double u[])
 {
-    return live_lift_within(body, dt, w, u0, g, tangent, DBL_MAX, u);
+    return live_lift_within(body, Phi, u0, g, tangent, DBL_MAX, u);
 }
 
 /* ---- second rungs -------------------------------------------------------- */
@@ -31,8 +31,8 @@ static enum status leap(struct body *body, double dt, const double w[],
 static enum status unprojected(struct live *live, double u[], double v[],
                                struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, EXACT, LIVE_TRIES,
-                            &LIVE_DOWNHILL, u, v, report);
+    const struct live_way way = {live_lift, EXACT, LIVE_TRIES, &LIVE_DOWNHILL};
+    return live_downhill_by(live, way, u, v, report);
 }
 
 static enum status unsearched(struct live *live, double u[], double v[],
@@ -40,22 +40,22 @@ static enum status unsearched(struct live *live, double u[], double v[],
 {
     struct step_control control = LIVE_DOWNHILL;
     control.line_search = 0;
-    return live_downhill_by(live, live_lift, PROJECTED, LIVE_TRIES,
-                            &control, u, v, report);
+    const struct live_way way = {live_lift, PROJECTED, LIVE_TRIES, &control};
+    return live_downhill_by(live, way, u, v, report);
 }
 
 static enum status unhalved(struct live *live, double u[], double v[],
                             struct live_report *report)
 {
-    return live_downhill_by(live, live_lift, PROJECTED, 1, &LIVE_DOWNHILL, u, v,
-                            report);
+    const struct live_way way = {live_lift, PROJECTED, 1, &LIVE_DOWNHILL};
+    return live_downhill_by(live, way, u, v, report);
 }
 
 static enum status leaping(struct live *live, double u[], double v[],
                            struct live_report *report)
 {
-    return live_downhill_by(live, leap, PROJECTED, LIVE_TRIES,
-                            &LIVE_DOWNHILL, u, v, report);
+    const struct live_way way = {leap, PROJECTED, LIVE_TRIES, &LIVE_DOWNHILL};
+    return live_downhill_by(live, way, u, v, report);
 }
 
 static enum status unaccepted(struct live *live, double u[], double v[],

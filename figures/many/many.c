@@ -66,8 +66,9 @@ static PetscErrorCode assemble(struct piece *p, Vec U, enum tangent tangent)
 {
     double *q = p->q.at;
     PetscCall(DMGlobalToLocal(p->grid, U, INSERT_VALUES, p->u.vec));
-    const enum status status = body_assemble(p->body, p->set.dt, p->w.at, NULL,
-                                             p->u.at, tangent, q);
+    const struct incremental Phi = {p->set.dt, p->w.at, NULL};
+    const enum status status =
+        body_assemble(p->body, Phi, p->u.at, tangent, q);
     for (int r = 0; r < 2 * p->mesh->n_vertex; r++) {
         const double g = r % 2 ? 0.0 : p->end * X1(p, r / 2);
         if (prescribed(p, r / 2)) q[r] = p->diagonal.at[r] * (p->u.at[r] - g);

@@ -10,6 +10,10 @@ set output out
 limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
+# n where the number of iterations is another one than one step before
+was = row = 0
+changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
+    was = k, row = column("n"), new ? ended("OK") : NaN)
 array Limit[2] = [limit("boundary_step", 2), limit("boundary_step", 3)]
 set logscale xy
 set xrange [0.0018:1.15]
@@ -20,14 +24,14 @@ set xtics ("1/480" 1.0/480, "1/240" 1.0/240, "1/120" 1.0/120, "1/60" 1.0/60, \
 unset mxtics
 unset grid
 unset key
-set label 11 "converged, with its iterations" at screen 0.09, 0.975 \
+set label 11 "converged; iterations where they change" at screen 0.09, 0.975 \
     point pt 5 ps 1.4 lc rgb "#9CC6E3" offset 1, 0
-set label 12 "blows up or wanders" at screen 0.37, 0.975 point pt 2 ps 0.8 \
+set label 12 "blows up or wanders" at screen 0.395, 0.975 point pt 2 ps 0.8 \
     lw 1.5 lc rgb "#D55E00" offset 1, 0
-set label 13 "inverted" at screen 0.57, 0.975 point pt 1 ps 0.8 lw 1.5 \
+set label 13 "inverted" at screen 0.565, 0.975 point pt 1 ps 0.8 lw 1.5 \
     lc rgb "#CC79A7" offset 1, 0
 set label 14 "limit of Δg / h: measured" at screen 0.68, 0.975 offset 1, 0
-set arrow 14 from screen 0.65, 0.975 to screen 0.68, 0.975 nohead lw 2 \
+set arrow 14 from screen 0.66, 0.975 to screen 0.685, 0.975 nohead lw 2 \
     lc rgb "black"
 set label 15 "0.95" at screen 0.92, 0.975 offset 1, 0
 set arrow 15 from screen 0.89, 0.975 to screen 0.92, 0.975 nohead lw 1.5 \
@@ -51,7 +55,7 @@ do for [k = 1:4] {
         nohead lw 1.5 dt 2 lc rgb "black" front
     plot data index name using "dt":(ended("OK")):"iterations" \
              with points pt 5 ps 1.05 lc palette, \
-         data index name using "dt":(ended("OK")): \
+         data index name using "dt":(changed(0)): \
              (sprintf("%d", column("iterations"))): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
              font ",8" textcolor rgb variable, \

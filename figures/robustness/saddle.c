@@ -19,8 +19,9 @@ enum { LAST = 22 };
 /* Phi of the step from w = u0 + dt v0 to the state of the scene. */
 static double potential(const struct scene *s, const double w[])
 {
-    double *move = allocate(2 * (size_t)s->n_dof, sizeof *move);
-    double *momentum = move + s->n_dof, phi;
+    double *move = allocate((size_t)s->n_dof, sizeof *move);
+    double *momentum = allocate((size_t)s->n_dof, sizeof *momentum);
+    double phi;
     const enum status status = body_energy(s->body, s->u, &phi);
     if (status != OK) die("no energy: %s", status_name(status));
     phi *= s->set.dt * s->set.dt;
@@ -28,6 +29,7 @@ static double potential(const struct scene *s, const double w[])
     body_mass(s->body, move, momentum);
     for (int r = 0; r < s->n_dof; r++) phi += 0.5 * move[r] * momentum[r];
     free(move);
+    free(momentum);
     return phi;
 }
 
@@ -44,7 +46,8 @@ static struct answer squeeze(const char *method)
     const struct step_control notes = step_method("notes");
     const struct step_control last = step_method(method);
     struct scene *s = scene_alloc(&set);
-    double *w = allocate(2 * (size_t)s->n_dof, sizeof *w), *q = w + s->n_dof;
+    double *w = allocate((size_t)s->n_dof, sizeof *w);
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
     struct answer a;
     for (int k = 1; k < LAST; k++)
         if (scene_step(s, &notes).status != OK) die("step %d failed", k);
@@ -52,9 +55,11 @@ static struct answer squeeze(const char *method)
     a.report = scene_step(s, &last);
     a.phi = potential(s, w);
     a.min_J = body_min_J(s->body, s->u);
-    body_assemble(s->body, set.dt, w, NULL, s->u, EXACT, q);
+    const struct incremental Phi = {set.dt, w, NULL};
+    body_assemble(s->body, Phi, s->u, EXACT, q);
     a.definite = matrix_factor(s->body->K) == OK;
     free(w);
+    free(q);
     scene_free(s);
     return a;
 }

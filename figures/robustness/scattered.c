@@ -23,7 +23,8 @@ static struct scene *unloaded(int start)
 {
     struct scene_setting set = scene_notes(start < BOTH_ENDS ? RIGID : GRAVITY,
                                            CUBIC, 4);
-    set.rho = set.force = 0.0;
+    set.rho = 0.0;
+    set.force = 0.0;
     return scene_alloc(&set);
 }
 
@@ -35,12 +36,12 @@ static enum end settle(struct scene *s, int start, int seed, const char *name,
     scene_scatter(s, seed, amplitude[start] * 2.0 / s->set.n);
     memcpy(s->v, s->u, (size_t)s->n_dof * sizeof *s->u); /* is kept */
     const struct step_report to =
-        step_solve(s->body, &control, 1.0, s->v, NULL, s->u);
+        step_solve(s->body, &control, at_rest(NULL), s->u);
     if (to.status == NOT_SPD && control.line_search) return STOPPED;
     if (to.status != OK) return FAILS;
     times_record(systems, to.iterations, 1);
     if (fabs(s->u[cblas_idamax(s->n_dof, s->u, 1)]) < 1e-6) return REST;
-    body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g);
+    body_assemble(s->body, at_rest(NULL), s->u, EXACT, s->g);
     return matrix_factor(s->body->K) == OK ? MINIMUM : NO_MINIMUM;
 }
 
@@ -56,6 +57,7 @@ static struct census take_census(int start, const char *name)
     struct census c = {.least_J = 1.0};
     double x[6];
     from.u = s->v;
+
     for (int seed = 1; seed <= SEEDS; seed++) {
         const enum end end = settle(s, start, seed, name, &c.systems);
         for (int e = 0; e < s->mesh->n_triangle; e++)
@@ -73,9 +75,13 @@ static void print_tangled(void)
 {
     struct scene *s = unloaded(4), from = *s;
     struct times systems = {0};
+    int seed = 1;
+
     from.u = s->v;
-    for (int k = 1; settle(s, 4, k, method[3], &systems) != MINIMUM; k++)
-        if (k == SEEDS) die("every run comes to rest");
+    while (settle(s, 4, seed, method[3], &systems) != MINIMUM) {
+        if (seed == SEEDS) die("every run comes to rest");
+        seed++;
+    }
     table_begin("tangled", "X0 Y0 X1 Y1 X2 Y2 J_start x0 y0 x1 y1 x2 y2 J");
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         double row[14];
@@ -90,13 +96,15 @@ static void print_tangled(void)
 int main(void)
 {
     static struct census c[STARTS][METHODS];
+
     table_begin("scattered", "held amplitude method seeds inverted rest stable "
                 "saddle not_spd fails median p90 least_J rest_part rest_error "
                 "stable_part");
     for (int k = 0; k < STARTS; k++)
         for (int m = 0; m < METHODS; m++) {
             c[k][m] = take_census(k, method[m]);
-            const int *end = c[k][m].end, some = c[k][m].systems.runs > 0;
+            const int *end = c[k][m].end;
+            const int some = c[k][m].systems.runs > 0;
             table_row(k < BOTH_ENDS ? "both" : "left", amplitude[k], method[m],
                       SEEDS, c[k][m].inverted, end[REST], end[MINIMUM],
                       end[NO_MINIMUM], end[STOPPED], end[FAILS],
@@ -107,6 +115,7 @@ int main(void)
         }
     table_end();
     print_tangled();
+
     for (int k = 0; k < BOTH_ENDS; k++)
         claim(c[k][3].end[REST] == SEEDS, "demand+search brings all back");
     claim(c[2][1].end[STOPPED] == SEEDS && c[2][2].end[FAILS] > 0.9 * SEEDS,

@@ -26,6 +26,7 @@
 #endif
 #ifdef LAPACK
 #define MACHINE_LAPACK LAPACK
+/* Up to ten parameters: LAPACK's own. */
 void dpbtrf_(const char *uplo, const int *n, const int *p, double a[],
              const int *lda, int *info, size_t length);
 void dpbtrs_(const char *uplo, const int *n, const int *p, const int *columns,

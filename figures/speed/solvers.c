@@ -32,6 +32,7 @@ static enum status one_step(struct scene *s, struct rival *c)
     const int n = s->n_dof;
     double *w = allocate(4 * (size_t)n, sizeof *w), *next = w + n;
     double *q = next + n, *x = q + n, size = INFINITY;
+    const struct incremental Phi = {s->set.dt, w, NULL};
     enum status status = OK;
     for (int r = 0; r < n; r++) {
         w[r] = s->u[r] + s->set.dt * s->v[r];
@@ -40,8 +41,8 @@ static enum status one_step(struct scene *s, struct rival *c)
     scene_hold(s, ++s->steps * s->set.dt);
     step_boundary(s->body, s->g, 1, next);
     for (int k = 0; status == OK; k++) {
-        status = body_assemble(s->body, s->set.dt, w, NULL, next,
-                               k ? NO_TANGENT : EXACT, q);
+        status =
+            body_assemble(s->body, Phi, next, k ? NO_TANGENT : EXACT, q);
         if (status != OK || size <= 1e-10) break;
         if (k == 0 && !rival_factor(c, s->body->K)) status = NOT_SPD;
         if (k == 30) status = MAX_ITERATIONS;

@@ -34,7 +34,8 @@ struct measured {
 static int lapack_increment(struct readable *r, const double w[],
                             const double u[], double du[])
 {
-    body_assemble(r->body, r->dt, w, NULL, u, EXACT, r->q);
+    const struct incremental Phi = {r->dt, w, NULL};
+    body_assemble(r->body, Phi, u, EXACT, r->q);
     cblas_dscal(2 * r->body->mesh->n_vertex, -1.0, r->q, 1);
     body_gather(r->body, r->q, r->K); /* which has room, and nothing to do */
     if (!lapack_factor(r->body->K)) return 0;

@@ -22,6 +22,10 @@ of(s, l, m) = here(s) && strcol("law") eq Law[int(l)] && \
 lost(s, l) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
     t == \"# settings\" && $1 == \"%s\" && $3 == \"%s\" && $10 != \"OK\" { n++ } \
     END { print n + 0 }' '%s'", Scene[s], Law[l], data)) + 0
+# of marks of one kind within seven pixels of each other, the first
+apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
+    NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
+        !seen[$1, $3, $4, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
 set multiplot
 set logscale xy
 set format y "10^{%T}"
@@ -50,7 +54,7 @@ do for [s = 1:6] {
     unset key
     plot data index "scenes" using (here(s) ? 4e3 : NaN):"floor":(3e7):(0) \
              with vectors nohead ls 8 dt 3 notitle, \
-         for [l = 1:3] for [m = 1:5] data index "settings" \
+         for [l = 1:3] for [m = 1:5] apart \
              using (of(s, l, m)):"error" with points pt Point[m] ps 0.55 \
              lc rgb Color[l] notitle, \
          data index "front" using (here(s) ? column("flops") : NaN):"error" \

@@ -173,7 +173,7 @@ static struct model *model_of(const struct work_setting *set, struct scene *s,
         model->M = body_matrix(body);
         model->A = body_matrix(body);
         body_mass_matrix(body, model->M);
-        body_stiffness(body, s->u, model->A);
+        body_stiffness(body, s->u, EXACT, model->A);
         model->solve = linear;
     }
     return model;

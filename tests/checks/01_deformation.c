@@ -14,8 +14,8 @@
 #include "judge.h"
 
 #include "../oracle/01_deformation.h"
-#include "bar.c"
-#include "material.c"
+#include "bar/bar.c"
+#include "material/material.c"
 
 #include <float.h>
 #include <math.h>

@@ -15,7 +15,7 @@
 #include "judge.h"
 
 #include "../oracle/09_linear_bar.h"
-#include "poisson.c"
+#include "bar/poisson.c"
 
 #include <float.h>
 #include <gsl/gsl_math.h>

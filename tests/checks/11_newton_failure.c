@@ -15,7 +15,7 @@
 #include "judge.h"
 
 #include "../oracle/11_newton_failure.h"
-#include "stretch.c"
+#include "figures/11_newton_failure/stretch.c"
 
 #include <float.h>
 
@@ -198,12 +198,13 @@ static void expect_length(const struct material *m, double p, double F,
     double length;
     const enum status status = line_search(m, p, F, step, &length);
     if (want > 0.0)
-        expect(status == OK && length == want, "p = %g, F = %g, step %g: %s, "
-               "length %g, not OK with length %g (%s)", p, F, step,
+        expect(status == OK && length == want, "p = %g, F = %g, step %g: got "
+               "%s, length %g, want OK with length %g (%s)", p, F, step,
                status_name(status), length, want, why);
     else
-        expect(status == STALLED, "p = %g, F = %g, step %g: %s, length %g, not "
-               "STALLED (%s)", p, F, step, status_name(status), length, why);
+        expect(status == STALLED, "p = %g, F = %g, step %g: got %s, length %g, "
+               "want STALLED (%s)", p, F, step, status_name(status), length,
+               why);
 }
 
 /* The linear law's energy is a parabola: it decreases with a step of t times
@@ -289,8 +290,8 @@ static void load_stepping_arrives(void)
     static const double p[] = {-1000.0, -2385.0, -37140.0, -1e5, 714.0};
     for (int k = 0; k < COUNT(p); k++) {
         const struct outcome out = load_stepping(&m, p[k], 0.0, &plain);
-        expect(out.status == OK, "p = %g: %s with F = %g; after a failed step "
-               "go back to the last equilibrium and halve", p[k],
+        expect(out.status == OK, "p = %g: got %s with F = %g, want OK; after a "
+               "failed step go back to the last equilibrium and halve", p[k],
                status_name(out.status), out.F);
         expect_close(material1_pk1(&m, out.F), p[k], CONVERGED,
                      fabs(p[k]) + 1000.0, "P(F) at the end of the way");

@@ -350,7 +350,7 @@ static void agrees_with_the_fast_body(void)
         double *u = guarded_alloc(N_DOF);
         deform(s, squeezed, 0.04, u);
         matrix_add(K, 24, 24, 2.385); /* tangent() has to forget it */
-        expect(body_stiffness(s->body, u, fast) == OK &&
+        expect(body_stiffness(s->body, u, EXACT, fast) == OK &&
                    tangent(s, u, K) == OK, "tangent() does not return OK");
         for (int r = 0; r < N_DOF; r++)
             for (int z = 0; z <= r; z++) {
@@ -381,7 +381,7 @@ static void one_increment(struct scene *s, struct matrix *K, const char *held)
     for (int r = 0; r < N_DOF; r++) q[r] = odd_number(r + 17);
     expect(tangent(s, u, K) == OK && tangent(s, u, copy) == OK,
            "tangent() does not return OK");
-    expect(body_stiffness(s->body, u, fast) == OK &&
+    expect(body_stiffness(s->body, u, EXACT, fast) == OK &&
                body_increment(s->body, fast, q, also) == OK, "body.h fails");
     int *is_held = s->held; /* beside it: numbers that are not 0 */
     s->held = guarded_indices(N_VERTEX, is_held);
@@ -555,7 +555,7 @@ static void the_books_are_right(void)
                              "report.increment[%d], max|du| of system %d", k,
                              k);
         }
-        expect(body_stiffness(s->body, u, K) == OK &&
+        expect(body_stiffness(s->body, u, EXACT, K) == OK &&
                    body_increment(s->body, K, q, du) == OK, "body.h fails");
         increments[cap] = body_max_free(s->body, du);
         for (int r = 0; r < s->n_dof; r++) u[r] += du[r];
@@ -640,11 +640,11 @@ static void agrees_with_the_fast_solver(void)
         struct scene *s = scene_alloc(&set);
         const struct step_control control = {1e-12, 50, FROM_LAST, 0, 0, 0,
                                              NEVER};
-        double u[72], zero[72] = {0.0};
+        double u[72];
         scene_hold(s, 1.238);
         step_boundary(s->body, s->g, 1, s->u);
         memcpy(u, s->u, sizeof u);
-        expect(step_solve(s->body, &control, 1.0, zero, s->f, u).status == OK,
+        expect(step_solve(s->body, &control, at_rest(s->f), u).status == OK,
                "step.h fails");
         const struct history report = equilibrium(s, 1e-10, HISTORY_CAP, s->u);
         expect(report.status == OK, "%s, %s law: %s", scene_name(set.reading),

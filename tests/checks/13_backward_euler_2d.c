@@ -250,7 +250,8 @@ static void equation_agrees_with_the_fast_body(void)
         for (int r = 0; r < N_DOF; r++) w[r] = odd_number(r + 29);
         body_mass(s->body, w, b);
         matrix_add(A, 0, 0, 2.385); /* equation() has to forget it */
-        expect(body_assemble(s->body, dt, w, NULL, u, EXACT, want) == OK &&
+        const struct incremental Phi = {dt, w, NULL};
+        expect(body_assemble(s->body, Phi, u, EXACT, want) == OK &&
                    equation(s->body, dt, u, b, q, A) == OK,
                "equation() does not return OK");
         for (int r = 0; r < N_DOF; r++)
@@ -286,7 +287,8 @@ static void find_modes(const struct scene *s, double omega[MODES],
     gsl_matrix *vectors = gsl_matrix_alloc(MODES, MODES);
     gsl_vector *square = gsl_vector_alloc(MODES);
     gsl_eigen_gensymmv_workspace *work = gsl_eigen_gensymmv_alloc(MODES);
-    expect(body_stiffness(s->body, s->u, stiffness) == OK, "body.h fails");
+    expect(body_stiffness(s->body, s->u, EXACT, stiffness) == OK,
+           "body.h fails");
     body_mass_matrix(s->body, mass);
     for (int r = 0; r < MODES; r++)
         for (int c = 0; c < MODES; c++) {

@@ -316,7 +316,7 @@ static struct scene *bent_column(double e, double amount)
 {
     struct step_control control = step_method("notes");
     struct scene *s = column_at(CUBIC, e, 0.0), *out[2];
-    step_solve(s->body, &control, 1.0, s->u, NULL, s->u);
+    step_solve(s->body, &control, at_rest(NULL), s->u);
     control = step_method("demand+search");
     for (int side = 0; side < 2; side++) {
         out[side] = column_at(CUBIC, 0.05, 0.0);
@@ -324,8 +324,7 @@ static struct scene *bent_column(double e, double amount)
             if (!s->held[y / 2])
                 out[side]->u[y] += (side ? -0.01 : 0.01) *
                                    (1.0 + cos(M_PI * s->mesh->X[y - 1]));
-        step_solve(out[side]->body, &control, 1.0, out[side]->u, NULL,
-                   out[side]->u);
+        step_solve(out[side]->body, &control, at_rest(NULL), out[side]->u);
     }
     for (int r = 0; r < N_DOF; r++)
         s->u[r] += 0.5 * amount * (out[0]->u[r] - out[1]->u[r]);
@@ -357,7 +356,7 @@ static void expect_solved(struct scene *s, enum tangent tangent,
     double want[N_DOF], some[N_DOF], Kdu[N_DOF], largest = 0.0, size = 0.0;
     expect(found->status == OK, "%s: direction() says %s", what,
            status_name(found->status));
-    expect(body_assemble(s->body, 1.0, s->u, NULL, s->u, tangent, want) == OK,
+    expect(body_assemble(s->body, at_rest(NULL), s->u, tangent, want) == OK,
            "%s: no K", what);
     for (int r = 0; r < N_DOF; r++) {
         expect_close(found->q[r], want[r], 1e-10, 1.0, "%s: q of vertex %d, "
@@ -417,7 +416,8 @@ static void projected_directions_lead_downhill(void)
         expect_solved(s, m == NEVER ? EXACT : PROJECTED, &found, how[m]);
         expect(found.definite == 0, "%s: K of the straight column at e = 0.05 "
                "is not positive definite, *definite says it is", how[m]);
-        expect(step_certify(s->body, 1.0, s->u) == SADDLE, "step.h disagrees");
+        expect(step_certify(s->body, at_rest(NULL), s->u) == SADDLE,
+               "step.h disagrees");
         expect((found.slope > 0.0) == (m == NEVER), "%s: du.q = %g", how[m],
                found.slope);
     }
@@ -439,7 +439,7 @@ static void newton_leaves_the_saddle(void)
                status_name(status));
         passed += !definite;
         if (body_max_free(s->body, q) <= 1e-9) break;
-        expect(step_search(s->body, 1.0, s->u, NULL, q, du, s->u) == OK,
+        expect(step_search(s->body, at_rest(NULL), q, du, s->u) == OK,
                "system %d of ON_DEMAND: no length of du decreases the energy",
                systems);
     }
@@ -447,8 +447,8 @@ static void newton_leaves_the_saddle(void)
            "ON_DEMAND from a bent column: %d systems, K was not positive "
            "definite %d times, at the end it is %s", systems, passed,
            definite ? "so" : "not so");
-    expect(step_certify(s->body, 1.0, s->u) == OK, "step.h does not call the "
-           "buckled column a minimum");
+    expect(step_certify(s->body, at_rest(NULL), s->u) == OK, "step.h does not "
+           "call the buckled column a minimum");
     body_energy(s->body, s->u, &energy);
     expect_close(energy, at_start[1], 1e-9, 1.0, "energy of the buckled column "
                  "(straight: %g)", at_start[0]);

@@ -2,16 +2,16 @@
  * 16_invertible.c - what laws satisfy that exist for every F.
  *
  * Arguments: slot, argument: varied by
- *   16a  law       stress_turns_with_the_body (all forms)
- *        F         stress_is_the_materials (upright, inside out, rank one),
- *                  a_point_feels_no_force
- *   16b  law       below_eps_it_goes_on_straight (forms, eps), numbers_are_the_
+ *   16a  law       below_eps_it_goes_on_straight (forms, eps), numbers_are_the_
  *                  oracles (mu, lambda)
  *        s         above_eps_it_is_the_log_law, below_eps_it_goes_on_straight
  *                  (one, the other or both below eps; negative)
- *   16c  law       volume_is_that_of_common (eps), numbers_are_the_oracles
+ *   16b  law       volume_is_that_of_common (eps), numbers_are_the_oracles
  *        J         volume_is_the_logs_above_eps, volume_is_a_parabola_below_eps
  *                  (0, negative)
+ *   16c  law       stress_turns_with_the_body (all forms)
+ *        F         stress_is_the_materials (upright, inside out, rank one),
+ *                  a_point_feels_no_force
  *   16d  body      a_crushed_triangle_recovers, a_held_square_recovers (laws,
  *                  meshes, what is held), failures_are_named (log law, a
  *                  modulus below 0), it_stops_where_the_forces_are_small (E)
@@ -71,7 +71,7 @@ static void log_hat(const struct principal_law *law, double s1, double s2,
     P[1] = A.m[1][1];
 }
 
-/* ---- 16b ----------------------------------------------------------------- */
+/* ---- 16a ----------------------------------------------------------------- */
 
 static void above_eps_it_is_the_log_law(void)
 {
@@ -150,7 +150,7 @@ static void only_one_of_them_has_an_energy(void)
     }
 }
 
-/* ---- 16c ----------------------------------------------------------------- */
+/* ---- 16b ----------------------------------------------------------------- */
 
 static void volume_at(const struct principal_law *law, double J, double G[3])
 {
@@ -230,7 +230,7 @@ static void volume_is_that_of_common(void)
     }
 }
 
-/* ---- 16a ----------------------------------------------------------------- */
+/* ---- 16c ----------------------------------------------------------------- */
 
 /* Upright, inside out, rank one. */
 static const mat2 general[] = {{{{1.1371, 0.2385}, {-0.3714, 0.8613}}},
@@ -572,16 +572,16 @@ static void what_was_predicted(void)
 }
 
 static const struct claim claims[] = {
-    {"above_eps_it_is_the_log_law", above_eps_it_is_the_log_law, "16b"},
-    {"below_eps_it_goes_on_straight", below_eps_it_goes_on_straight, "16b"},
-    {"only_one_of_them_has_an_energy", only_one_of_them_has_an_energy, "16b"},
-    {"volume_is_the_logs_above_eps", volume_is_the_logs_above_eps, "16c"},
-    {"volume_is_smooth_at_eps", volume_is_smooth_at_eps, "16c"},
-    {"volume_is_a_parabola_below_eps", volume_is_a_parabola_below_eps, "16c"},
-    {"volume_is_that_of_common", volume_is_that_of_common, "16c"},
-    {"stress_is_the_materials", stress_is_the_materials, "16a"},
-    {"stress_turns_with_the_body", stress_turns_with_the_body, "16a"},
-    {"a_point_feels_no_force", a_point_feels_no_force, "16a"},
+    {"above_eps_it_is_the_log_law", above_eps_it_is_the_log_law, "16a"},
+    {"below_eps_it_goes_on_straight", below_eps_it_goes_on_straight, "16a"},
+    {"only_one_of_them_has_an_energy", only_one_of_them_has_an_energy, "16a"},
+    {"volume_is_the_logs_above_eps", volume_is_the_logs_above_eps, "16b"},
+    {"volume_is_smooth_at_eps", volume_is_smooth_at_eps, "16b"},
+    {"volume_is_a_parabola_below_eps", volume_is_a_parabola_below_eps, "16b"},
+    {"volume_is_that_of_common", volume_is_that_of_common, "16b"},
+    {"stress_is_the_materials", stress_is_the_materials, "16c"},
+    {"stress_turns_with_the_body", stress_turns_with_the_body, "16c"},
+    {"a_point_feels_no_force", a_point_feels_no_force, "16c"},
     {"a_crushed_triangle_recovers", a_crushed_triangle_recovers, "16d"},
     {"a_point_is_not_at_rest", a_point_is_not_at_rest, "16d"},
     {"a_held_square_recovers", a_held_square_recovers, "16d"},
@@ -625,7 +625,7 @@ static const struct lesson lesson = {
     "plane. A triangle crushed to a point is in balance, and only the "
     "factorisation at the end says that it is not at rest "
     "(figures/16_invertible/principal.svg).",
-    "In slot 16b give `stress` the diagonal that `energy` has, and look at the "
+    "In slot 16a give `stress` the diagonal that `energy` has, and look at the "
     "loop; then leave the off-diagonal terms out of both. What does each of "
     "the two changes do to the work, and why?",
     what_was_predicted};

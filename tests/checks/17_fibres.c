@@ -523,14 +523,14 @@ static void agrees_with_the_fast_fibres(void)
     struct scene *s = skew_scene(&fibres, angle);
     for (int c = 0; c < 6; c++) {
         const enum tangent kind = kinds[c % 3];
+        const struct incremental Phi = {0.7371, s->u, NULL};
         struct matrix *K = NULL; /* the program's */
         fibres.fibre = *one_of(c / 3 ? CORD : MUSCLE);
         for (int fast = 0; fast < 2; fast++) {
             s->body->add = add_fibres;
             if (fast) fibres_attach(s->body, &fibres);
             expect(body_energy(s->body, s->u, &energy[fast]) == OK &&
-                       body_assemble(s->body, 0.7371, s->u, NULL, s->u,
-                                     kind, q[fast]) == OK,
+                       body_assemble(s->body, Phi, s->u, kind, q[fast]) == OK,
                    "the body with fibres has no energy or no force");
             if (!fast) K = matrix_copy(s->body->K);
         }
@@ -570,9 +570,10 @@ static void strip_has_its_length(void)
         for (int c = 0; c < COUNT(is); c++) {
             double *x = guarded_alloc(2);
             const enum status status = strip(&material, &fibre, is[c].load, x);
-            expect(status == OK, "%s law, activation %g, load %g: the strip "
-                   "ends with %s", material_law(law), fibre.activation,
-                   is[c].load, status_name(status));
+            expect(status == OK, "%s law, activation %g, load %g, the strip: "
+                   "got %s at (%g, %g), want OK", material_law(law),
+                   fibre.activation, is[c].load, status_name(status), x[0],
+                   x[1]);
             expect_close(x[0], is[c].length, SOLVED, 1.0, "%s law, activation "
                          "%g, load %g: length", material_law(law),
                          fibre.activation, is[c].load);
@@ -601,8 +602,8 @@ static void strip_is_free_at_its_sides(void)
     const struct fibre rope = {MUSCLE, 500.0, 0.0, 0.5, 0.0};
     double *x = guarded_alloc(2);
     const enum status status = strip(&material, &rope, 250.0, x);
-    expect(status == OK, "nu = 0, a slack muscle of k = 500, load 250: the "
-           "strip ends with %s", status_name(status));
+    expect(status == OK, "nu = 0, a slack muscle of k = 500, load 250: got %s "
+           "at (%g, %g), want OK", status_name(status), x[0], x[1]);
     const mat2 P = strip_stress(&material, &rope, x);
     expect_close(P.m[0][0], 250.0, SOLVED, 1e3, "nu = 0, k = 500: P11 of the "
                  "strip under the load 250");
@@ -682,9 +683,10 @@ static void failures_are_named(void)
         material = material_notes(is[k].law);
         fibre.sigma = is[k].sigma;
         const enum status status = strip(&material, &fibre, is[k].load, x);
-        expect(status == is[k].status, "%s law, sigma %g, load %g: the strip "
-               "ends with %s, not %s", material_law(is[k].law), is[k].sigma,
-               is[k].load, status_name(is[k].status), status_name(status));
+        expect(status == is[k].status, "%s law, sigma %g, load %g, the strip: "
+               "got %s at (%g, %g), want %s", material_law(is[k].law),
+               is[k].sigma, is[k].load, status_name(status), x[0], x[1],
+               status_name(is[k].status));
     }
     /* (-1 + 2 mu + lambda) (2 mu + lambda) = lambda^2 to the last digit */
     material = (struct material){CUBIC, 1.0, 2.0};

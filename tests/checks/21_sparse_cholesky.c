@@ -282,7 +282,8 @@ static enum status factor_of(const struct csr *K, struct factor **L)
     for (int k = 0; k < K->n && status == OK; k++) {
         status = factor_row(K, k, parent, *L, x, mark, list);
         for (int j = 0; j < K->n && status == OK; j++)
-            expect(x[j] == 0.0, "after row %d x[%d] is not zero", k, j);
+            expect(x[j] == 0.0, "after row %d: got x[%d] = %g, want 0", k, j,
+                   x[j]);
     }
     for (int j = 0; j < K->n && status == OK; j++) {
         const int *row = &(*L)->row[(*L)->start[j]];

@@ -20,7 +20,7 @@
 
 #include "../oracle/23_least_model.h"
 
-#include "estimate.c"
+#include "choice/estimate.c"
 
 #include <stdio.h>
 #include <string.h>

@@ -160,7 +160,8 @@ static double residual_at(const struct live *live, const double w[],
                           const double u[])
 {
     double *q = allocate((size_t)live->n_dof, sizeof *q);
-    expect(body_assemble(live->body, live->dt, w, NULL, u, NO_TANGENT, q) == OK,
+    const struct incremental Phi = {live->dt, w, NULL};
+    expect(body_assemble(live->body, Phi, u, NO_TANGENT, q) == OK,
            "the lifted state is one that the material does not have");
     const double largest = body_max_free(live->body, q);
     free(q);
@@ -177,8 +178,9 @@ static void lift_solves_the_linear_problem(void)
     double *u = guarded_alloc(n), *w = guarded_alloc(n), q[4];
     double *due = guarded_alloc(n);
     const struct step_control newton = step_method("demand+search");
+    const struct incremental Phi = {live->dt, w, NULL};
     memset(w, 0, (size_t)n * sizeof *w);
-    expect(step_solve(live->body, &newton, live->dt, w, NULL, u0).status == OK,
+    expect(step_solve(live->body, &newton, Phi, u0).status == OK,
            "the state to start from was not found");
     for (int k = 0; k < 4; k++) {
         const double jump = 0.04 / (1 << k);
@@ -189,7 +191,7 @@ static void lift_solves_the_linear_problem(void)
             if (moved) g[r] += r % 2 ? -0.3 * jump : jump;
         }
         const enum status status =
-            elastic_lift(live->body, live->dt, w, u0, g, EXACT, u);
+            elastic_lift(live->body, Phi, u0, g, EXACT, u);
         expect(status == OK, "elastic_lift() of a jump of %g m: %s", jump,
                status_name(status));
         for (int r = 0; r < n; r++)
@@ -201,7 +203,7 @@ static void lift_solves_the_linear_problem(void)
          * live_lift() reads g of what is free, too */
         for (int r = 0; r < n; r++)
             if (live->body->equation[r] >= 0) g[r] = u0[r];
-        live_lift(live->body, live->dt, w, u0, g, EXACT, due);
+        live_lift(live->body, Phi, u0, g, EXACT, due);
         for (int r = 0; r < n; r++)
             expect_close(u[r], due[r], 1e-9, 1.0, "u[%d], lifted by a jump of "
                          "%g m, with the central difference", r, jump);
@@ -228,16 +230,16 @@ static void lift_without_a_jump_is_newton(void)
                 live->now.u[r] += 0.1 * sin(2.385 * r * r + k);
         for (int kind = EXACT; kind <= PROJECTED; kind++) {
             const double dt = live->dt * (k % 2 ? 1.0 : 0.5);
+            const struct incremental Phi = {dt, w, NULL};
             for (int r = 0; r < n; r++)
                 w[r] = live->now.u[r] + dt * live->now.v[r];
-            body_assemble(body, dt, w, NULL, live->now.u,
-                          (enum tangent)kind, q);
+            body_assemble(body, Phi, live->now.u, (enum tangent)kind, q);
             enum status due = body_increment(body, body->K, q, du);
             for (int r = 0; r < n && due == OK; r++)
                 if (fabs(du[r]) > LIVE_LEAP) due = NONFINITE;
             indefinite += due == NOT_SPD;
             const enum status status =
-                elastic_lift(body, dt, w, live->now.u, live->now.u,
+                elastic_lift(body, Phi, live->now.u, live->now.u,
                              (enum tangent)kind, u);
             expect(status == due, "elastic_lift() without a jump, %s K, frame "
                    "%d: got %s, want %s, as a step of Newton's method",
@@ -261,16 +263,17 @@ static void lift_refuses_what_cannot_be(void)
     const int n = live->n_dof;
     double *u = guarded_alloc(n), *w = guarded_copy(n, live->now.u);
     for (int r = 0; r < n; r++) w[r] += 5.0;
-    enum status status = elastic_lift(live->body, live->dt, w, live->now.u,
-                                      live->g, EXACT, u);
+    struct incremental Phi = {live->dt, w, NULL};
+    enum status status =
+        elastic_lift(live->body, Phi, live->now.u, live->g, EXACT, u);
     expect(status == NONFINITE, "the body flies with 150 m/s, so that the lift "
            "moves it by more than LIVE_LEAP: got %s, want NONFINITE",
            status_name(status));
     for (int a = 0; a < n / 2; a++) u[2 * a] = -1.5 * live->mesh->X[2 * a];
     for (int a = 0; a < n / 2; a++) u[2 * a + 1] = 0.0;
     double *inverted = guarded_copy(n, u);
-    status = elastic_lift(live->body, live->dt, live->now.u, inverted, live->g,
-                          EXACT, u);
+    Phi.w = live->now.u;
+    status = elastic_lift(live->body, Phi, inverted, live->g, EXACT, u);
     expect(status == INVERTED, "elastic_lift() from a state that LOG does not "
            "have: got %s, want INVERTED", status_name(status));
     live_free(live);
@@ -305,8 +308,9 @@ static void lift_hands_on_each_status(void)
         memcpy(g, u0, (size_t)n * sizeof *g);
         for (int i = 0; i < 2; i++)
             g[2 * held + i] += (side ? 0.01 : -0.01) * up[i];
-        const enum status status = elastic_lift(live->body, live->dt, u0, u0, g,
-                                                EXACT, guarded_alloc(n));
+        const struct incremental Phi = {live->dt, u0, NULL};
+        const enum status status =
+            elastic_lift(live->body, Phi, u0, g, EXACT, guarded_alloc(n));
         expect(status == INVERTED, "elastic_lift() from a state in which a "
                "micrometre %s inverts a triangle: got %s, want INVERTED",
                side ? "backward" : "forward", status_name(status));

@@ -20,7 +20,7 @@
  *     of common/, as a member of a struct too: it would be renamed there as
  *     well, and the checks would not compile;
  *   - a module of common/ that the solution does not include is included as its
- *     source, #include "bar.c": it is compiled once more, under other names.
+ *     source, #include "bar/bar.c", which is compiled again, under other names.
  */
 #ifndef TESTS_CHECKS_JUDGE_H
 #define TESTS_CHECKS_JUDGE_H

@@ -65,12 +65,12 @@ cp "solutions/$slug.c" "class/$(printf 'a\nb')"
 # ---- the table ----------------------------------------------------------------
 cat >wanted <<END
 student,lesson,verdict,check,slot,mistake
--dash,$slug,UNFINISHED,matrix_stays_symmetric,3a,-
-"Mallory ",$slug,CRASHED,matrix_stays_symmetric,3b,-
-"O'Neill, ""Sean""",$slug,WRONG,same_as_elimination,3a,lift_sign
+-dash,$slug,UNFINISHED,known_values_move_to_the_right,3a,-
+"Mallory ",$slug,CRASHED,known_values_move_to_the_right,3a,-
+"O'Neill, ""Sean""",$slug,WRONG,known_values_move_to_the_right,3a,lift_sign
 Zo$(printf '\303\253'),$slug,OK,-,-,-
-ann,$slug,WRONG,same_as_elimination,3a,lift_sign
-bob,$slug,WRONG,same_as_elimination,3a,lift_sign
+ann,$slug,WRONG,known_values_move_to_the_right,3a,lift_sign
+bob,$slug,WRONG,known_values_move_to_the_right,3a,lift_sign
 eve,$slug,WRONG,compile,-,-
 fay,$slug,WRONG,compile,-,-
 gil,$slug,OK,-,-,-

@@ -101,7 +101,7 @@ for program in "$dir"/unit/*; do
     case $name in *.*) continue ;; esac
     # Check keeps its own structures to the end of the process; and there is no
     # process for each law, which under valgrind takes longer than the law
-    said=$(CK_FORK=no \
+    said=$(CK_FORK=no SANITIZED=1 \
         ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 \
         $(echo "$run" | sed 's/--leak-check=full//') \
         "$program" $(long_for "$name" | tr ' ' '\n' | sed '/./s/^/-/') 2>&1)

@@ -1,11 +1,21 @@
 #!/bin/sh
-# lint.sh - rules of the tree that a compiler does not know.
+# lint.sh [NN_slug] - rules of the tree that a compiler does not know.
 #
-# Prints "ok lint: RULE" or "FAIL lint: RULE: where".
+# Prints "ok lint: RULE" or "FAIL lint: RULE: where"; with a lesson the rules of
+# the lesson, and of the others what they find there: lines that name another
+# lesson, or a file of common/ or tests/unit/, are left out.  CONTRIBUTING.md
+# has all rules by their names.
 set -u
 LC_ALL=C
 export LC_ALL
+only=${1:-}
+elsewhere='(^|[^0-9])[0-9][0-9]_[a-z]|common/|tests/unit/|figures/[a-z]'
+concerns() { # of lines of offenders, those that concern the lesson
+    awk -v only="$only" -v elsewhere="$elsewhere" \
+        'only == "" || index($0, only) || $0 !~ elsewhere'
+}
 rule() { # rule NAME OFFENDERS
+    set -- "$1" "$(printf '%s\n' "$2" | concerns)"
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
 many=$(ls figures/many/*.[ch]) # alone on PETSc, and a program with options
@@ -13,7 +23,7 @@ many=$(ls figures/many/*.[ch]) # alone on PETSc, and a program with options
 studies=$(ls figures/*/*.c | grep -v '^figures/many/' | while read -r f; do
     [ -f "${f%c}h" ] || echo "$f"; done)
 sources=$(ls common/*/*.[ch] solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
-lessons=$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)
+lessons=${only:-$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)}
 
 # ---- who may include whom ----------------------------------------------------
 # Rooms of common/, the floor before each: a file includes its own room or one
@@ -53,7 +63,7 @@ rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile | grep
 rule 'ulimit sets one limit at a time (dash takes no more)' \
     "$(grep -nE 'ulimit( +-[SH])* +-[a-z] +[0-9a-z]+ +-' Makefile tests/*.mk \
         tests/tools/*.sh tests/cli/*.sh)"
-sh tests/tools/sizes.sh lint
+sh tests/tools/sizes.sh lint | concerns
 rule 'a header of at most 25 lines tells what a program is for' \
     "$(for f in solutions/*.c $studies; do
         awk -v f="$f" 'NR == 1 && !/^\/\*/ { print f ": none" }
@@ -77,6 +87,11 @@ rule 'a lesson has at most 8 options' \
     "$(for f in solutions/*.c; do
         n=$(grep -cE '\{"[a-zA-Z0-9_]+", \.(integer|real|choice)' "$f")
         [ "$n" -le 8 ] || echo "$f: $n"; done)"
+slots() { awk -v rule="$1" -f tests/tools/slots.awk solutions/*.c; }
+rule 'the first slot of a solution begins before line 70' "$(slots first)"
+rule 'slots stand in the order of their letters' "$(slots order)"
+rule 'no function with a slot is declared before it is defined' "$(slots declared)"
+rule 'slots have a comment for every 15 lines' "$(slots comments)"
 rule 'a study ends in its claim, and takes no options' \
     "$(for f in $studies; do
         case $f in figures/speed/*) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
@@ -97,6 +112,26 @@ rule 'what is between a program and its checks comes first' \
         [ "$(grep -m 1 '^#include' "$f")" = '#include "program.h"' ] || echo "$f"
     done)"
 
+# ---- what a contributor reads --------------------------------------------------
+rule 'nothing is left to write (TODO)' \
+    "$(grep -n TODO solutions/*.c solutions/*.md lessons/*.md tests/checks/*.c \
+        tests/mistakes/*.txt figures/*/*.c figures/*/*.gp workbook.md |
+        sed '1s/^/\
+/')"
+rule 'CONTRIBUTING.md has every rule of lint by its name' \
+    "$(sed -n "s/^ *rule '\([^']*\)'.*/\1/p; s/^ *rule \"\([^\"]*\)\".*/\1/p
+               s/^[^#]*row '\([a-z][^']*\)'.*/\1/p
+               s/^echo .*ok lint: \([a-z][^\"]*\)}.*/\1/p" \
+            tests/tools/lint.sh tests/tools/sizes.sh |
+        sed 's/\$nn/NN/g; s/\$equations/workbook.md/g' | while read -r name; do
+        tr -s ' \n' '  ' <CONTRIBUTING.md |
+            grep -qE -e "[-,] $(echo "$name" | sed 's/[][().*$^+?]/\\&/g')([.:,; ]|\$)" || echo "$name"
+    done)"
+rule 'every header of common/ is once on the map of the library, with its room' \
+    "$(for f in common/*/*.h; do
+        [ "$(awk '/^## /{ on = /Map of the library/ } on' workbook.md |
+            grep -c "](${f})")" = 1 ] || echo "$f"; done)"
+
 # ---- the book -----------------------------------------------------------------
 book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
 rule 'every chapter is in the contents' \
@@ -112,8 +147,7 @@ rule 'every symbol of a chapter is in the notation (tests/tools/symbols.awk)' \
     "$(awk -f tests/tools/symbols.awk workbook.md lessons/[0-9]*.md figures/*/README.md)"
 rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
     "$(grep -nE '^ *<!-- n ' $book)"
-chapters="$(ls lessons/[0-9]*.md) $(for f in robustness speed work_precision many; do
-    echo figures/$f/README.md; done)"
+chapters=$(sh tests/tools/workbook.sh chapters)
 rule 'a chapter shows at most 1200 words (tests/tools/words.awk)' \
     "$(awk -v most=1200 -f tests/tools/words.awk lessons/[0-9]*.md figures/*/README.md)"
 rule 'pictures are numbered, and chapters lead to each other (tests/tools/chapters.awk)' \
@@ -232,7 +266,8 @@ done
 
 # Every deliberate mistake fits its file; a line for each that does not.
 unfit=$(
-    for list in tests/mistakes/*.txt tests/unit/mistakes.txt tests/many/mistakes.txt; do
+    for list in tests/mistakes/${only:-*}.txt tests/unit/mistakes.txt tests/many/mistakes.txt; do
+        [ -z "$only" ] || [ "$list" = "tests/mistakes/$only.txt" ] || continue
         program=solutions/$(basename "$list" .txt).c
         case $list in
         tests/unit/*) program=./ ;;
@@ -255,7 +290,12 @@ rule 'every figure is in the book' \
     "$(for f in $plots; do
         echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
 rule 'the map of the course shows what the chapters say (make figures)' \
-    "$(awk -f figures/map.awk lessons/[0-9]*.md | cmp - figures/map.svg 2>&1)"
+    "$( (awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md |
+        cmp - figures/map.svg) 2>&1)"
+rule 'a figure has at most 250 kB, one of make bench 280, a moving one 400' \
+    "$(find figures -name '*.svg' -size +250k ! -path 'figures/speed/*';
+        find figures/speed -name '*.svg' -size +280k
+        find figures -name '*.gif' -size +400k)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

@@ -18,6 +18,8 @@
 #   <!-- end -->                 every [eq:name] in it, to its row in the file
 #                                `table`, "" for this one, which has an anchor
 #
+# The line "Previous: ..." of a chapter is replaced by `leading`, if there is one.
+#
 # FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
 # (a word, or - where there is none) stands as it is, whatever its FORMAT.
 #
@@ -146,6 +148,9 @@ function anchored(row,    label) {
 }
 function id(label) { sub(/:/, "-", label); return label }
 
+# the line that leads to the neighbours; with only=lead all others stay
+leading != "" && /\| next: |^Previous: / && !/^ *</ { print leading; next }
+only == "lead" { print; next }
 /^<!-- labels -->$/ {
     skipping = labels = 1
     next
@@ -193,6 +198,7 @@ skipping { next }
 }
 END {
     if (failed) exit 2
+    if (only == "lead") exit
     if (skipping) stop("a marker is never closed")
     if (!n_cited) exit
     if (!blank) print ""

@@ -2,11 +2,48 @@
 # workbook.sh fill|check [FILE...] - fill the generated parts of the book's
 # files, or say which of them are stale (exit status 1, with the lines that
 # differ).  Without FILE all files of the book.
+# workbook.sh lead - fill nothing but the lines that lead from each chapter to
+# its neighbours, which needs no data.
+# workbook.sh chapters - the chapters, in the order of the book.
 set -u
 LC_ALL=C
 export LC_ALL
 command=$1
 shift
+chapters="$(ls lessons/[0-9]*.md)
+figures/robustness/README.md
+figures/speed/README.md
+figures/work_precision/README.md
+figures/many/README.md"
+if [ "$command" = chapters ]; then echo "$chapters"; exit; fi
+[ "$command" != lead ] || set -- $chapters
+# link FROM TO: a link to a chapter, as FROM's folder has it
+link() {
+    [ -n "$2" ] || return 0
+    case $1:$2 in
+    lessons/*:lessons/*) to=${2##*/} ;;
+    figures/*:figures/*) to=../${2#figures/} ;;
+    *) to=$up$2 ;;
+    esac
+    case $2 in
+    lessons/*) name=${2##*/}; name="lesson ${name%%_*}" ;;
+    *) name=$(sed -n '1s/^# \([^:]*\).*/\1/p' "$2") ;;
+    esac
+    echo "[$name]($to)"
+}
+# leading FILE: its line to the chapters before and behind; nothing for others
+leading() {
+    echo "$chapters" | grep -qxF "$1" || return 0
+    case $1 in lessons/*) up=../ ;; *) up=../../ ;; esac
+    before=$(link "$1" "$(echo "$chapters" |
+        awk -v f="$1" '$0 == f { print before } { before = $0 }')")
+    behind=$(link "$1" "$(echo "$chapters" |
+        awk -v f="$1" 'before == f { print } { before = $0 }')")
+    contents='contents, notation and equations]('$up'workbook.md)'
+    if [ -n "$before" ]; then before="Previous: $before | [$contents"
+    else before="[C${contents#c}"; fi
+    echo "$before${behind:+ | next: $behind}"
+}
 if [ $# = 0 ]; then
     for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
         if [ -f "$file" ]; then set -- "$@" "$file"; fi
@@ -24,9 +61,10 @@ for file; do
     [ "$file" = "$equations" ] ||
         table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
     awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" \
-        -v table="$table" "$file" >"$new" || { said=2; continue; }
+        -v table="$table" -v leading="$(leading "$file")" \
+        -v only="$command" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
-    if [ "$command" = fill ]; then
+    if [ "$command" != check ]; then
         cp "$new" "$part" && mv "$part" "$file" || exit 2
         echo "  book     $file is filled"
     else

@@ -142,17 +142,18 @@ static void mass_sums_to_the_mass_of_the_square(void)
 }
 
 /* Phi of body.h, from body_energy() and body_mass(). */
-static double potential(const struct body *body, double dt, const double w[],
-                        const double f[], const double u[])
+static double potential(const struct body *body, struct incremental Phi,
+                        const double u[])
 {
+    const double dt = Phi.dt;
     const int n = 2 * body->mesh->n_vertex;
     double *move = vector(body, 0.0), *momentum = vector(body, 0.0);
     double energy, phi = 0.0;
     ck_assert_int_eq(body_energy(body, u, &energy), OK);
-    for (int r = 0; r < n; r++) move[r] = u[r] - w[r];
+    for (int r = 0; r < n; r++) move[r] = u[r] - Phi.w[r];
     body_mass(body, move, momentum);
     for (int r = 0; r < n; r++)
-        phi += 0.5 * move[r] * momentum[r] - dt * dt * f[r] * u[r];
+        phi += 0.5 * move[r] * momentum[r] - dt * dt * Phi.f[r] * u[r];
     free(move);
     free(momentum);
     return phi + dt * dt * energy;
@@ -173,12 +174,13 @@ static void residual_and_tangent_are_derivatives(void)
         double phi[2], slope = 0.0;
         for (int r = 0; r < n; r++)
             if (body->equation[r] < 0) v[r] = 0.0;
-        ck_assert_int_eq(body_assemble(body, dt, w, f, u, EXACT, q[0]), OK);
+        const struct incremental Phi = {dt, w, f};
+        ck_assert_int_eq(body_assemble(body, Phi, u, EXACT, q[0]), OK);
         for (int k = 0; k < 2; k++) {
             for (int r = 0; r < n; r++) x[r] = u[r] + (k ? -d : d) * v[r];
-            phi[k] = potential(body, dt, w, f, x);
+            phi[k] = potential(body, Phi, x);
             ck_assert_int_eq(
-                body_assemble(body, dt, w, f, x, NO_TANGENT, q[k + 1]), OK);
+                body_assemble(body, Phi, x, NO_TANGENT, q[k + 1]), OK);
         }
         for (int r = 0; r < n; r++) slope += q[0][r] * v[r];
         /* central differences: d^2 against round-off / d, 1e-8 of the size */
@@ -207,7 +209,7 @@ static void closed_form_equals_the_definition(void)
         double *q = vector(body, 0.0), *want = vector(body, 0.0), g[6];
         struct matrix *K = matrix_alloc(DENSE, n, 0);
         body->rho = 0.0;
-        ck_assert_int_eq(body_assemble(body, 1.0, zero, NULL, u, EXACT, q), OK);
+        ck_assert_int_eq(body_assemble(body, at_rest(NULL), u, EXACT, q), OK);
         for (int e = 0; e < mesh->n_triangle; e++) {
             const int *t = &mesh->triangle[3 * e];
             const double area = mesh_gradients(mesh, e, g);
@@ -245,6 +247,50 @@ static void closed_form_equals_the_definition(void)
     }
 }
 
+/* at_rest(f) of a body that has a density: Psi(u) - f.u and its derivatives. */
+static void at_rest_there_is_no_inertia(void)
+{
+    const enum tangent kinds[] = {EXACT, PROJECTED};
+    int clamped = 0;
+    for (int k = 0; k < 2 * COUNT(kinds); k++) {
+        struct body *body = body_of(distorted(N), CUBIC, (enum mass)(k % 2), 1);
+        const int n = 2 * body->mesh->n_vertex;
+        double *u = vector(body, 0.3), *f = vector(body, 20.0), fu = 0.0;
+        double *q = vector(body, 0.0), *force = vector(body, 0.0);
+        double *work = allocate(2 * (size_t)n, sizeof *work);
+        double energy, phi, noise, apart = 0.0;
+        struct matrix *K = body_matrix(body), *exact = body_matrix(body);
+        ck_assert_double_gt(body->rho, 0.1);
+        ck_assert_int_eq(body_force(body, u, force), OK);
+        ck_assert_int_eq(body_stiffness(body, u, kinds[k / 2], K), OK);
+        ck_assert_int_eq(body_stiffness(body, u, EXACT, exact), OK);
+        ck_assert_int_eq(body_assemble(body, at_rest(f), u, kinds[k / 2], q),
+                         OK);
+        for (int r = 0; r < n; r++) {
+            close_to(q[r], force[r] - f[r], 1e-12 * 1000.0);
+            fu += f[r] * u[r];
+        }
+        ck_assert_int_eq(body_energy(body, u, &energy), OK);
+        ck_assert_int_eq(step_potential(body, at_rest(f), u, work, &phi,
+                                        &noise), OK);
+        close_to(phi, energy - fu, 1e-14 * noise);
+        body->rho = 0.0; /* K is that of a body without mass */
+        const struct incremental moved = {1.0, f, NULL};
+        ck_assert_int_eq(body_assemble(body, moved, u, kinds[k / 2], q), OK);
+        for (int i = 0; i < K->n; i++)
+            for (int j = 0; j <= i; j++) {
+                ck_assert(matrix_get(K, i, j) == matrix_get(body->K, i, j));
+                apart = fmax(apart, fabs(matrix_get(K, i, j) -
+                                         matrix_get(exact, i, j)));
+            }
+        clamped += apart > 1.0;
+        matrix_free(K), matrix_free(exact);
+        free(u), free(f), free(q), free(force), free(work);
+        free_body(body);
+    }
+    ck_assert_int_eq(clamped, 2); /* both that are PROJECTED */
+}
+
 static void rigid_motion_gives_no_force_and_forces_balance(void)
 {
     for (int l = 0; l < 2; l++) {
@@ -258,12 +304,12 @@ static void rigid_motion_gives_no_force_and_forces_balance(void)
         for (int r = 0; r < n; r++)
             u[r] = Q.m[r % 2][0] * X[r / 2 * 2] +
                    Q.m[r % 2][1] * X[r / 2 * 2 + 1] - X[r] + 3.714;
-        body_assemble(body, 1.0, u, NULL, u, NO_TANGENT, q);
+        body_assemble(body, at_rest(NULL), u, NO_TANGENT, q);
         for (int r = 0; r < n; r++) close_to(q[r], 0.0, 1e-12 * 1000.0);
         ck_assert_int_eq(body_energy(body, u, &energy), OK);
         close_to(energy, 0.0, 1e-15 * 1000.0); /* E times round-off */
         for (int r = 0; r < n; r++) u[r] += 0.06 * entropy(r);
-        body_assemble(body, 1.0, u, NULL, u, NO_TANGENT, q);
+        body_assemble(body, at_rest(NULL), u, NO_TANGENT, q);
         for (int a = 0; a < n / 2; a++) {
             sum[0] += q[2 * a], sum[1] += q[2 * a + 1];
             torque += (X[2 * a] + u[2 * a]) * q[2 * a + 1] -
@@ -288,7 +334,7 @@ static void affine_maps_leave_the_interior_in_balance(void)
         u[r] = H[r % 2][0] * body->mesh->X[r / 2 * 2] +
                H[r % 2][1] * body->mesh->X[r / 2 * 2 + 1];
     for (int r = 0; r < 4; r++) F.m[r / 2][r % 2] += H[r / 2][r % 2];
-    body_assemble(body, 1.0, u, NULL, u, NO_TANGENT, q);
+    body_assemble(body, at_rest(NULL), u, NO_TANGENT, q);
     for (int a = 0; a < n / 2; a++) {
         const int i = a % (N + 1), j = a / (N + 1);
         if (i == 0 || i == N || j == 0 || j == N) continue;
@@ -375,7 +421,7 @@ static void projection_clamps_the_eigenvalues(void)
                        F.m[r % 2][1] * body->mesh->X[r / 2 * 2 + 1] -
                        body->mesh->X[r];
             ck_assert_int_eq(
-                body_assemble(body, 1.0, u, NULL, u, PROJECTED, q), OK);
+                body_assemble(body, at_rest(NULL), u, PROJECTED, q), OK);
             clamp(&body->material, F, C, &least);
             clamped += least < -1.0;
             for (int e = 0; e < body->mesh->n_triangle; e++) {
@@ -413,11 +459,11 @@ static void states_outside_are_reported(void)
         const enum status want = laws_of[l] == LOG ? INVERTED : OK;
         u[2 * (N + 2)] = 1.5 * h;
         ck_assert_int_eq(body_energy(body, u, &energy), want);
-        ck_assert_int_eq(body_assemble(body, 1.0, u, NULL, u, EXACT, q), want);
+        ck_assert_int_eq(body_assemble(body, at_rest(NULL), u, EXACT, q), want);
         ck_assert(body_min_J(body, u) < 0.0);
         u[2 * (N + 2)] = NAN;
         ck_assert_int_eq(body_energy(body, u, &energy), NONFINITE);
-        ck_assert_int_eq(body_assemble(body, 1.0, u, NULL, u, EXACT, q),
+        ck_assert_int_eq(body_assemble(body, at_rest(NULL), u, EXACT, q),
                          NONFINITE);
         free(u), free(q);
         free_body(body);
@@ -537,10 +583,10 @@ static void a_residual_is_measured_in_metres(void)
         const double dt = sqrt(rho), w[8] = {0.0};
         double f[8], q[8], u[8] = {0.0}, largest = 0.0;
         for (int r = 0; r < 8; r++) f[r] = 100.0 * entropy(r);
-        const struct step_report report =
-            step_solve(body, &none, dt, w, f, u);
+        const struct incremental Phi = {dt, w, f};
+        const struct step_report report = step_solve(body, &none, Phi, u);
         ck_assert_int_eq(report.status, MAX_ITERATIONS);
-        body_assemble(body, dt, w, f, u, EXACT, q);
+        body_assemble(body, Phi, u, EXACT, q);
         for (int r = 0; r < 8; r++) largest = fmax(largest, fabs(q[r]));
         for (int r = 1; r < 8; r++)
             ck_assert(matrix_get(body->K, r, r) < matrix_get(body->K, 0, 0));
@@ -557,10 +603,9 @@ static void let_go(struct body *body, double s, int line_search, double u[])
 {
     const struct step_control once = {1e-10, 1, FROM_LAST, 0, 0,
                                       line_search, NEVER};
-    const double w[SMALL] = {0.0};
     for (int r = 0; r < SMALL; r++)
         u[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
-    ck_assert_int_eq(step_solve(body, &once, 1.0, w, NULL, u).status,
+    ck_assert_int_eq(step_solve(body, &once, at_rest(NULL), u).status,
                      MAX_ITERATIONS);
 }
 
@@ -750,6 +795,7 @@ static const struct unit_law laws[] = {
     {"residual_and_tangent_are_derivatives",
      residual_and_tangent_are_derivatives},
     {"closed_form_equals_the_definition", closed_form_equals_the_definition},
+    {"at_rest_there_is_no_inertia", at_rest_there_is_no_inertia},
     {"rigid_motion_gives_no_force_and_forces_balance",
      rigid_motion_gives_no_force_and_forces_balance},
     {"affine_maps_leave_the_interior_in_balance",

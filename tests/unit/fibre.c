@@ -189,8 +189,8 @@ static void a_body_gets_energy_force_and_stiffness(void)
             body->add = NULL;
             if (with) fibres_attach(body, &fibres);
             ck_assert(body_energy(body, u, &energy[with]) == OK);
-            ck_assert(body_assemble(body, dt, u, NULL, u, kinds[c], q[with]) ==
-                      OK);
+            const struct incremental Phi = {dt, u, NULL};
+            ck_assert(body_assemble(body, Phi, u, kinds[c], q[with]) == OK);
             if (!with) K = matrix_copy(body->K);
         }
         sum_up(body, &fibres, u, kinds[c], &want);

@@ -49,8 +49,8 @@ static void play_all(struct live *live, struct pointers script, int k)
 static double residual(struct live *live, const double w[], const double u[])
 {
     double *q = allocate((size_t)live->n_dof, sizeof *q);
-    ck_assert_int_eq(body_assemble(live->body, live->dt, w, NULL, u, NO_TANGENT,
-                                   q), OK);
+    const struct incremental Phi = {live->dt, w, NULL};
+    ck_assert_int_eq(body_assemble(live->body, Phi, u, NO_TANGENT, q), OK);
     const double largest = body_max_free(live->body, q);
     free(q);
     return largest;
@@ -61,8 +61,8 @@ static double residual(struct live *live, const double w[], const double u[])
 static int solved(struct live *live, const double w[], const double u[])
 {
     double *q = allocate((size_t)live->n_dof, sizeof *q);
-    ck_assert_int_eq(body_assemble(live->body, live->dt, w, NULL, u, EXACT, q),
-                     OK);
+    const struct incremental Phi = {live->dt, w, NULL};
+    ck_assert_int_eq(body_assemble(live->body, Phi, u, EXACT, q), OK);
     const double scaled =
         body_max_free(live->body, q) / matrix_max_diagonal(live->body->K);
     free(q);
@@ -241,8 +241,8 @@ static void a_lift_solves_the_linear_problem(void)
     play_all(live, pointers_hard(), 9);
     memcpy(u0, live->now.u, (size_t)n * sizeof *u0);
     const struct step_control newton = step_method("demand+search");
-    ck_assert_int_eq(
-        step_solve(live->body, &newton, live->dt, w, NULL, u0).status, OK);
+    const struct incremental Phi = {live->dt, w, NULL};
+    ck_assert_int_eq(step_solve(live->body, &newton, Phi, u0).status, OK);
     for (int k = 0; k < 2; k++) {
         const double jump = 0.01 / (1 + k);
         for (int r = 0; r < n; r++)
@@ -250,8 +250,7 @@ static void a_lift_solves_the_linear_problem(void)
                    : live->mesh->X[r / 2 * 2] > -1.0
                        ? u0[r] + (r % 2 ? -0.3 : 1.0) * jump
                        : 0.0;
-        ck_assert_int_eq(live_lift(live->body, live->dt, w, u0, g, EXACT, u),
-                         OK);
+        ck_assert_int_eq(live_lift(live->body, Phi, u0, g, EXACT, u), OK);
         for (int r = 0; r < n; r++)
             if (live->body->equation[r] < 0) close_to(u[r], g[r], 1e-14);
         left[k] = residual(live, w, u);
@@ -261,10 +260,9 @@ static void a_lift_solves_the_linear_problem(void)
     for (int r = 0; r < n; r++) w[r] = u0[r] + 0.1 * sin(2.385 * r);
     for (int kind = EXACT; kind <= PROJECTED; kind++) {
         const enum tangent tangent = (enum tangent)kind;
-        body_assemble(live->body, live->dt, w, NULL, u0, tangent, q);
+        body_assemble(live->body, Phi, u0, tangent, q);
         ck_assert_int_eq(body_increment(live->body, live->body->K, q, g), OK);
-        ck_assert_int_eq(
-            live_lift(live->body, live->dt, w, u0, u0, tangent, u), OK);
+        ck_assert_int_eq(live_lift(live->body, Phi, u0, u0, tangent, u), OK);
         for (int r = 0; r < n; r++) close_to(u[r], u0[r] + g[r], 1e-9);
     }
     free(u);
@@ -277,16 +275,18 @@ static void a_lift_refuses_what_cannot_be(void)
     const int n = live->n_dof;
     double *u = allocate(3 * (size_t)n, sizeof *u), *w = u + n, *u0 = w + n;
     for (int r = 0; r < n; r++) w[r] = 5.0;
-    ck_assert_int_eq(live_lift(live->body, live->dt, w, u0, u0, EXACT, u),
+    struct incremental Phi = {live->dt, w, NULL};
+    ck_assert_int_eq(live_lift(live->body, Phi, u0, u0, EXACT, u),
                      NONFINITE); /* farther than LIVE_LEAP */
+    Phi.w = u0;
     for (int r = 0; r < n; r += 2) u0[r] = -1.5 * live->mesh->X[r];
-    ck_assert_int_eq(live_lift(live->body, live->dt, u0, u0, u0, EXACT, u),
+    ck_assert_int_eq(live_lift(live->body, Phi, u0, u0, EXACT, u),
                      INVERTED);
     live->body->material = material_notes(CUBIC);
     for (int r = 0; r < n; r++) u0[r] = 0.9 * sin(2.385 * r * r);
-    ck_assert_int_eq(live_lift(live->body, live->dt, u0, u0, u0, EXACT, u),
+    ck_assert_int_eq(live_lift(live->body, Phi, u0, u0, EXACT, u),
                      NOT_SPD);
-    ck_assert_int_ne(live_lift(live->body, live->dt, u0, u0, u0, PROJECTED, u),
+    ck_assert_int_ne(live_lift(live->body, Phi, u0, u0, PROJECTED, u),
                      NOT_SPD);
     free(u);
     live_free(live);
@@ -346,6 +346,7 @@ static void a_start_is_better_than_none(void)
         const int n = live->n_dof;
         double *u = allocate(4 * (size_t)n, sizeof *u), *lift = u + n;
         double *left = lift + n, *w = left + n;
+        const struct incremental Phi = {live->dt, w, NULL};
         for (int k = 0; k < 100; k++) {
             double to[2], energy;
             begin_frame(live, &hard.frame[k], to);
@@ -354,12 +355,12 @@ static void a_start_is_better_than_none(void)
                 left[r] = live->body->equation[r] < 0 ? live->g[r]
                                                       : live->now.u[r];
             }
-            if (live_lift(live->body, live->dt, w, live->now.u, live->g,
-                          PROJECTED, lift) != OK) continue;
+            if (live_lift(live->body, Phi, live->now.u, live->g, PROJECTED,
+                          lift) != OK) continue;
             for (int far = 1; far <= 16; far *= 4) { /* too far, or not */
                 for (int r = 0; r < n; r++)
                     u[r] = left[r] + far * (lift[r] - left[r]);
-                const enum status status = live_start(live, w, live->g, u);
+                const enum status status = live_start(live, Phi, live->g, u);
                 if (body_energy(live->body, u, &energy) != OK) {
                     ck_assert_int_eq(status, INVERTED);
                     undefined++;
@@ -391,7 +392,8 @@ static void a_start_is_better_than_none(void)
         u[r] = 0.5 * w[r];
     }
     ck_assert(body_energy(live->body, u, &energy) == OK && energy > 0.0);
-    ck_assert_int_eq(live_start(live, w, g, u), OK);
+    const struct incremental Phi = {live->dt, w, NULL};
+    ck_assert_int_eq(live_start(live, Phi, g, u), OK);
     live_free(live);
 }
 
@@ -446,11 +448,11 @@ static void downhill_goes_down(void)
     ck_assert(whole > 0 && back > 0 && stopped > 0 && unfinished > 0);
 }
 
-static enum status no_lift(struct body *body, double dt, const double w[],
+static enum status no_lift(struct body *body, struct incremental Phi,
                            const double u0[], const double g[],
                            enum tangent tangent, double u[])
 {
-    (void)body, (void)dt, (void)w, (void)u0, (void)g, (void)tangent, (void)u;
+    (void)body, (void)Phi, (void)u0, (void)g, (void)tangent, (void)u;
     return STALLED;
 }
 

@@ -309,7 +309,7 @@ static void a_plain_band_adds_in_the_textbooks_order(void)
                 ck_assert_double_eq(matrix_get(copy, i, j), L[i][j]);
         }
         ck_assert_uint_eq(matrix_bytes(copy), 8 * n * ((size_t)p + 1));
-        ck_assert_str_eq(storage_name(copy->storage), "plain");
+        ck_assert_int_eq(copy->storage, PLAIN);
         matrix_free(A), matrix_free(copy);
     }
 }

@@ -236,19 +236,19 @@ static void a_search_goes_down_the_line(void)
     double *q = allocate(2 * (size_t)scene->n_dof, sizeof *q), before, after;
     double *du = q + scene->n_dof;
     scene_press(scene, 0.02, 1e-3);
-    body_assemble(scene->body, 1.0, scene->u, NULL, scene->u, PROJECTED, q);
+    body_assemble(scene->body, at_rest(NULL), scene->u, PROJECTED, q);
     ck_assert_int_eq(body_increment(scene->body, scene->body->K, q, du), OK);
     for (int r = 0; r < scene->n_dof; r++) du[r] *= 10.0;
     body_energy(scene->body, scene->u, &before);
-    ck_assert_int_eq(step_search(scene->body, 1.0, scene->u, NULL, q, du,
+    ck_assert_int_eq(step_search(scene->body, at_rest(NULL), q, du,
                                  scene->u), OK);
     body_energy(scene->body, scene->u, &after);
     ck_assert(after < before - 1e-6);
-    body_assemble(scene->body, 1.0, scene->u, NULL, scene->u, NO_TANGENT, q);
+    body_assemble(scene->body, at_rest(NULL), scene->u, NO_TANGENT, q);
     for (int r = 0; r < scene->n_dof; r++) du[r] = 1e-3 * q[r];
     for (int a = 0; a < scene->mesh->n_vertex; a++)
         if (scene->held[a]) du[2 * a] = du[2 * a + 1] = 0.0;
-    ck_assert_int_eq(step_search(scene->body, 1.0, scene->u, NULL, q, du,
+    ck_assert_int_eq(step_search(scene->body, at_rest(NULL), q, du,
                                  scene->u), STALLED);
     free(q);
     scene_free(scene);
@@ -267,15 +267,16 @@ static void converged_is_not_stable(void)
         struct scene *scene = column(rows[k].e);
         double energy;
         step_boundary(scene->body, scene->g, 1, scene->u);
-        const struct step_report report = step_solve(
-            scene->body, &plain, 1.0, scene->u, NULL, scene->u);
+        const struct step_report report =
+            step_solve(scene->body, &plain, at_rest(NULL), scene->u);
         ck_assert_int_eq(report.status, OK);
         body_energy(scene->body, scene->u, &energy);
         close_to(energy, rows[k].energy, 1e-12);
-        ck_assert_int_eq(step_certify(scene->body, 1.0, scene->u),
+        ck_assert_int_eq(step_certify(scene->body, at_rest(NULL), scene->u),
                          rows[k].status);
         scene->u[scene->n_dof / 2] = NAN;
-        ck_assert_int_eq(step_certify(scene->body, 1.0, scene->u), NONFINITE);
+        ck_assert_int_eq(step_certify(scene->body, at_rest(NULL), scene->u),
+                         NONFINITE);
         scene_free(scene);
     }
     ck_assert_str_eq(status_name(SADDLE), "SADDLE");

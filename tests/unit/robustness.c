@@ -170,7 +170,7 @@ static void first_increment_is_linear_elasticity(void)
                 set.rho = 0.0;
                 set.force = 1.0;
                 struct scene *s = scene_alloc(&set);
-                step_solve(s->body, &one, 1.0, s->v, s->f, s->u);
+                step_solve(s->body, &one, at_rest(s->f), s->u);
                 close_to(s->u[2 * (n / 2 * (n + 1) + n) + 1],
                          oracle_locking[k].u[i], 1e-9);
                 scene_free(s);
@@ -194,14 +194,14 @@ static struct rest unscramble(const char *method, enum law law,
     struct scene *s = scene_alloc(&set);
     scene_scatter(s, seed, 4.0 * 0.5);
     const struct step_report report =
-        step_solve(s->body, &control, 1.0, s->v, NULL, s->u);
+        step_solve(s->body, &control, at_rest(NULL), s->u);
     struct rest end = {.status = report.status,
                        .iterations = report.iterations};
     for (int r = 0; r < s->n_dof; r++) end.size = fmax(end.size, fabs(s->u[r]));
     end.min_J = body_min_J(s->body, s->u);
     end.spd =
         report.status == OK &&
-        body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g) == OK &&
+        body_assemble(s->body, at_rest(NULL), s->u, EXACT, s->g) == OK &&
         matrix_factor(s->body->K) == OK;
     scene_free(s);
     return end;
@@ -275,10 +275,11 @@ static void a_report_counts_its_systems(void)
         const struct scene_setting set = scene_notes(RIGID, CUBIC, 4);
         struct scene *s = scene_alloc(&set);
         scene_scatter(s, seed, 0.1 * seed);
-        body_assemble(s->body, 1.0, s->v, NULL, s->u, EXACT, s->g);
+        const struct incremental Phi = {1.0, s->v, NULL};
+        body_assemble(s->body, Phi, s->u, EXACT, s->g);
         const int due = matrix_factor(s->body->K) != OK;
-        ck_assert_int_eq(
-            step_solve(s->body, &once, 1.0, s->v, NULL, s->u).indefinite, due);
+        ck_assert_int_eq(step_solve(s->body, &once, Phi, s->u).indefinite,
+                         due);
         indefinite += due;
         scene_free(s);
     }

@@ -147,7 +147,8 @@ static void system_is_that_of_a_step(void)
         ck_assert(b[2 * v + 1] == s->b[2 * s->vertex[v] + 1]);
     ck_assert_int_eq(body_increment(t->body, t->body->K, du, next), OK);
     control.max_iterations = 1;
-    step_solve(t->body, &control, t->set.dt, t->u, NULL, one);
+    const struct incremental Phi = {t->set.dt, t->u, NULL};
+    step_solve(t->body, &control, Phi, one);
     for (int r = 0; r < t->n_dof; r++)
         close_to(one[r], t->u[r] + next[r], 1e-14);
     ck_assert_double_ge(body_max_free(t->body, next), 1e-3);
@@ -168,8 +169,8 @@ static void a_pressed_body_has_the_K_of_its_place(void)
             u[r] = r % 2 ? 0.0 : -0.5 * t->mesh->X[r];
         system_press(s, 0.5);
         struct csr *K = system_matrix(s, NULL);
-        ck_assert_int_eq(body_assemble(t->body, t->set.dt, u, NULL, u, EXACT,
-                                       q), OK);
+        const struct incremental Phi = {t->set.dt, u, NULL};
+        ck_assert_int_eq(body_assemble(t->body, Phi, u, EXACT, q), OK);
         struct csr *want = system_matrix(s, NULL);
         for (int e = 0; e < K->start[K->n]; e++)
             ck_assert(K->value[e] == want->value[e]);

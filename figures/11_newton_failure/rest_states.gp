@@ -1,0 +1,32 @@
+# rest_states.gp - where Newton's method without load ends, over its start and
+# over ν: the cubic law has a second state of rest for a small ν.
+# Reads   data  tables critical, rest_map
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 480,430
+set output out
+stats data index "critical" using "cubic_tangent" name "LIMIT" nooutput
+stats data index "critical" using "cubic_rest" name "REST" nooutput
+set key above left vertical maxrows 4 reverse Left samplen 2
+set xlabel "start F_0, no load"
+set ylabel "Poisson's ratio ν"
+set xrange [-1.05:6.05]
+set yrange [-0.0025:0.0975]
+set xtics 2
+set arrow 1 from -1.05, LIMIT_max to 6.05, LIMIT_max nohead ls 8 front
+set arrow 2 from -1.05, REST_max to 6.05, REST_max nohead ls 8 front
+set label 1 sprintf("limit load below %.4f", LIMIT_max) \
+    at -0.9, LIMIT_max + 0.0035 front
+set label 2 sprintf("two rest states below %.4f", REST_max) \
+    at -0.9, REST_max + 0.0035 front
+set style fill solid noborder
+unset grid
+plot data index "rest_map" using (strcol("reason") eq "OK" ? \
+         column("start") : NaN):"nu":(0.05):(0.0025) \
+         with boxxyerror fc rgb "#CFE3F0" title "ends at F = 1", \
+     data index "rest_map" using (strcol("reason") eq "OK" && \
+         column("F") > 1.01 ? column("start") : NaN):"nu":(0.05):(0.0025) \
+         with boxxyerror fc rgb "#D55E00" title "at the other rest state", \
+     data index "rest_map" using (strcol("reason") eq "NONFINITE" ? \
+         column("start") : NaN):"nu" with points pt 2 ps 0.9 lw 2 \
+         lc rgb "black" title "nowhere: P' = 0"
