@@ -23,7 +23,7 @@ $(T)/$1/libworkbook.a: $(T)/$1/clock.o $(WITH_VEC:%=$(T)/$1/%) \
         $(addprefix $2/,$(filter-out %/clock.o $(WITH_VEC),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
 $(PARTS:$(BUILD)/%=$(T)/$1/%): $(T)/$1/%: $2/%.o $(T)/$1/libworkbook.a
-	$(Q)mkdir -p $$(@D) && $$(CC) $$(CFLAGS) $$^ -o $$@ $$(LDFLAGS) $(GSL_LIBS)
+	$(Q)mkdir -p $$(@D) && $$(CC) $$(CFLAGS) $$^ -o $$@ $$(LIBS)
 $(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $(T)/$1/solutions/%
 	$(call say,run,$1 $$*)
 	$(Q)$$(SAME_RUN)

@@ -30,12 +30,11 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them.  A judge is run once, and compiled as quickly as can
-# be, but in lessons that compute for long; its search for a known mistake runs
-# their programs often.  Where an entry does not fit the solution any more, there
-# is none, and lint says why.
+# There are many of them, compiled as quickly as can be, but in lessons that
+# compute for long.  Where an entry does not fit the solution any more, there is
+# none, and lint says why.
 LONG := 15_% 17_% 18_% 20_% 22_% 23_% 24_%
-QUICK = $(COMPILE) -O1 -g0 -w
+quick = $(if $(filter $(LONG),$1),-O1,-O0) -g0 -w
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
@@ -45,11 +44,11 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$(PART) && \
 	    $$(MOVED) || rm -f $$@ $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)[ ! -f $$< ] || { $$(QUICK) $$< $$(PLACED); }
+	$(Q)[ ! -f $$< ] || { $$(COMPILE) $(call quick,$1) $$< $$(PLACED); }
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
 	$(Q)[ ! -f $$< ] || { $$(call build_judge,$$<,$(patsubst \
-	    %/,%,$(dir $1)),$(if $(filter $(LONG),$1),-O1,-O0) -g0 -w); }
+	    %/,%,$(dir $1)),$(call quick,$1)); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson and their judges, or those alone that the check
@@ -147,7 +146,7 @@ UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
 CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
-UNIT_LIBS  = $(LIB) $(LDFLAGS) $(CHECK_LIBS) $(GSL_LIBS)
+UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
 $(BUILD)/unit/%.o: tests/unit/%.c Makefile | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
@@ -169,7 +168,7 @@ $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
         $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
-	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O1 -g0 -w \
+	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O0 -g0 -w \
 	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE)) \
 	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \

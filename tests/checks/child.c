@@ -1,8 +1,5 @@
 /* child.c - see child.h. */
-#if defined(__linux__)
-#define _DEFAULT_SOURCE /* syscall */
-#endif
-#include "child.h"
+#include "confine.h"
 
 #include "output.h" /* quit */
 
@@ -10,9 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -22,8 +17,6 @@
 #if defined(__linux__)
 #include <sched.h>
 #include <sys/prctl.h>
-#include <sys/shm.h>
-#include <sys/syscall.h>
 #endif
 
 static struct {
@@ -47,89 +40,6 @@ void child_am_inside(void) { running.inside = 1; }
 void child_hand_over(int descriptor) { running.handed = descriptor; }
 
 /* ---- in the child -------------------------------------------------------- */
-
-/* No more than this; a `hard` limit is for a program that ignores the first.
- * What is limited more strictly already stays so. */
-static void limit(int resource, rlim_t value, rlim_t hard)
-{
-    struct rlimit rule;
-    if (getrlimit(resource, &rule) < 0) return;
-    if (rule.rlim_cur == RLIM_INFINITY || rule.rlim_cur > value)
-        rule.rlim_cur = value;
-    if (rule.rlim_max == RLIM_INFINITY || rule.rlim_max > hard)
-        rule.rlim_max = hard;
-    setrlimit(resource, &rule);
-}
-
-static void set_limits(void)
-{
-    const rlim_t output = (rlim_t)MEGABYTES_OUTPUT << 20;
-    limit(RLIMIT_CORE, 0, 0);
-    limit(RLIMIT_FSIZE, output, output);
-    limit(RLIMIT_CPU, SECONDS_COMPUTING, SECONDS_COMPUTING + 1);
-#if !defined(__APPLE__)
-    const char *sanitized = getenv("SANITIZED"); /* takes all addresses */
-    const rlim_t memory = (rlim_t)MEGABYTES_MEMORY << 20;
-    if (!sanitized || !*sanitized) limit(RLIMIT_AS, memory, memory);
-#endif
-#if defined(__linux__)
-    /* Some more than all that there are now, whose ever they are, so that too
-     * many are seen; root has no limit, and kill_all() is all there is. */
-    unsigned long all = 0;
-    FILE *file = fopen("/proc/loadavg", "r");
-    if (file && fscanf(file, "%*f %*f %*f %*u/%lu", &all) == 1)
-        limit(RLIMIT_NPROC, all + 2 * MOST_PROCESSES,
-              all + 2 * MOST_PROCESSES);
-    if (file) fclose(file);
-#endif
-}
-
-/*
- * Change files below `folder` only, and send signals to processes below this
- * one only.  Landlock does that from Linux 5.13 on, signals from 6.12 on; a
- * system without it refuses the first call, and all is as before.  The C
- * library has no names for this yet: linux/landlock.h.
- */
-#if defined(SYS_landlock_create_ruleset) && !defined(WITHOUT_LANDLOCK)
-static void allow(int rules, const char *path, uint64_t access)
-{
-    struct {
-        uint64_t access;
-        int32_t file;
-    } __attribute__((packed)) beneath = {access, open(path, O_RDONLY)};
-    enum { PATH_BENEATH = 1 };
-    if (beneath.file < 0) return;
-    syscall(SYS_landlock_add_rule, rules, PATH_BENEATH, &beneath, 0);
-    close(beneath.file);
-}
-
-static void confine(const char *folder)
-{
-    const uint64_t write_file = 1 << 1, remove_dir = 1 << 4,
-                   remove_file = 1 << 5, make_reg = 1 << 8,
-                   make_others = 0x1ec0, truncate = 1 << 14;
-    struct {
-        uint64_t files, network, scopes;
-    } handled = {write_file | remove_dir | remove_file | make_reg | make_others,
-                 0, 0};
-    const long version =
-        syscall(SYS_landlock_create_ruleset, NULL, 0, 1 /* its version */);
-    if (version < 1) return;
-    if (version >= 3) handled.files |= truncate;
-    if (version >= 6) handled.scopes = 1 << 1; /* signals */
-    const int rules = (int)syscall(SYS_landlock_create_ruleset, &handled,
-                                   sizeof handled, 0);
-    if (rules < 0) return;
-    allow(rules, folder,
-          handled.files & (write_file | remove_file | make_reg | truncate));
-    allow(rules, "/dev/null", handled.files & (write_file | truncate));
-    prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-    syscall(SYS_landlock_restrict_self, rules, 0);
-    close(rules);
-}
-#else
-static void confine(const char *folder) { (void)folder; }
-#endif
 
 /* A new file, whatever an earlier child left under that name. */
 static void attach(int fd, const char *path, int flags)
@@ -165,10 +75,10 @@ _Noreturn static void be_the_child(void (*body)(void *), void *context,
     const int handed = running.inside ? 0 : running.handed;
     if (handed && dup2(handed, CHILD_DESCRIPTOR) < 0) _exit(2);
     for (int fd = handed ? CHILD_DESCRIPTOR + 1 : 3; fd < 256; fd++) close(fd);
-    set_limits();
+    child_set_limits();
     if (!running.inside && running.folder) {
         if (chdir(running.folder) < 0) _exit(2);
-        confine(running.folder);
+        child_confine(running.folder);
     }
     running.inside = 1;
     body(context);
@@ -222,91 +132,6 @@ static double wall(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* What can be seen of the processes below this one. */
-struct sight {
-    int processes, stopped, computing; /* or could, if the machine were free */
-    double seconds; /* CPU time, that of their ended children too */
-};
-
-#if defined(__linux__)
-struct process {
-    int id, parent;
-    char state;
-    unsigned long ticks;
-};
-
-/* All processes of the system, or the first ones of very many; their number,
- * or -1 where they cannot be seen. */
-static int all_processes(int most, struct process process[])
-{
-    int n = 0;
-    DIR *all = opendir("/proc");
-    if (!all) return -1;
-    for (const struct dirent *d; n < most && (d = readdir(all));) {
-        char path[300], line[512];
-        unsigned long t[4];
-        struct process *p = &process[n];
-        if (d->d_name[0] < '0' || d->d_name[0] > '9') continue;
-        snprintf(path, sizeof path, "/proc/%s/stat", d->d_name);
-        FILE *file = fopen(path, "r");
-        if (!file) continue;
-        const char *read = fgets(line, sizeof line, file);
-        fclose(file);
-        const char *name_end = read ? strrchr(line, ')') : NULL;
-        if (!name_end ||
-            sscanf(name_end + 1, " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u "
-                                 "%lu %lu %lu %lu", &p->state, &p->parent,
-                   &t[0], &t[1], &t[2], &t[3]) != 6)
-            continue;
-        p->id = atoi(d->d_name);
-        p->ticks = t[0] + t[1] + t[2] + t[3];
-        n++;
-    }
-    closedir(all);
-    return n;
-}
-#endif
-
-/* Look at all that descends from this process: what loses its parent is handed
- * to us (on Linux), whatever its session is.  Send it a signal, if any. */
-static int look_around(int signal, struct sight *sight)
-{
-    const struct sight nothing = {0, 0, 0, 0.0};
-    *sight = nothing;
-#if defined(__linux__)
-    enum { MOST = 1 << 15, MOST_ID = 1 << 22 };
-    static struct process process[MOST];
-    static char ours[MOST_ID];
-    const int me = (int)getpid(), n = all_processes(MOST, process);
-    unsigned long ticks = 0;
-    if (n < 0) return 0;
-    ours[me] = 1;
-    for (int more = 1; more;) { /* most parents have the smaller number */
-        more = 0;
-        for (int k = 0; k < n; k++)
-            if (!ours[process[k].id] && ours[process[k].parent])
-                more = ours[process[k].id] = 1;
-    }
-    for (int k = 0; k < n; k++) {
-        const struct process *p = &process[k];
-        if (p->id == me || !ours[p->id]) continue;
-        ours[p->id] = 0;
-        if (p->state == 'Z' && p->parent == me) continue; /* ended */
-        sight->processes++;
-        sight->stopped += strchr("TtZX", p->state) != NULL;
-        sight->computing += p->state == 'R' || p->state == 'D';
-        ticks += p->ticks;
-        if (signal) kill((pid_t)p->id, signal);
-    }
-    ours[me] = 0;
-    sight->seconds = (double)ticks / (double)sysconf(_SC_CLK_TCK);
-    return 1;
-#else
-    (void)signal;
-    return 0;
-#endif
-}
-
 /* Go before all that a child may start, or no more, where the system allows it:
  * it is root's means, whose children are limited in no other way. */
 static void hurry(int first)
@@ -335,32 +160,10 @@ static void kill_all(pid_t child)
         pid_t ended;
         while ((ended = waitpid(-1, NULL, WNOHANG)) > 0) continue;
         if (ended < 0) break; /* there is none */
-        if (!look_around(stopped ? SIGKILL : SIGSTOP, &sight)) break;
+        if (!child_look_around(stopped ? SIGKILL : SIGSTOP, &sight)) break;
         if (stopped || sight.processes > sight.stopped) doze(500);
         stopped |= sight.processes == sight.stopped || round > STOPPING;
     }
-}
-
-/* Remove the System V shared memory that children have left: made since they
- * began, by a process that is no more, and attached to none. */
-static void remove_shared_memory(void)
-{
-#if defined(__linux__)
-    FILE *file = fopen("/proc/sysvipc/shm", "r");
-    char line[512];
-    int id, maker, uses;
-    unsigned long user;
-    long long made;
-    while (file && fgets(line, sizeof line, file)) {
-        if (sscanf(line, "%*d %d %*o %*u %d %*d %d %*u %*u %lu %*u %*u %*u "
-                         "%lld", &id, &maker, &uses, &user, &made) == 5 &&
-            user == (unsigned long)getuid() && uses == 0 &&
-            made >= (long long)running.began &&
-            kill((pid_t)maker, 0) < 0 && errno == ESRCH)
-            shmctl(id, IPC_RMID, NULL);
-    }
-    if (file) fclose(file);
-#endif
 }
 
 /* The judge is to end: the children first, in good order if they can. */
@@ -370,7 +173,7 @@ static void stop_if_told(pid_t child)
     if (!running.signal || running.inside) return;
     kill(-child, SIGTERM);
     for (int round = 0; round < 100; round++) {
-        if (!look_around(0, &sight) || sight.processes == 0) break;
+        if (!child_look_around(0, &sight) || sight.processes == 0) break;
         doze(10000);
     }
     kill_all(child);
@@ -393,7 +196,7 @@ static int count_files(const char *folder)
 static enum limit limit_seen(double interval, double *seconds)
 {
     struct sight sight;
-    if (!look_around(0, &sight)) return NO_LIMIT;
+    if (!child_look_around(0, &sight)) return NO_LIMIT;
     /* a thread may compute while its process is said to sleep */
     if (sight.computing == 0 && sight.seconds == *seconds)
         running.idle += interval;
@@ -482,7 +285,7 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     kill_all(child);
     if (!running.inside) {
         hurry(0);
-        remove_shared_memory();
+        child_remove_shared_memory(running.began);
     }
     if (read(report[0], &reported, sizeof reported) == sizeof reported &&
         limit == NO_LIMIT)

@@ -2,13 +2,27 @@
  * judge.c - laws of tests/checks/judge.h and output.h: what the judge reads
  * from a program's output, and what it takes for a difference.
  */
+#include "../checks/confine.c"
+
 #include "../checks/child.c"
+
+#include "../checks/sight.c"
 
 #include "../checks/output.c"
 
 #include "../checks/guard.c"
 
 #include "../checks/predict.c"
+
+#include "../checks/claims.c"
+
+#include "../checks/tables.c"
+
+#include "../checks/compare.c"
+
+#include "../checks/verdict.c"
+
+#include "../checks/diagnose.c"
 
 #include "../checks/judge.c"
 

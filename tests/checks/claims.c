@@ -1,0 +1,136 @@
+/* claims.c - inside a check: what it may say and run; see judge.h. */
+#include "judging.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+const char *work_file(const char *name, char path[PATH_SIZE])
+{
+    snprintf(path, PATH_SIZE, "%s/%s", judging.work, name);
+    return path;
+}
+
+void wrong(const char *format, ...)
+{
+    char path[PATH_SIZE];
+    va_list arguments;
+    FILE *file = fopen(work_file("judge.message", path), "w");
+    if (!file) quit("cannot write %s", path);
+    va_start(arguments, format);
+    vfprintf(file, format, arguments);
+    va_end(arguments);
+    fclose(file);
+    _exit(1);
+}
+
+void expect_close(double got, double want, double tolerance, double scale,
+                  const char *what, ...)
+{
+    char text[512];
+    va_list arguments;
+    va_start(arguments, what);
+    vsnprintf(text, sizeof text, what, arguments);
+    va_end(arguments);
+    if (!isfinite(got)) wrong(NOT_FINITE "%s is %g", text, got);
+    if (!(fabs(got - want) <= tolerance * scale))
+        wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text,
+              got, want, fabs(got - want), tolerance * scale);
+}
+
+/* Stop this check if the program stopped as none should: at a slot that is
+ * not written, or by a signal. */
+static void pass_on(const struct output *output)
+{
+    if (output->status != 3 && output->status >= 0) return;
+    fprintf(stderr, "%s\n", output->stderr_);
+    fflush(NULL);
+    if (output->status == 3) _exit(3);
+    const int number = output->limit == LIMIT_STOPPED ? SIGSTOP
+                       : output->limit == LIMIT_CPU   ? SIGXCPU
+                                                      : -output->status;
+    if (number != SIGSTOP) signal(number, SIG_DFL);
+    raise(number);
+    pause(); /* by SIGSTOP: until the judge ends it */
+}
+
+static void expect_finite(const struct output *output)
+{
+    for (int t = 0; t < output->n_table; t++) {
+        const struct named_table *table = &output->table[t];
+        for (int r = 0; r < table->n_row; r++)
+            for (int c = 0; c < table->n_column; c++) {
+                const double value = number_at(table, c, r);
+                if (!word_at(table, c, r) && !isfinite(value))
+                    wrong(NOT_FINITE "table `%s`, row %d, column `%s` is %g",
+                          table->name, r + 1, table->column[c], value);
+            }
+    }
+}
+
+struct output *output_of_subject(const char *options)
+{
+    char with_mode[1024];
+    if (!judging.subject) return output_of(NULL, options, judging.work);
+    snprintf(with_mode, sizeof with_mode, "--run %s", options);
+    return output_of(judging.subject, with_mode, judging.work);
+}
+
+struct output *run(const char *options)
+{
+    struct output *output = output_of_subject(options);
+    const char *space = *options ? " " : "";
+    pass_on(output);
+    if (output->status != 0)
+        wrong("the program%s%s stopped with exit status %d: %s", space, options,
+              output->status,
+              *output->stderr_ ? output->stderr_ : "(no message)");
+    if (*output->error) wrong(UNREADABLE "%s", output->error);
+    if (output->n_table == 0)
+        wrong("the program%s%s ended with exit status 0 and printed no table",
+              space, options);
+    expect_finite(output);
+    return output;
+}
+
+/* Run a program that must end with this status and say `text`. */
+static struct output *run_failing(const char *options, int status,
+                                  const char *text)
+{
+    struct output *output = output_of_subject(options);
+    pass_on(output);
+    expect(output->status == status,
+           "with %s the program must stop with exit status %d, not %d", options,
+           status, output->status);
+    expect(strstr(output->stderr_, text),
+           "with %s the message must say %s; it says: %s", options, text,
+           output->stderr_);
+    if (*output->error)
+        wrong("with %s the output cannot be read: %s", options, output->error);
+    return output;
+}
+
+struct output *run_unsolved(const char *options, const char *text)
+{
+    return run_failing(options, 1, text);
+}
+
+void expect_refusal(const char *options, int status, const char *text)
+{
+    struct output *output = run_failing(options, status, text);
+    expect(status == 1 || !output->printed,
+           "with %s the program prints something and then fails", options);
+    output_free(output);
+}
+
+void measured(const char *key, double value)
+{
+    char path[PATH_SIZE];
+    FILE *file = fopen(work_file("judge.measured", path), "a");
+    if (!file) quit("cannot write %s", path);
+    fprintf(file, "%s %.17g\n", key, value);
+    fclose(file);
+}

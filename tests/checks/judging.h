@@ -1,0 +1,87 @@
+/*
+ * judging.h - what the parts of the judge know of each other; checks see only
+ * judge.h.  claims.c and tables.c are what a check may call; compare.c adds the
+ * last check; verdict.c runs one in a child (output.h, child.h); diagnose.c
+ * looks for known mistakes; judge.c runs all and prints.  Each calls those
+ * named before it only.
+ */
+#ifndef TESTS_CHECKS_JUDGING_H
+#define TESTS_CHECKS_JUDGING_H
+
+#include "judge.h"
+#include "output.h"
+
+enum { MAX_RUNS = 16 };
+
+/* Paths are absolute: a child works in the folder `work`. */
+struct judging {
+    const struct lesson *lesson;
+    const char *file;      /* what is judged, for the heading */
+    const char *subject;   /* the judge with that program compiled in; NULL:
+                            * this one */
+    const char *reference; /* program of the reference solution */
+    const char *mistakes;  /* folder with the known mistakes' programs */
+    const char *prepare;   /* command that builds those that CAUGHT_BY= names
+                            * the check of, and judges of the JUDGED= */
+    const char *result;    /* file for "verdict check slot mistakes" */
+    char work[PATH_SIZE - 300]; /* folder for captured output */
+};
+extern struct judging judging;
+
+/* How the messages begin that are no slot's, or a verdict of their own. */
+#define UNREADABLE "the output cannot be read: "
+#define NOT_FINITE "not finite: "
+
+enum verdict { PASS, WRONG, UNFINISHED, CRASHED, TIMEOUT, NONFINITE_, NOT_RUN };
+extern const char *const verdict_name[];
+
+/* What a check has found. */
+struct finding {
+    enum verdict verdict;
+    char text[1100];
+    char slot[16];
+    int costly; /* it took all its time or output: do not run the others */
+};
+
+/* ---- claims.c */
+
+/* A file in the folder of the judge. */
+const char *work_file(const char *name, char path[PATH_SIZE]);
+
+/* The output of the program under test. */
+struct output *output_of_subject(const char *options);
+
+/* ---- compare.c */
+
+/* Whether some table of `want` is missing or different in `got`; then `text`
+ * says where. */
+int tables_differ(const struct output *got, const struct output *want,
+                  size_t size, char text[]);
+
+/* The check that every lesson ends with. */
+void check_same_numbers_as_reference(void);
+
+/* ---- verdict.c */
+
+/* The claim of this index: those of the lesson, the one that every lesson ends
+ * with, and behind it what was predicted. */
+struct claim claim_at(const struct lesson *lesson, int index);
+
+/* In the child: the check.  That it came to its end is said by a number, which
+ * the judge hands over and gets back. */
+void run_claim(const struct claim *claim);
+
+/* Run the claim of this index in a child of its own. */
+void examine(int index, struct finding *finding);
+
+/* ---- diagnose.c */
+
+/* Print text, wrapped, each line with this indent. */
+void print_wrapped(const char *indent, const char *text);
+
+/* Say which known mistakes give the numbers of the program under test: its
+ * output, and what it is told by the first check that it fails, the one of this
+ * index.  Their names, with commas between, go to `found`. */
+void diagnose(int index, const struct finding *bad, size_t size, char found[]);
+
+#endif

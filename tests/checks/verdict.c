@@ -1,0 +1,172 @@
+/* verdict.c - a check in a child of its own, and how it ended. */
+#include "judging.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+const char *const verdict_name[] = {
+    "ok", "WRONG", "UNFINISHED", "CRASHED", "TIMEOUT", "NONFINITE", "not run"};
+
+/* The check's own message, if it wrote one. */
+static int read_message(size_t size, char text[])
+{
+    char path[PATH_SIZE];
+    FILE *file = open_regular(work_file("judge.message", path));
+    if (!file) return 0;
+    text[fread(text, 1, size - 1, file)] = '\0';
+    fclose(file);
+    return 1;
+}
+
+static int starts(const char *text, const char *with)
+{
+    return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* Why a check that wrote no message did not come to its end. */
+static void explain_end(struct ending ending, struct finding *finding)
+{
+    char path[PATH_SIZE], line[512], slot[16];
+    char *text = finding->text;
+    const size_t size = sizeof finding->text;
+
+    last_line(work_file("judge.stderr", path), sizeof line, line);
+    const char *colon = *line ? ": " : "";
+    finding->verdict = CRASHED;
+    finding->costly = ending.limit != NO_LIMIT;
+    if (ending.limit == LIMIT_CPU || ending.limit == LIMIT_IDLE)
+        finding->verdict = TIMEOUT;
+    if (ending.limit == LIMIT_CPU) {
+        snprintf(text, size,
+                 "no end after %d seconds of computing: is there a loop that "
+                 "cannot stop, or a method that is much too slow?",
+                 SECONDS_COMPUTING);
+    } else if (ending.limit == LIMIT_IDLE) {
+        snprintf(text, size,
+                 "no end, and nothing computes: does the program wait for "
+                 "something?");
+    } else if (ending.limit == LIMIT_OUTPUT) {
+        snprintf(text, size,
+                 "more than %d MB of output: is there a loop that prints "
+                 "without end?", MEGABYTES_OUTPUT);
+    } else if (ending.limit == LIMIT_FILES) {
+        snprintf(text, size, "the program has written more than %d files",
+                 MOST_FILES);
+    } else if (ending.limit == LIMIT_PROCESSES) {
+        snprintf(text, size, "the program has started more than %d processes",
+                 MOST_PROCESSES);
+    } else if (ending.limit == LIMIT_STOPPED) {
+        snprintf(text, size, "the program stopped itself by a signal");
+    } else if (ending.status == -SIGILL || ending.status == -SIGTRAP) {
+        /* that is what BOUNDS of the Makefile makes of it */
+        snprintf(text, size, "an index beyond the end of an array, or below 0: "
+                 "signal %d", -ending.status);
+    } else if (ending.status < 0) {
+        snprintf(text, size, "signal %d (%s)%s%s", -ending.status,
+                 strsignal(-ending.status), colon, line);
+    } else if (ending.status == 3 &&
+               sscanf(line, "unfinished: slot %15s", slot) == 1) {
+        finding->verdict = UNFINISHED;
+        snprintf(finding->slot, sizeof finding->slot, "%s", slot);
+        snprintf(text, size, "slot %s is not written yet", slot);
+    } else if (ending.status == 2 && starts(line, "judge: ")) {
+        quit("%s", line + 7);
+    } else {
+        snprintf(text, size,
+                 "the program left in the middle of its work, with exit(%d)"
+                 "%s%s", ending.status, colon, line);
+    }
+}
+
+void run_claim(const struct claim *claim)
+{
+    uint64_t number;
+    if (read(CHILD_DESCRIPTOR, &number, sizeof number) != sizeof number)
+        quit("no number for the end of a check");
+    claim->check();
+    guards_hold();
+    if (write(CHILD_DESCRIPTOR, &number, sizeof number) < 0) _exit(2);
+}
+
+/* A number that nobody guesses. */
+static uint64_t any_number(void)
+{
+    uint64_t number = (uint64_t)time(NULL) ^ (uint64_t)getpid() << 32;
+    FILE *file = fopen("/dev/urandom", "r");
+    if (file && fread(&number, sizeof number, 1, file) != 1)
+        quit("cannot read /dev/urandom");
+    if (file) fclose(file);
+    return number;
+}
+
+struct claim claim_at(const struct lesson *lesson, int i)
+{
+    if (i < lesson->n_claim) return lesson->claims[i];
+    if (i > lesson->n_claim)
+        return (struct claim){"predictions", lesson->predicted, NULL};
+    return (struct claim){"same_numbers_as_reference",
+                          check_same_numbers_as_reference, NULL};
+}
+
+/* In the child: run the claim of this index, in the subject if there is one.
+ * The comparison with the reference is the judge's own: the subject does no
+ * more there than run the program. */
+static void begin_claim(void *context)
+{
+    const int *index = context;
+    const struct claim claim = claim_at(judging.lesson, *index);
+    char number[16];
+    snprintf(number, sizeof number, "%d", *index);
+    if (!judging.subject || *index == judging.lesson->n_claim) {
+        run_claim(&claim);
+    } else {
+        execl(judging.subject, judging.subject, "--claim", number, "--work",
+              judging.work, "--reference", judging.reference, (char *)NULL);
+        fprintf(stderr, "judge: cannot run %s\n", judging.subject);
+        _exit(2);
+    }
+}
+
+void examine(int index, struct finding *finding)
+{
+    const struct claim claim = claim_at(judging.lesson, index);
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+    const uint64_t number = any_number();
+    uint64_t back = ~number;
+    int both_ways[2];
+
+    chmod(judging.work, 0700);
+    remove(work_file("judge.message", path));
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, both_ways) < 0 ||
+        write(both_ways[0], &number, sizeof number) < 0)
+        quit("cannot make a socket: %s", strerror(errno));
+    child_hand_over(both_ways[1]);
+    const struct ending ending =
+        child_run(begin_claim, &index, work_file("judge.stdout", out),
+                  work_file("judge.stderr", err));
+    child_hand_over(0);
+    const int finished =
+        recv(both_ways[0], &back, sizeof back, MSG_DONTWAIT) == sizeof back &&
+        back == number;
+    close(both_ways[0]);
+    close(both_ways[1]);
+    snprintf(finding->slot, sizeof finding->slot, "%s",
+             claim.slot ? claim.slot : "");
+    finding->verdict = PASS;
+    if (ending.limit == NO_LIMIT && ending.status == 0 && finished) return;
+    finding->verdict = WRONG;
+    if (ending.limit == NO_LIMIT && ending.status == 1 &&
+        read_message(sizeof finding->text, finding->text)) {
+        if (starts(finding->text, NOT_FINITE)) finding->verdict = NONFINITE_;
+        if (starts(finding->text, UNREADABLE)) *finding->slot = '\0';
+    } else {
+        explain_end(ending, finding);
+    }
+}
