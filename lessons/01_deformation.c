@@ -95,7 +95,7 @@ static void print_bar(field *phi, double a, int n)
     double *x = allocate((size_t)n + 1, sizeof *x);
     double size = 0.0, F = 0.0;
 
-    grid_make(a, 1.0, n, 1.0, X);
+    poisson_grid(a, 1.0, n, 1.0, X);
     for (int j = 0; j <= n; j++) {
         x[j] = phi(X[j]);
         size = fmax(size, fmax(fabs(X[j]), fabs(x[j])));

@@ -93,7 +93,7 @@ static void print_rows(const char *name, int n, double grading)
     double *x = allocate((size_t)N, sizeof *x);
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
-    grid_make(0.0, 1.0, n, grading, x);
+    poisson_grid(0.0, 1.0, n, grading, x);
     stiffness_matrix(n, x, A);
     table_begin(name, "j x left diagonal right sum");
     for (int j = 0; j < N; j++) {
@@ -123,7 +123,7 @@ static void print_eigenvalues(const char *name, enum ends ends, int n)
     double *lambda = allocate((size_t)n + 1, sizeof *lambda);
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     stiffness_matrix(n, x, A);
     struct matrix *free_part = matrix_block(A, ends != NONE_FIXED, order);
     const enum status status = matrix_eigenvalues(free_part, lambda);

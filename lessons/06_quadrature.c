@@ -159,7 +159,7 @@ int main(int argc, char *argv[])
     double *x = allocate((size_t)n + 1, sizeof *x);
     double *mean = allocate((size_t)n + 1, sizeof *mean);
     double *u = allocate((size_t)n + 1, sizeof *u);
-    grid_make(0.0, 1.0, n, grading, x);
+    poisson_grid(0.0, 1.0, n, grading, x);
     element_means(n, x, smooth_beta, &rule, mean);
 
     print_exactness();

@@ -148,7 +148,7 @@ static void print_bar(int order, struct material material, enum wall wall)
 
 int main(int argc, char *argv[])
 {
-    int scene = BAR, order = 2, law = 1, wall = HELD, mass = 0, scheme = 0;
+    int scene = HANGING, order = 2, law = 1, wall = HELD, mass = 0, scheme = 0;
     int steps = 1;
     double dt = 1.0 / 30.0;
     const struct option options[] = {
@@ -165,7 +165,7 @@ int main(int argc, char *argv[])
     const struct material material = material_notes(law ? CUBIC : LOG);
     struct particle_step step = {.rate = 1.0 / dt, .consistent = mass,
                                  .transfer = (enum transfer)scheme};
-    if (scene == BAR) step.wall = (enum wall)wall;
+    if (scene == HANGING) step.wall = (enum wall)wall;
     struct cloud c = cloud_stepping((enum stepping)scene, order, step.g);
     struct particle_report last = {.status = OK};
     table_begin("energies", CLOUD_ENERGIES);

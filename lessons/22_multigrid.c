@@ -153,7 +153,7 @@ int main(int argc, char *argv[])
     if (squeeze > 0.0) system_press(s, squeeze);
     struct csr *K = system_matrix(s, NULL);
     struct multigrid *m = multigrid_alloc(K, n);
-    struct factor *L = incomplete(K);
+    struct factor *L = cg_factor(K);
     struct report *report = allocate(1, sizeof *report);
     double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
 
@@ -171,7 +171,7 @@ int main(int argc, char *argv[])
             report->iterations);
     free(report);
     free(b);
-    factor_free(L);
+    csr_factor_free(L);
     multigrid_free(m);
     csr_free(K);
     system_free(s);

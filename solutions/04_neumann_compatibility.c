@@ -223,7 +223,7 @@ int main(int argc, char *argv[])
     double *b = allocate((size_t)N, sizeof *b);
     double *c = allocate((size_t)N, sizeof *c);
 
-    grid_make(0.0, 1.0, n, grading, x);
+    poisson_grid(0.0, 1.0, n, grading, x);
     poisson_assemble(n, x, field_one, exp, rules[rule], A, b);
     b[n] += flux;
     print_quadratic_form(n, x);

@@ -184,7 +184,7 @@ static struct solution solution_of(const struct problem *problem,
                          .b = allocate(N, sizeof(double)),
                          .A = matrix_alloc(BANDED, n + 1, 1)};
 
-    grid_make(0.0, 1.0, n, grading, s.x);
+    poisson_grid(0.0, 1.0, n, grading, s.x);
     const enum status status = solve_bvp(problem, load, n, s.x, s.A, s.b, s.u);
     if (status != OK) die("n = %d: A is %s", n, status_name(status));
     s.error = measure(problem, n, s.x, s.u);

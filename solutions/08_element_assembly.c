@@ -187,7 +187,7 @@ static struct system system_make(enum storage storage, int n, double grading,
                              allocate(N, sizeof(double)),
                              matrix_alloc(storage, n + 1, 1)};
     int *order = allocate((size_t)n, sizeof *order);
-    grid_make(0.0, 1.0, n, grading, s.x);
+    poisson_grid(0.0, 1.0, n, grading, s.x);
     for (int k = 0; k < n; k++) order[k] = reversed ? n - 1 - k : k;
     matrix_add(s.A, 0, 0, 2.385); /* assemble() must forget it */
     assemble(n, s.x, bvp_beta, bvp_f, rule, order, s.A, s.b);

@@ -192,7 +192,7 @@ static struct cost solve_in(const char *name, const struct system *s,
     double *b = allocate((size_t)n, sizeof *b);
     analyse(K, parent, count);
     print_tree(name, n, parent, count);
-    struct factor *L = factor_alloc(n, count);
+    struct factor *L = csr_factor_alloc(n, count);
     for (int j = 0; j < n; j++) {
         cost.entries += count[j];
         cost.flops += (double)count[j] * count[j];
@@ -202,10 +202,10 @@ static struct cost solve_in(const char *name, const struct system *s,
         cost.status = factor_row(K, k, parent, L, x, mark, list);
     system_right_side(s, place, b);
     system_right_side(s, place, x);
-    if (cost.status == OK) factor_solve(L, x);
+    if (cost.status == OK) csr_factor_solve(L, x);
     cost.residual = csr_residual(K, x, b);
     system_back(s, place, x, du);
-    factor_free(L);
+    csr_factor_free(L);
     free(b);
     free(x);
     free(list);

@@ -150,7 +150,7 @@ static double sweep_back(int n, int m, const double l[], const double z[],
 
 struct newton_report bar_fast_newton(const struct bar *bar,
                                      const struct newton_control *control,
-                                     enum sweep sweep, double u[])
+                                     enum elimination sweep, double u[])
 {
     assert(bar->material.law == CUBIC && !control->line_search &&
            !control->definite);

@@ -26,7 +26,7 @@
 
 #include "bar/bar.h"
 
-enum sweep { FROM_LEFT, FROM_BOTH_ENDS };
+enum elimination { FROM_LEFT, FROM_BOTH_ENDS };
 
 /*
  * bar_newton() for the law CUBIC, neither line_search nor definite (asserted):
@@ -37,6 +37,6 @@ enum sweep { FROM_LEFT, FROM_BOTH_ENDS };
  */
 struct newton_report bar_fast_newton(const struct bar *bar,
                                      const struct newton_control *control,
-                                     enum sweep sweep, double u[]);
+                                     enum elimination sweep, double u[]);
 
 #endif

@@ -63,7 +63,7 @@ const struct quadrature TRAPEZOID = {2, {0.0, 1.0}, {0.5, 0.5}};
 const struct quadrature GAUSS2 = {
     2, {0.21132486540518711775, 0.78867513459481288225}, {0.5, 0.5}};
 
-void grid_make(double a, double b, int n, double grading, double x[])
+void poisson_grid(double a, double b, int n, double grading, double x[])
 {
     /* h_j = h_1 g^(j-1) with g^(n-1) = grading; expm1 keeps g near 1 exact */
     const double log_g = n > 1 ? log(grading) / (n - 1) : 0.0;
@@ -122,7 +122,7 @@ void bvp_boundary(int n, struct matrix *A, double b[])
 struct matrix *bvp_system(enum storage storage, int n, double x[], double b[])
 {
     struct matrix *A = matrix_alloc(storage, n + 1, 1);
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
     bvp_boundary(n, A, b);
     return A;

@@ -8,6 +8,8 @@
  * with hat functions e_j [eq:hat] on nodes x_0 < x_1 < ... < x_n: n elements,
  * n + 1 nodes; element j joins nodes j - 1 and j and has length
  * h_j = x_j - x_{j-1}.  Everything is dimensionless.
+ *
+ * Names: bvp_.
  */
 #ifndef COMMON_POISSON_H
 #define COMMON_POISSON_H
@@ -34,7 +36,7 @@ field bvp_beta, bvp_f, bvp_exact, bvp_exact_dx;
  * element lengths form a geometric sequence with h_n / h_1 = grading > 0;
  * grading 1 gives equal spacing.
  */
-void grid_make(double a, double b, int n, double grading, double x[]);
+void poisson_grid(double a, double b, int n, double grading, double x[]);
 
 /* A quadrature rule on (0, 1): int g = sum_k w_k g(s_k). */
 struct quadrature {

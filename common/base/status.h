@@ -5,6 +5,8 @@
  * that is not positive definite, a system without a solution) is a status: the
  * algorithm reacts to it.  A bug in the caller is an assert.  What machine or
  * user did wrong (memory, a full disk) is die(): one line, exit status 1.
+ *
+ * Names: die, allocate, todo.
  */
 #ifndef COMMON_STATUS_H
 #define COMMON_STATUS_H

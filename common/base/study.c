@@ -14,9 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-double root_of(study_function *f, void *context, double low, double high)
+double study_root(study_function *f, void *context, double low, double high)
 {
-    if (low > high) return root_of(f, context, high, low);
+    if (low > high) return study_root(f, context, high, low);
     const double f_low = f(low, context), f_high = f(high, context);
     if (f_low == 0.0) return low;
     if (f_high == 0.0) return high;
@@ -43,13 +43,13 @@ double root_of(study_function *f, void *context, double low, double high)
     return root;
 }
 
-double order_of(double coarse, double fine, double ratio)
+double study_order(double coarse, double fine, double ratio)
 {
     if (!(coarse > 0.0) || !(fine > 0.0)) return (double)NAN;
     return log(coarse / fine) / log(ratio);
 }
 
-void claim_failed(const char *format, ...)
+void study_claim_failed(const char *format, ...)
 {
     char text[512];
     va_list arguments;

@@ -1,6 +1,8 @@
 /*
  * study.h - what the studies in figures/ share: a root, an order, seconds that
  * can be trusted, and the claim that a study ends with.
+ *
+ * Names: times_, rate_.
  */
 #ifndef COMMON_STUDY_H
 #define COMMON_STUDY_H
@@ -13,11 +15,11 @@ typedef double study_function(double x, void *context);
  * digit, by GSL's Brent.  f must change its sign between them; die() when it
  * does not, or when f is not finite there.
  */
-double root_of(study_function *f, void *context, double low, double high);
+double study_root(study_function *f, void *context, double low, double high);
 
 /* log(coarse / fine) / log(ratio) [eq:order]: errors at the sizes ratio h and
  * h.  NAN unless both errors are > 0. */
-double order_of(double coarse, double fine, double ratio);
+double study_order(double coarse, double fine, double ratio);
 
 /*
  * What the caption of the picture says, as a condition; the rest is a printf
@@ -26,9 +28,9 @@ double order_of(double coarse, double fine, double ratio);
  */
 #define claim(condition, ...) \
     do { \
-        if (!(condition)) claim_failed(__VA_ARGS__); \
+        if (!(condition)) study_claim_failed(__VA_ARGS__); \
     } while (0)
-_Noreturn void claim_failed(const char *format, ...)
+_Noreturn void study_claim_failed(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
 /* ---- rates of random runs ------------------------------------------------ */

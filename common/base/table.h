@@ -14,6 +14,8 @@
  * for a value that there is not.
  *
  * gnuplot reads this as it is: plot "file" index "nodes" using "x":"u".
+ *
+ * Names: cell_.
  */
 #ifndef COMMON_TABLE_H
 #define COMMON_TABLE_H

@@ -70,7 +70,7 @@ void cg_incomplete(const void *factor, const double r[], double z[])
 {
     const struct factor *L = factor;
     memcpy(z, r, (size_t)L->n * sizeof *z);
-    factor_solve(L, z);
+    csr_factor_solve(L, z);
 }
 
 /* K's lower triangle, as columns: those of the rows, which are as long. */
@@ -80,7 +80,7 @@ static struct factor *lower_triangle(const struct csr *K)
     for (int j = 0; j < K->n; j++)
         for (int k = K->start[j]; k < K->start[j + 1]; k++)
             count[j] += K->index[k] >= j;
-    struct factor *L = factor_alloc(K->n, count);
+    struct factor *L = csr_factor_alloc(K->n, count);
     for (int j = 0; j < K->n; j++)
         for (int k = K->start[j]; k < K->start[j + 1]; k++)
             if (K->index[k] >= j) {
@@ -92,7 +92,7 @@ static struct factor *lower_triangle(const struct csr *K)
 }
 
 /* Column by column; an update that would fall beside the pattern is dropped. */
-struct factor *incomplete(const struct csr *K)
+struct factor *cg_factor(const struct csr *K)
 {
     struct factor *L = lower_triangle(K);
     int *at = allocate((size_t)K->n, sizeof *at), j; /* 0, or a place in l */
@@ -112,6 +112,6 @@ struct factor *incomplete(const struct csr *K)
     }
     free(at);
     if (j == K->n) return L;
-    factor_free(L);
+    csr_factor_free(L);
     return NULL;
 }

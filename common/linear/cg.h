@@ -34,10 +34,10 @@ struct cg_report cg_solve(const struct csr *K, preconditioner *precondition,
  * context [eq:jacobi]. */
 void cg_jacobi(const void *csr, const double r[], double z[]);
 
-/* ... (L L^T)^-1, the context being the struct factor that incomplete() gives:
+/* ... (L L^T)^-1, the context being the factor that cg_factor() gives:
  * L L^T = K where K has entries, and L has no others [eq:incomplete].  NULL:
  * there is no such L, a pivot is not positive. */
 void cg_incomplete(const void *factor, const double r[], double z[]);
-struct factor *incomplete(const struct csr *K);
+struct factor *cg_factor(const struct csr *K);
 
 #endif

@@ -64,7 +64,7 @@ double csr_backward_error(const struct csr *A, const double x[],
     return r / (norm_A * norm_x + norm_b);
 }
 
-struct factor *factor_alloc(int n, const int count[])
+struct factor *csr_factor_alloc(int n, const int count[])
 {
     struct factor *L = allocate(1, sizeof *L);
     L->n = n;
@@ -79,7 +79,7 @@ struct factor *factor_alloc(int n, const int count[])
     return L;
 }
 
-void factor_free(struct factor *L)
+void csr_factor_free(struct factor *L)
 {
     if (!L) return;
     free(L->start);
@@ -89,7 +89,7 @@ void factor_free(struct factor *L)
     free(L);
 }
 
-void factor_solve(const struct factor *L, double b[])
+void csr_factor_solve(const struct factor *L, double b[])
 {
     for (int j = 0; j < L->n; j++) {
         b[j] /= L->value[L->start[j]];

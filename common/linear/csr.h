@@ -44,10 +44,10 @@ struct factor {
 };
 
 /* Room for count[j] entries in column j, and none yet.  The caller frees it. */
-struct factor *factor_alloc(int n, const int count[]);
-void factor_free(struct factor *L);
+struct factor *csr_factor_alloc(int n, const int count[]);
+void csr_factor_free(struct factor *L);
 
 /* b := L^-T L^-1 b. */
-void factor_solve(const struct factor *L, double b[]);
+void csr_factor_solve(const struct factor *L, double b[]);
 
 #endif

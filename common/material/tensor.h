@@ -2,6 +2,8 @@
  * tensor.h - 2x2 tensors as values, so that P = pk1(F) reads as mathematics.
  *
  * m[i][J]: row i (space), column J (material).  No GSL matrix for a 2x2.
+ *
+ * Names: mat2_.
  */
 #ifndef COMMON_TENSOR_H
 #define COMMON_TENSOR_H

@@ -15,6 +15,8 @@
  * SYMPLECTIC_EULER solves nothing [eq:symplectic-euler]:
  *
  *     v+ = v + dt M^-1 (f - dPsi/du(u)),   u+ = u + dt v+
+ *
+ * Names: method_, state_.
  */
 #ifndef COMMON_INTEGRATE_H
 #define COMMON_INTEGRATE_H

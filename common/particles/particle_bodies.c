@@ -96,9 +96,9 @@ struct cloud cloud_block(int order)
 
 struct cloud cloud_stepping(enum stepping which, int order, double g[2])
 {
-    g[0] = which == BAR ? 9.81 : which == STRAINED ? -9.81 : 0.0;
+    g[0] = which == HANGING ? 9.81 : which == STRAINED ? -9.81 : 0.0;
     g[1] = 0.0;
-    if (which == BAR) return cloud_hanging(order, 8, 2);
+    if (which == HANGING) return cloud_hanging(order, 8, 2);
     return which == STRAINED ? cloud_strained(order) : cloud_block(order);
 }
 

@@ -8,6 +8,8 @@
  *     outlying   a free bar whose last particle has just passed a node
  *
  * All of them have density 1 (or nearly) and a grid with room for their motion.
+ *
+ * Names: cloud_, hanging_.
  */
 #ifndef COMMON_PARTICLE_BODIES_H
 #define COMMON_PARTICLE_BODIES_H
@@ -40,7 +42,7 @@ struct cloud cloud_block(int order);    /* h = 1/4 */
 
 /* One of three bodies and what pulls at it (m/s^2): the hanging bar of 8 cells
  * with two particles each, 9.81; the strained one, -9.81; the block, 0. */
-enum stepping { BAR, STRAINED, BLOCK };
+enum stepping { HANGING, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
 

@@ -18,6 +18,8 @@
  *
  * Source: Jiang, Schroeder, Teran, Stomakhin & Selle, The material point method
  * for simulating continuum materials, SIGGRAPH 2016 Courses.
+ *
+ * Names: grid_, support_.
  */
 #ifndef COMMON_PARTICLE_FORCE_H
 #define COMMON_PARTICLE_FORCE_H

@@ -9,6 +9,8 @@
  *
  * APIC knows a motion's gradient from B.  Where a motion is set, a grid stands
  * for "APIC, with the B that this grid gives"; NULL is for PIC and FLIP, B = 0.
+ *
+ * Names: cloud_, grid_, transfer_.
  */
 #ifndef COMMON_PARTICLE_SCENE_H
 #define COMMON_PARTICLE_SCENE_H

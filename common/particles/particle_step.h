@@ -12,6 +12,8 @@
  *
  * Source: Jiang, Schroeder, Teran, Stomakhin & Selle, The material point method
  * for simulating continuum materials, SIGGRAPH 2016 Courses, sec. 10.
+ *
+ * Names: unknowns_, wall_, potential_.
  */
 #ifndef COMMON_PARTICLE_STEP_H
 #define COMMON_PARTICLE_STEP_H

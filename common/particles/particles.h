@@ -21,6 +21,8 @@
  *
  * Source: Jiang, Schroeder, Selle, Teran & Stomakhin, The affine
  * particle-in-cell method, ACM Trans. Graph. 34(4), 2015.
+ *
+ * Names: grid_, support_, kernel_, transfer_.
  */
 #ifndef COMMON_PARTICLES_H
 #define COMMON_PARTICLES_H

@@ -29,6 +29,8 @@
  *     dPsi/du_a = area (mu F g_a + G' c_a)                  [eq:element-force]
  *     K_ab      = area ((mu g_a.g_b) I + G'' c_a c_b^T
  *                       + G' (g_a x g_b) (0 1; -1 0))     [eq:element-tangent]
+ *
+ * Names: at_rest.
  */
 #ifndef COMMON_BODY_H
 #define COMMON_BODY_H

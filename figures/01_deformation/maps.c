@@ -30,7 +30,7 @@ struct element {
 static struct element element_of(field *phi, int e, int n)
 {
     double X[N_MAX + 1];
-    grid_make(0.0, 1.0, n, 1.0, X);
+    poisson_grid(0.0, 1.0, n, 1.0, X);
     const double rise = phi(X[e + 1]) - phi(X[e]);
     const int collapsed = fabs(rise) <= 16.0 * DBL_EPSILON;
     return (struct element){rise / (X[e + 1] - X[e]),

@@ -100,7 +100,7 @@ int main(void)
     table_end();
     table_begin("thresholds", "level degrees");
     for (int k = 0; k < COUNT(level); k++) {
-        const double degrees = root_of(excess, &level[k], 0.0, 90.0);
+        const double degrees = study_root(excess, &level[k], 0.0, 90.0);
         table_row(level[k], degrees);
         off = fmax(off, fabs(cos(degrees * M_PI / 180.0) - 1.0 + level[k]));
     }

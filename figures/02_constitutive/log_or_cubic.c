@@ -68,7 +68,7 @@ static double first_passing(enum law law, double percent, double factor)
     struct level level = {law, percent};
     double F = factor;
     while (excess(F * factor, &level) < 0.0) F *= factor;
-    return root_of(excess, &level, F, F * factor);
+    return study_root(excess, &level, F, F * factor);
 }
 
 int main(void)
@@ -98,7 +98,7 @@ int main(void)
     }
     table_end();
 
-    const double order = order_of(fabs(r_of(CUBIC, 0.98) - r_of(LOG, 0.98)),
+    const double order = study_order(fabs(r_of(CUBIC, 0.98) - r_of(LOG, 0.98)),
                                   fabs(r_of(CUBIC, 0.99) - r_of(LOG, 0.99)), 2);
     claim(fabs(order - 4.0) < 0.05, "both r are equal up to the third "
           "derivative: their difference is of order 4 in J - 1 (%g)", order);

@@ -33,7 +33,7 @@ static double change_of_dpk1(double F, void *material)
 static const double F_END = 100.0;
 static double place_of_least(struct material *material)
 {
-    return root_of(change_of_dpk1, material, 1.0, F_END);
+    return study_root(change_of_dpk1, material, 1.0, F_END);
 }
 
 /* The least dP/dF as a function of nu, for the law *context and E = 1. */
@@ -60,8 +60,8 @@ static double print_negative(void)
         const double F = place_of_least(&m), least = dpk1(F, &m);
         double from = 0.0, to = 0.0;
         if (least < 0.0) {
-            from = root_of(dpk1, &m, 1.0, F);
-            to = root_of(dpk1, &m, F, F_END);
+            from = study_root(dpk1, &m, 1.0, F);
+            to = study_root(dpk1, &m, F, F_END);
             first = fmin(first, from);
         }
         table_row(material_law(at[i].law), at[i].nu, F, least,
@@ -93,8 +93,8 @@ static void print_tangent(enum law law, const double nu[4])
 int main(void)
 {
     struct material cubic = material_notes(CUBIC), lg = material_notes(LOG);
-    const double nu_cubic = root_of(least_at, &cubic.law, 0.01, 0.3);
-    const double nu_log = root_of(least_at, &lg.law, 0.3, 0.499);
+    const double nu_cubic = study_root(least_at, &cubic.law, 0.01, 0.3);
+    const double nu_log = study_root(least_at, &lg.law, 0.3, 0.499);
     cubic = material_make(CUBIC, 1.0, nu_cubic);
     lg = material_make(LOG, 1.0, nu_log);
     const double F_cubic = place_of_least(&cubic), F_log = place_of_least(&lg);

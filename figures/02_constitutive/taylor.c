@@ -73,7 +73,7 @@ static void slopes(int dimension, const struct material *m, enum slip slip,
     remainders(dimension, m, slip, t, fine);
     const double round_off = 1e-9 * t * material_modulus(m);
     for (int k = 0; k < 3; k++)
-        slope[k] = fine[k] > round_off ? order_of(coarse[k], fine[k], 2.0)
+        slope[k] = fine[k] > round_off ? study_order(coarse[k], fine[k], 2.0)
                                        : (double)NAN;
 }
 

@@ -33,7 +33,7 @@ static struct matrix *corrected(int n, int k, const int nodes[],
     double *x = allocate((size_t)n + 1, sizeof *x);
     double *b = allocate((size_t)n + 1, sizeof *b);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, modulus, field_zero, &MIDPOINT, A, b);
     matrix_dirichlet(A, b, k, nodes, value, diagonal);
     free(x);

@@ -34,7 +34,7 @@ static double load(double x)
 static void assemble(struct matrix *A, double b[])
 {
     double x[N];
-    grid_make(0.0, 1.0, N - 1, 1.0, x);
+    poisson_grid(0.0, 1.0, N - 1, 1.0, x);
     poisson_assemble(N - 1, x, modulus, load, &MIDPOINT, A, b);
 }
 

@@ -24,7 +24,7 @@ static double defect(int n, const struct quadrature *rule, enum status *status)
     double *b = allocate((size_t)n + 1, sizeof *b);
     double sum = 0.0, scale = 0.0;
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, field_one, exp, rule, A, b);
     b[n] -= expm1(1.0);
     for (int i = 0; i <= n; i++) {
@@ -51,7 +51,7 @@ int main(void)
         const double h = 1.0 / n, leading = -E * h * h / 24.0;
         enum status status;
         const double sum = defect(n, &MIDPOINT, &status);
-        order = order_of(-defect(n / 2, &MIDPOINT, NULL), -sum, 2.0);
+        order = study_order(-defect(n / 2, &MIDPOINT, NULL), -sum, 2.0);
         ratio = sum / leading;
         table_row(n, h, sum, leading, ratio, order, status_name(status));
         refused += status == INCOMPATIBLE;

@@ -49,7 +49,7 @@ int main(void)
     enum status status[3];
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
-    grid_make(0.0, 1.0, n, grading, x);
+    poisson_grid(0.0, 1.0, n, grading, x);
     poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, b);
     table_begin_note("definiteness",
                      "fixed order lambda_min lambda_max rank cholesky",

@@ -30,7 +30,7 @@ int main(void)
     double x[N], u[N], exact[N], norm[3], energy[3];
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, field_one, exp, &MIDPOINT, A, u);
     u[n] -= expm1(1.0);
     subtract_mean(u); /* b, made compatible */

@@ -54,7 +54,7 @@ int main(void)
     double sum = 0.0, off = 0.0, difference[2][3];
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, field_one, exp, &MIDPOINT, A, b);
     b[n] -= expm1(1.0);
     for (int i = 0; i < N; i++) sum += b[i];

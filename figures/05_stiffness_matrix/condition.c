@@ -23,7 +23,7 @@ static double condition_number(int n, int fixed, double ratio)
     const int order = n + 1 - fixed;
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
-    grid_make(0.0, 1.0, n, ratio, x);
+    poisson_grid(0.0, 1.0, n, ratio, x);
     poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, lambda);
     struct matrix *free_part = matrix_block(A, 1, order);
     if (matrix_eigenvalues(free_part, lambda) != OK) die("A is not finite");

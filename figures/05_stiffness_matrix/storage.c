@@ -35,7 +35,7 @@ static void print_costs(double growth[7])
                               plane.flops};
         table_row_of(7, row);
         for (int c = 0; c < 7; c++)
-            growth[c] = order_of(row[c], before[c], 4.0);
+            growth[c] = study_order(row[c], before[c], 4.0);
         memcpy(before, row, sizeof before);
     }
     table_end();
@@ -56,7 +56,7 @@ static void time_solve(enum storage storage, int N)
     struct times t = {0};
     double error = 0.0;
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, b);
     matrix_dirichlet(A, b, 2, ends, zero, KEEP_DIAGONAL);
     const double begin = clock_seconds();

@@ -27,7 +27,7 @@ int main(void)
         int nonzeros = 0, half_bandwidth = 0;
         double largest = 0.0, asymmetry = 0.0, row_sum = 0.0;
 
-        grid_make(0.0, 1.0, n, 4.0, x);
+        poisson_grid(0.0, 1.0, n, 4.0, x);
         poisson_assemble(n, x, field_one, field_one, &MIDPOINT, A, b);
         for (int i = 0; i < N; i++) {
             double sum = 0.0;

@@ -90,7 +90,7 @@ int main(void)
           "left but round-off (%g)", worst);
     claim(split * 10 < blind, "told where the kink is, GSL needs less than a "
           "tenth of the evaluations for eight digits (%d of %d)", split, blind);
-    const double order = order_of(fabs(coarse), fabs(gauss2), 2.0);
+    const double order = study_order(fabs(coarse), fabs(gauss2), 2.0);
     const double due = 2.0 * 128.0 * sqrt(fabs(gauss2) / 1e-8);
     claim(fabs(order - 2.0) < 0.01 && blind < 0.5 * due,
           "equal elements have order 2 (%g) and would need %g evaluations for "

@@ -46,7 +46,7 @@ int main(void)
     double off_A[3] = {0}, off_b[3] = {0}; /* of the rules */
     struct matrix *A = matrix_alloc(BANDED, N, 1);
 
-    grid_make(0.0, 1.0, n, 2.385, x);
+    poisson_grid(0.0, 1.0, n, 2.385, x);
     for (int j = 1; j <= n; j++) {
         struct integrand f = {x[j - 1], x[j], smooth_beta, ONE};
         const double h = x[j] - x[j - 1], k = adaptive_integral(f) / (h * h);

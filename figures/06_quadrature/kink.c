@@ -92,7 +92,7 @@ static double error(const struct problem *p, int n, enum norm norm, int way)
     double x[FINEST + 2], u[FINEST + 2];
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     assemble(p, n, x, way, A, u);
     matrix_dirichlet(A, u, p->held, node + p->first, end + p->first,
                      KEEP_DIAGONAL);
@@ -123,7 +123,7 @@ static void print(const struct problem *p, double order[NORMS][3])
         for (int way = 0; way < p->ways; way++) {
             const double coarse = error(p, FINEST / 4, norm, way);
             const double fine = error(p, FINEST, norm, way);
-            order[norm][way] = order_of(coarse, fine, 4.0);
+            order[norm][way] = study_order(coarse, fine, 4.0);
             /* - where the error is round-off */
             *next++ = cell_if(fine > 1e-12, order[norm][way]);
         }

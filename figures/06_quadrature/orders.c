@@ -31,7 +31,7 @@ static double total_load(int n, field *f, const struct quadrature *rule)
 {
     double x[FINEST + 1], b[FINEST + 1], sum = 0.0;
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, field_one, f, rule, A, b);
     for (int j = 0; j <= n; j++) sum += b[j];
     matrix_free(A);
@@ -55,7 +55,7 @@ static void print(const char *name, field *f, double integral, double order[3])
     }
     table_end();
     for (int r = 0; r < 3; r++)
-        order[r] = order_of(fabs(error[LEVELS - 3][r]),
+        order[r] = study_order(fabs(error[LEVELS - 3][r]),
                             fabs(error[LEVELS - 1][r]), 4.0);
     snprintf(text, sizeof text, "%s_orders", name);
     table_begin(text, "midpoint trapezoid gauss2");

@@ -37,7 +37,7 @@ int main(void)
     double x[N + 1], u[N + 1], v[N + 1], at_nodes[2] = {0.0, 0.0};
     double between = 0.0;
 
-    grid_make(0.0, 1.0, N, 1.0, x);
+    poisson_grid(0.0, 1.0, N, 1.0, x);
     solve(0, x, u);
     solve(1, x, v);
     table_begin("nodes", "x u exact");

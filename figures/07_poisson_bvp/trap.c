@@ -33,7 +33,7 @@ static struct poisson_error errors_of(int companion, enum load load, int n)
     double *u = allocate((size_t)n + 1, sizeof *u);
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     poisson_assemble(n, x, beta, bvp_f,
                      load == GAUSS2_RULE ? &GAUSS2 : &MIDPOINT, A, u);
     if (load == EXACT_LOAD) bvp_exact_load(n, x, u);
@@ -73,7 +73,8 @@ int main(void)
         struct cell row[1 + 3 * COLUMNS] = {cell_number(n)};
         for (int k = 0; k < COLUMNS; k++) {
             error[i][k] = all[k];
-            order[i][k] = i > 0 ? order_of(error[i - 1][k], all[k], 2.0) : 0.0;
+            order[i][k] =
+                i > 0 ? study_order(error[i - 1][k], all[k], 2.0) : 0.0;
             const int measured = i > 0 && all[k] > round_off &&
                                  error[i - 1][k] > round_off;
             row[1 + 3 * k] = cell_number(all[k]);

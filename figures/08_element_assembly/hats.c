@@ -18,7 +18,7 @@ int main(void)
     struct matrix *A = matrix_alloc(DENSE, n + 1, 1);
     double x[n + 1], b[n + 1], off = 0.0;
 
-    grid_make(0.0, 1.0, n, 3.0, x);
+    poisson_grid(0.0, 1.0, n, 3.0, x);
     poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
     table_begin("K_local", "e x0 x1 K00 K01 K10 K11 r0 r1");
     for (int e = 0; e < n; e++) {

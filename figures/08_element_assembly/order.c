@@ -72,7 +72,7 @@ int main(void)
     struct matrix *V = matrix_alloc(DENSE, N, 0);
     double x[N], b[N], v[N], worst = 0.0;
 
-    grid_make(0.0, 1.0, n, 3.0, x);
+    poisson_grid(0.0, 1.0, n, 3.0, x);
     by_vertex(x, V, v);
     table_begin("assembly", "order A_eps b_eps");
     for (int k = 0; k < 3; k++) {

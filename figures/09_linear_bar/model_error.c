@@ -41,7 +41,7 @@ static double strain_at(const struct material *law, enum error_of what,
                         double sign, double error)
 {
     struct level level = {law, what, sign, error};
-    return sign * root_of(above_level, &level, 1e-5, 0.4);
+    return sign * study_root(above_level, &level, 1e-5, 0.4);
 }
 
 int main(void)

@@ -51,7 +51,7 @@ static void errors(int n, double error[N_ERROR])
     double *x = allocate((size_t)n + 1, sizeof *x);
     double *u = allocate((size_t)n + 1, sizeof *u);
 
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     for (int way = EXACT; way >= MIDPOINT_RULE; way--) {
         poisson_assemble(n, x, field_one, cosine, &GAUSS2, K, u);
         if (way == MIDPOINT_RULE) bar_scene_load(&scene, u);
@@ -80,7 +80,7 @@ int main(void)
         errors(n, fine);
         table_row(n, 1.0 / n, fine[0], fine[1], fine[2], fine[3], fine[4]);
         for (int k = 0; k < N_ERROR; k++)
-            order[k] = order_of(coarse[k], fine[k], 2.0);
+            order[k] = study_order(coarse[k], fine[k], 2.0);
         worst = fmax(worst, fine[EXACT]);
     }
     table_end();

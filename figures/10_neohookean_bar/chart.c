@@ -93,7 +93,7 @@ static double excess(double F, void *material)
 static void print_chart(enum solver solver)
 {
     struct material m = material_notes(CUBIC);
-    const double F = root_of(excess, &m, 0.0, 6.0); /* [eq:bar-weight] */
+    const double F = study_root(excess, &m, 0.0, 6.0); /* [eq:bar-weight] */
     const double exact = F - material1_psi(&m, F) / 500.0 - 1.0;
     const int largest = solver < FUSED ? 1 << 16 : 1 << 18;
     double before = 0.0, tolerance;
@@ -107,7 +107,7 @@ static void print_chart(enum solver solver)
         const double error = fabs(s->u[n] - exact) / exact;
         table_row(n, s->report.iterations, error, seconds,
                   1e9 * seconds / n / s->report.iterations);
-        const double order = order_of(before, error, 4.0);
+        const double order = study_order(before, error, 4.0);
         claim(n == 16 || n > 4096 || fabs(order - 2.0) < 0.01,
               "%s: the error falls with n^-2 (order %g at n = %d)", title,
               order, n);

@@ -44,7 +44,7 @@ static void print_cosine(void)
     table_end();
     for (int i = 0; i < 2; i++)
         for (int l = 0; l < 2; l++) {
-            const double order = order_of(fabs(u1[1][i][l] - u1[0][i][l]),
+            const double order = study_order(fabs(u1[1][i][l] - u1[0][i][l]),
                                           fabs(u1[2][i][l] - u1[1][i][l]), 2.0);
             claim(fabs(order - 2.0) < 0.05, "u(1) under the cosine load "
                   "converges with order 2 (%g)", order);

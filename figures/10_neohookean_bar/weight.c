@@ -32,7 +32,7 @@ static struct exact weight_exact(const struct bar_scene *scene)
     const struct material *m = &scene->material;
     const double c = scene->c;
     struct target target = {m, c};
-    const double F = root_of(stress_excess, &target,
+    const double F = study_root(stress_excess, &target,
                              m->law == LOG ? 0.02 : -3.0, 6.0);
     const double C = c / 24.0 * (1.0 / material1_dpk1(m, 1.0) -
                                  1.0 / material1_dpk1(m, F));
@@ -99,7 +99,7 @@ static void print_order(enum law law, double c)
         const struct exact exact = weight_exact(&scene);
         struct bar_state *s = bar_scene_solve(&scene, NULL);
         const double error = s->u[n] - exact.u1;
-        const double order = order_of(fabs(before), fabs(error), 2.0);
+        const double order = study_order(fabs(before), fabs(error), 2.0);
         const double constant = error * n * n;
         table_row(c, material_law(law), n, 1.0 / n, error,
                   cell_if(n > 4, order), constant, exact.C);

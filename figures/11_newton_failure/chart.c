@@ -27,7 +27,7 @@ int main(void)
     enum { MOST = 24 };
     const struct material m = material_notes(LOG);
     struct load load = {m, -1.5 * material_modulus(&m)};
-    const double exact = root_of(unbalanced, &load, 1e-6, 1.0);
+    const double exact = study_root(unbalanced, &load, 1e-6, 1.0);
     double error[MOST + 1][N_CURE];
     const char *reason[N_CURE];
 

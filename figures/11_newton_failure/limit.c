@@ -19,7 +19,8 @@ static double ddP(double F, void *context)
 /* The root of f between a and b, NAN where there is none. */
 static double zero(study_function *f, void *m, double a, double b)
 {
-    return a < b && f(a, m) * f(b, m) < 0.0 ? root_of(f, m, a, b) : (double)NAN;
+    return a < b && f(a, m) * f(b, m) < 0.0 ? study_root(f, m, a, b)
+                                            : (double)NAN;
 }
 
 /* Where P' is smallest, and where P is. */

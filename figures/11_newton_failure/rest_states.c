@@ -32,9 +32,9 @@ int main(void)
 {
     const struct newton_control control = {1e-10, 1000, 0, 0};
     enum law cubic = CUBIC, log_law = LOG;
-    const double tangent = root_of(least_slope, &cubic, 0.04, 0.2);
-    const double rest = root_of(least_stress, &cubic, 0.01, 0.06);
-    const double log_tangent = root_of(least_slope, &log_law, 0.45, 0.495);
+    const double tangent = study_root(least_slope, &cubic, 0.04, 0.2);
+    const double rest = study_root(least_stress, &cubic, 0.01, 0.06);
+    const double log_tangent = study_root(least_slope, &log_law, 0.45, 0.495);
     double above = -INFINITY; /* the largest F found where nu > rest */
 
     table_begin("critical", "cubic_tangent cubic_rest log_tangent");

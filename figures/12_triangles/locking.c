@@ -53,7 +53,8 @@ int main(void)
     for (int n = 4; n <= 64; n *= 2) {
         for (int k = 0; k < RATIOS; k++) {
             u[k] = droop(n, nu[k]);
-            order[k] = order_of(fabs(change[k]), fabs(u[k] - before[k]), 2.0);
+            order[k] =
+                study_order(fabs(change[k]), fabs(u[k] - before[k]), 2.0);
             change[k] = n > 4 ? u[k] - before[k] : 0.0;
             before[k] = u[k];
             missing[k] = 1.0 - u[k] / reference[k];

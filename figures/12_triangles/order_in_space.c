@@ -125,7 +125,7 @@ int main(void)
         const double h = 2.0 / n;
         solve(n, error, closest);
         for (int k = 0; k < 2; k++) {
-            order[k] = order_of(before[k], error[k], 2.0);
+            order[k] = study_order(before[k], error[k], 2.0);
             before[k] = error[k];
         }
         part = error[1] / closest[1];

@@ -50,7 +50,7 @@ int main(void)
                                   u[RUNS - 3][r]) / 3.0;
             error = fmax(error, fabs(u[k][r] - limit));
         }
-        order = order_of(before, error, 2.0);
+        order = study_order(before, error, 2.0);
         constant[0] = constant[1];
         constant[1] = error / dt;
         table_row(dt, error, cell_if(k > 0, order), constant[1]);

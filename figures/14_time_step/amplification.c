@@ -83,7 +83,7 @@ int main(void)
 {
     const struct material material = material_notes(LINEAR);
     const double c = sqrt(material_modulus(&material));
-    const double one_percent = root_of(loss_excess, NULL, 1e-4, 1e-1);
+    const double one_percent = study_root(loss_excess, NULL, 1e-4, 1e-1);
     const double wrong = print_radii();
     double first = 0.0;
 

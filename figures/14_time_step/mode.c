@@ -102,7 +102,7 @@ int main(void)
         double before = 0.0;
         for (int n = 4; n <= 1024; n *= 2) {
             const double error = error_of((enum method)m, T, n);
-            order[m] = order_of(before, error, 2.0);
+            order[m] = study_order(before, error, 2.0);
             constant[m] = error / pow(T / n, order_due[m]);
             table_row(method_name((enum method)m), n, T / n, error,
                       cell_if(n > 4, order[m]), constant[m], due[m]);

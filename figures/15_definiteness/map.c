@@ -67,9 +67,9 @@ int main(void)
 
     struct factor twist[2] = {{log, MODE_TWIST}, {cubic, MODE_TWIST}};
     struct factor flip = {cubic, MODE_FLIP};
-    const double zero[2] = {root_of(factor, &twist[0], 0.5, 1.5),
-                            root_of(factor, &twist[1], 0.5, 1.5)};
-    const double high = root_of(factor, &flip, 1.5, 3.0);
+    const double zero[2] = {study_root(factor, &twist[0], 0.5, 1.5),
+                            study_root(factor, &twist[1], 0.5, 1.5)};
+    const double high = study_root(factor, &flip, 1.5, 3.0);
     table_begin("signs", "mode law J");
     table_row("twist", "log", zero[0]);
     table_row("twist", "cubic", zero[1]);

@@ -42,7 +42,7 @@ static double P11(double l, void *context)
 {
     struct strip *s = context;
     s->l = l;
-    return stress(s, root_of(P22, s, 0.5, 2.0)).m[0][0];
+    return stress(s, study_root(P22, s, 0.5, 2.0)).m[0][0];
 }
 
 static double length(int model, double activation)
@@ -54,7 +54,7 @@ static double length(int model, double activation)
         s.fibre.law = CORD;
         s.fibre.k = 0.0; /* T' at l = 1 */
     }
-    return activation > 0.0 ? root_of(P11, &s, 0.6, 1.0) : 1.0;
+    return activation > 0.0 ? study_root(P11, &s, 0.6, 1.0) : 1.0;
 }
 
 /* How far a model is off, minus one per cent. */
@@ -89,7 +89,7 @@ int main(void)
         const double error =
             length(m, one) / length(CUBIC_MUSCLE, one) - 1.0;
         const int crosses = fabs(error) > 0.01;
-        if (crosses) limit[m] = root_of(beyond, &m, 0.01, one);
+        if (crosses) limit[m] = study_root(beyond, &m, 0.01, one);
         table_row(name[m], cell_if(crosses, limit[m]),
                   cell_if(crosses, length(CUBIC_MUSCLE, limit[m])), error);
     }

@@ -76,7 +76,7 @@ int main(void)
     table_begin("uniform", "l P");
     for (int i = 0; i <= 42; i++) {
         double l = 1.0 + 0.01 * i;
-        const double P = stress(l, root_of(P22, &l, 0.3, 1.5)).m[0][0] +
+        const double P = stress(l, study_root(P22, &l, 0.3, 1.5)).m[0][0] +
                          fibre_tension(&muscle, l).T;
         table_row(l, P);
         if (P > top) {

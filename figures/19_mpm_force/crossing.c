@@ -95,7 +95,8 @@ int main(void)
             for (double F = 0.71; F < 1.96; F += 0.041)
                 worst[order - 1] =
                     fmax(worst[order - 1], worst_shift(order, ppc, F));
-            rate[order - 1] = order_of(before[order - 1], worst[order - 1], 2);
+            rate[order - 1] =
+                study_order(before[order - 1], worst[order - 1], 2);
             before[order - 1] = worst[order - 1];
             claim(ppc < 16 || fabs(rate[order - 1] - order) < 0.3,
                   "order %d in the spacing (%g)", order, rate[order - 1]);

@@ -58,7 +58,7 @@ static void rows(int order, int ppc, enum wall wall, int loads, double error[])
         enum status status;
         error[k] = particles_error(order, cells, ppc, wall, loads, &status);
         const double slope =
-            k > 0 ? order_of(error[k - 1], error[k], 2.0) : NAN;
+            k > 0 ? study_order(error[k - 1], error[k], 2.0) : NAN;
         table_row(kernel[order - 1], ppc, wall_name(wall), cells,
                   (double)cells * ppc * (order + 1),
                   cell_if(status == OK, error[k]),
@@ -75,7 +75,7 @@ int main(void)
     for (int k = 0; k < FINEST; k++) {
         fem[k] = elements_error(8 << k);
         table_row(8 << k, 2 * (8 << k), fem[k],
-                  cell_if(k > 0, order_of(fem[k ? k - 1 : 0], fem[k], 2.0)));
+                  cell_if(k > 0, study_order(fem[k ? k - 1 : 0], fem[k], 2.0)));
     }
     table_end();
     table_begin("once", columns);
@@ -88,13 +88,15 @@ int main(void)
     table_end();
 
     for (int k = 1; k < FINEST; k++) {
-        claim(fabs(order_of(fem[k - 1], fem[k], 2.0) - 2.0) < 0.02,
+        claim(fabs(study_order(fem[k - 1], fem[k], 2.0) - 2.0) < 0.02,
               "finite elements have order 2");
         for (int p = 1; p <= 3; p++)
-            claim(fabs(order_of(once[p][k - 1], once[p][k], 2.0) - 2.0) < 0.03,
+            claim(fabs(study_order(once[p][k - 1], once[p][k], 2.0) - 2.0) <
+                      0.03,
                   "on one grid order-%d particles have order 2", p);
         for (int p = 2; p <= 3; p++)
-            claim(fabs(order_of(held[p][k - 1], held[p][k], 2.0) - 1.0) < 0.03,
+            claim(fabs(study_order(held[p][k - 1], held[p][k], 2.0) - 1.0) <
+                      0.03,
                   "with held nodes order 1 is left");
         claim(four[1][k] > 3e-2 && four[1][k] < 5e-2, "the linear kernel with "
               "four per cell stays at 4 per cent");

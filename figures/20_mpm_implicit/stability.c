@@ -105,7 +105,7 @@ int main(void)
         for (int k = 0; k < 4; k++) {
             struct outlying at = {order, eps[k]};
             const double grid = grid_limit(at);
-            const double flip = root_of(growth, &at, grid / 2.0, grid);
+            const double flip = study_root(growth, &at, grid / 2.0, grid);
             const struct cell n = cell_if(systems(at) > 0, systems(at));
             table_row(kernel[order - 1], eps[k], grid, flip, implicit, n);
             claim(n.number == 4.0 || order == 3, "four systems");

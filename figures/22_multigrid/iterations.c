@@ -68,7 +68,7 @@ int main(void)
         const int n = 16 << i;
         struct system *s = system_alloc(n);
         struct bench t = {.K = system_matrix(s, NULL)};
-        t.L = incomplete(t.K);
+        t.L = cg_factor(t.K);
         t.m = multigrid_alloc(t.K, n);
         t.b = allocate((size_t)t.K->n, sizeof *t.b);
         t.x = allocate((size_t)t.K->n, sizeof *t.x);
@@ -84,7 +84,7 @@ int main(void)
         free(t.b);
         free(t.x);
         multigrid_free(t.m);
-        factor_free(t.L);
+        csr_factor_free(t.L);
         csr_free(t.K);
         system_free(s);
     }
@@ -110,7 +110,8 @@ int main(void)
               "to 1e-10 (%g, %g)", 16 << i, count[i][MULTIGRID][0],
               count[i][MULTIGRID][1]);
     for (int way = 0; way < MULTIGRID; way++) {
-        const double slope = order_of(count[2][way][1], count[1][way][1], 2.0);
+        const double slope =
+            study_order(count[2][way][1], count[1][way][1], 2.0);
         claim(slope > 0.9 && slope < 1.1, "with %s they grow like n (%.2f)",
               name[way], slope);
     }

@@ -60,7 +60,7 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
     double make = 0.0, apply = K->n, numbers = 0.0;
     const double start = clock_seconds();
     if (rung == INCOMPLETE) {
-        context = L = incomplete(K);
+        context = L = cg_factor(K);
         with = cg_incomplete;
     }
     if (rung == MULTIGRID) {
@@ -84,7 +84,7 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
     m->numbers = K->start[K->n] + 4.0 * K->n + numbers;
     times_record(&m->seconds, seconds,
                  r.status == OK && csr_backward_error(K, x, b) <= 1e-12);
-    factor_free(L);
+    csr_factor_free(L);
     multigrid_free(grids);
 }
 
@@ -164,10 +164,11 @@ int main(void)
         int i = SIZES - 1;
         while (8 << i > largest[k]) i--;
         const struct measured *a = &m[k][i], *c = &m[k][i - 1];
-        const double t = order_of(times_median(&a->seconds),
+        const double t = study_order(times_median(&a->seconds),
                                   times_median(&c->seconds), 2.0);
-        table_row(name[k], 8 << i, order_of(a->flops, c->flops, 2.0),
-                  order_of(a->numbers, c->numbers, 2.0), cell_if(!isnan(t), t));
+        table_row(name[k], 8 << i, study_order(a->flops, c->flops, 2.0),
+                  study_order(a->numbers, c->numbers, 2.0),
+                   cell_if(!isnan(t), t));
     }
     table_end();
     const struct measured *mg = m[MULTIGRID];
@@ -179,7 +180,7 @@ int main(void)
         table_row(name[k], cell_if(less, 8 << i));
     }
     table_end();
-    claim(order_of(mg[5].flops, mg[3].flops, 4.0) <= 2.2,
+    claim(study_order(mg[5].flops, mg[3].flops, 4.0) <= 2.2,
           "from n = 64 to 256 the work with multigrid grows like n^2");
     return table_finish();
 }

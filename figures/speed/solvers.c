@@ -175,7 +175,7 @@ int main(void)
     table_end();
     table_begin("growth", "solver exponent"); /* of a step, n = 64 to 256 */
     for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++)
-        table_row(name[k], order_of(times_median(&m[SIZES - 1][k].step),
+        table_row(name[k], study_order(times_median(&m[SIZES - 1][k].step),
                                     times_median(&m[N_64][k].step), 4.0));
     table_end();
     return table_finish();

@@ -159,8 +159,8 @@ int main(void)
                 rms = hypot(rms, d / row);
                 max = fmax(max, d);
             }
-        order[0] = order_of(before[0], rms, 2.0);
-        order[1] = order_of(before[1], max, 2.0);
+        order[0] = study_order(before[0], rms, 2.0);
+        order[1] = study_order(before[1], max, 2.0);
         before[0] = rms;
         before[1] = max;
         const struct times *t = m[i].t;

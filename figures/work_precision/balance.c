@@ -1,13 +1,13 @@
 /*
  * balance.c - does the balance rule find the cheapest setting?
  *
- * All settings of sweep.h in six scenes.  The cheapest for an error; and the
+ * All settings of trials.h in six scenes.  The cheapest for an error; and the
  * rule [alg:balance], asked for the errors 0.5, 0.4, ... as far as a setting
  * gets: its flops over those of the cheapest that is as good (same), and over
  * those of the cheapest for what was asked (over).
  */
 #include "base/study.h"
-#include "sweep.h"
+#include "trials.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -18,17 +18,17 @@ struct rule {
     double same, late, over; /* late: error over what was asked for */
 };
 
-static struct rule rule_of(const struct sweep *s)
+static struct rule rule_of(const struct trials *s)
 {
     struct rule rule = {0};
-    for (double e = 0.5; sweep_cheapest(s, e) >= 0; e /= 1.25) {
-        const int k = sweep_balanced(s, e);
+    for (double e = 0.5; trials_cheapest(s, e) >= 0; e /= 1.25) {
+        const int k = trials_balanced(s, e);
         rule.asked++;
         if (k < 0) continue;
         const double flops = s->work[k].flops;
         const double same =
-            flops / s->work[sweep_cheapest(s, s->error[k])].flops;
-        const double over = flops / s->work[sweep_cheapest(s, e)].flops;
+            flops / s->work[trials_cheapest(s, s->error[k])].flops;
+        const double over = flops / s->work[trials_cheapest(s, e)].flops;
         rule.found++;
         rule.twice += same <= 2.0;
         rule.asked_twice += over <= 2.0;
@@ -56,15 +56,15 @@ static void print_rule(const char *scene, struct rule rule)
 int main(void)
 {
     static const double wanted[] = {0.3, 0.1, 0.03, 0.01};
-    struct sweep *s[FLAGSHIP];
+    struct trials *s[FLAGSHIP];
     struct rule all = {0};
 
-    table_begin("cheapest", SWEEP_COLUMNS);
+    table_begin("cheapest", TRIALS_COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++) {
-        s[k] = sweep_alloc((enum work_scene)k);
+        s[k] = trials_alloc((enum work_scene)k);
         for (int i = 0; i < 4; i++) {
-            const int best = sweep_cheapest(s[k], wanted[i]);
-            if (best >= 0) sweep_row(s[k], best, wanted[i]);
+            const int best = trials_cheapest(s[k], wanted[i]);
+            if (best >= 0) trials_row(s[k], best, wanted[i]);
         }
     }
     table_end();
@@ -73,7 +73,7 @@ int main(void)
         const struct rule rule = rule_of(s[k]);
         print_rule(work_scene_name(s[k]->scene), rule);
         all = both(all, rule);
-        sweep_free(s[k]);
+        trials_free(s[k]);
     }
     print_rule("all", all);
     table_end();

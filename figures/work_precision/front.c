@@ -1,25 +1,25 @@
 /*
  * front.c - for a wanted error, which setting is the cheapest?
  *
- * All settings of sweep.h in six scenes: error against counted flops.  Table
+ * All settings of trials.h in six scenes: error against counted flops.  Table
  * front: those that nothing cheaper is as good as, and, with the error that was
  * asked for, what the rule [alg:balance] takes for 0.5, 0.4, ... as far as a
  * setting gets.
  */
 #include "base/study.h"
-#include "sweep.h"
+#include "trials.h"
 #include "base/table.h"
 
 int main(void)
 {
-    struct sweep *s[FLAGSHIP];
+    struct trials *s[FLAGSHIP];
     int failed = 0;
 
-    table_begin("settings", SWEEP_COLUMNS);
+    table_begin("settings", TRIALS_COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++) {
-        s[k] = sweep_alloc((enum work_scene)k);
+        s[k] = trials_alloc((enum work_scene)k);
         for (int i = 0; i < s[k]->count; i++) {
-            sweep_row(s[k], i, 0.0);
+            trials_row(s[k], i, 0.0);
             failed += s[k]->work[i].status != OK &&
                       s[k]->set[i].method != SYMPLECTIC_EULER;
         }
@@ -30,18 +30,18 @@ int main(void)
         table_row(work_scene_name(s[k]->scene), s[k]->size,
                   cell_rounded(4, s[k]->floor), s[k]->count);
     table_end();
-    table_begin("front", SWEEP_COLUMNS);
+    table_begin("front", TRIALS_COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++)
-        for (int i = sweep_cheapest(s[k], 10.0); i >= 0;
-             i = sweep_cheapest(s[k], s[k]->error[i] * (1.0 - 1e-9)))
-            sweep_row(s[k], i, 0.0);
+        for (int i = trials_cheapest(s[k], 10.0); i >= 0;
+             i = trials_cheapest(s[k], s[k]->error[i] * (1.0 - 1e-9)))
+            trials_row(s[k], i, 0.0);
     for (int k = 0; k < FLAGSHIP; k++)
-        for (double e = 0.5; sweep_cheapest(s[k], e) >= 0; e /= 1.25) {
-            const int taken = sweep_balanced(s[k], e);
-            if (taken >= 0) sweep_row(s[k], taken, e);
+        for (double e = 0.5; trials_cheapest(s[k], e) >= 0; e /= 1.25) {
+            const int taken = trials_balanced(s[k], e);
+            if (taken >= 0) trials_row(s[k], taken, e);
         }
     table_end();
-    for (int k = 0; k < FLAGSHIP; k++) sweep_free(s[k]);
+    for (int k = 0; k < FLAGSHIP; k++) trials_free(s[k]);
     claim(failed == 0, "only symplectic Euler fails (%d others)", failed);
     return table_finish();
 }

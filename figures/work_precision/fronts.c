@@ -1,18 +1,18 @@
 /*
  * fronts.c - for a wanted error, which setting is the fastest here?
  *
- * The settings of sweep.h in six scenes once more, error against milliseconds
+ * The settings of trials.h in six scenes once more, error against milliseconds
  * to the answer, the best of four runs.  A run that is not OK has no time.
  */
 #include "base/study.h"
-#include "sweep.h"
+#include "trials.h"
 #include "base/table.h"
 
 #include <math.h>
 
 enum { RUNS = 4 };
 
-static void print_run(const struct sweep *s, int k, double seconds)
+static void print_run(const struct trials *s, int k, double seconds)
 {
     const struct work_setting *set = &s->set[k];
     const int ok = s->work[k].status == OK;
@@ -24,7 +24,7 @@ static void print_run(const struct sweep *s, int k, double seconds)
 }
 
 /* The fastest with an error below `error`, or -1. */
-static int fastest(const struct sweep *s, const double ms[], double error)
+static int fastest(const struct trials *s, const double ms[], double error)
 {
     int best = -1;
     for (int k = 0; k < s->count; k++)
@@ -34,10 +34,10 @@ static int fastest(const struct sweep *s, const double ms[], double error)
 
 int main(void)
 {
-    static double seconds[FLAGSHIP][SWEEP_MOST], ms[SWEEP_MOST];
-    struct sweep *s[FLAGSHIP];
+    static double seconds[FLAGSHIP][TRIALS_MOST], ms[TRIALS_MOST];
+    struct trials *s[FLAGSHIP];
     for (int scene = 0; scene < FLAGSHIP; scene++) {
-        s[scene] = sweep_alloc((enum work_scene)scene);
+        s[scene] = trials_alloc((enum work_scene)scene);
         for (int k = 0; k < s[scene]->count; k++) {
             seconds[scene][k] = s[scene]->work[k].seconds;
             for (int turn = 1; turn < RUNS; turn++)
@@ -66,6 +66,6 @@ int main(void)
             print_run(s[scene], k, seconds[scene][k]);
     }
     table_end();
-    for (int scene = 0; scene < FLAGSHIP; scene++) sweep_free(s[scene]);
+    for (int scene = 0; scene < FLAGSHIP; scene++) trials_free(s[scene]);
     return table_finish();
 }

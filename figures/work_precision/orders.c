@@ -61,7 +61,7 @@ static void in_time(enum work_scene scene, struct count *count)
             error[k] = work_distance(&at, &end) / size;
         }
         print(scene, "time", method_name(set.method), first ? 1.0 : 2.0,
-              order_of(error[0], error[1], 2.0), error[1], count);
+              study_order(error[0], error[1], 2.0), error[1], count);
     }
 }
 
@@ -79,7 +79,7 @@ static void in_space(enum work_scene scene, enum law law, struct count *count)
     const double predicted =
         law == LINEAR ? 2.0 * material_corner(&notes) : 2.0;
     print(scene, "space", material_law(law), predicted,
-          order_of(work_distance(&run[0], &run[1]), fine, 2.0),
+          study_order(work_distance(&run[0], &run[1]), fine, 2.0),
           fine / work_distance(&run[2], NULL), count);
 }
 

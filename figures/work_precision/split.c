@@ -8,7 +8,7 @@
  * is what is left of them, over the part, for the largest part of a setting.
  */
 #include "base/study.h"
-#include "sweep.h"
+#include "trials.h"
 #include "base/table.h"
 
 #include <math.h>

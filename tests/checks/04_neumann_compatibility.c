@@ -215,7 +215,7 @@ static void every_equation_holds(void)
     double x[5], b[5], *u = guarded_alloc(5), Au[5];
     struct matrix *A = matrix_alloc(BANDED, 5, 1);
     const double load[] = {0.5, -1.25, 3.0, -0.75, -1.5};
-    grid_make(0.0, 1.0, 4, 1.0, x);
+    poisson_grid(0.0, 1.0, 4, 1.0, x);
     poisson_assemble(4, x, field_one, field_one, &MIDPOINT, A, b);
     expect(solve_neumann(A, guarded_copy(5, load), u) == OK,
            "solve_neumann fails for n = 4 equal elements");
@@ -340,7 +340,7 @@ static void defect_is_the_quadrature_error(void)
                                -E * h2 * h2 / 4320.0};
         struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
         double x[65], b[65], defect;
-        grid_make(0.0, 1.0, n, 1.0, x);
+        poisson_grid(0.0, 1.0, n, 1.0, x);
         for (int r = 0; r < COUNT(rule); r++) {
             poisson_assemble(n, x, wavy_beta, exp, rule[r], A, b);
             b[n] -= E;

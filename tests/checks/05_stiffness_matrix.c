@@ -198,7 +198,7 @@ static double condition_number(enum ends ends, int n)
     double x[65], lambda[65];
     const int order = n + 1 - (int)ends;
     struct matrix *A = matrix_alloc(DENSE, n + 1, 0);
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     stiffness_matrix(n, x, A);
     struct matrix *free_part = matrix_block(A, 1, order);
     expect(matrix_eigenvalues(free_part, lambda) == OK, "A is not finite");

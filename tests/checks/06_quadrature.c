@@ -318,7 +318,7 @@ static double load_error(int n, field *f, double integral, int r)
 {
     const struct quadrature rule = quadrature_rule((enum rule)r);
     double x[65];
-    grid_make(0.0, 1.0, n, 1.0, x);
+    poisson_grid(0.0, 1.0, n, 1.0, x);
     for (int j = 0; j <= n; j++)
         integral -= load_entry(j, n, x, f, &rule, 0.0, 0.0);
     return integral;
@@ -408,7 +408,7 @@ static void solution_has_the_orders_and_constants(void)
             sum -= slope / FINE;
         }
         const double L2 = h * h * sqrt(sum_fine(L2_density, w, FINE));
-        grid_make(0.0, 1.0, n, 1.0, node);
+        poisson_grid(0.0, 1.0, n, 1.0, node);
         solve_smooth(n, node, r, u);
         const struct poisson_error error = poisson_errors(
             n, node, u, smooth_beta, smooth_exact, smooth_exact_dx);
@@ -433,7 +433,7 @@ static void midpoint_and_trapezoid_make_gauss(void)
         enum { MOST = 32 };
         const int n = fine ? MOST : MOST / 2;
         double x[MOST + 1], u[3][MOST + 1];
-        grid_make(0.0, 1.0, n, 1.0, x);
+        poisson_grid(0.0, 1.0, n, 1.0, x);
         for (int r = 0; r < N_RULE; r++) solve_smooth(n, x, r, u[r]);
         for (int j = 0; j <= n; j++) {
             const double off =

@@ -101,7 +101,7 @@ static struct solved solve_scene(const struct problem *problem)
                        .b = guarded_alloc(N_node), .b0 = guarded_alloc(N_node),
                        .A = matrix_alloc(BANDED, N_node, 1),
                        .A0 = matrix_alloc(BANDED, N_node, 1)};
-    grid_make(0.0, 1.0, n_elem, 2.385, s.x);
+    poisson_grid(0.0, 1.0, n_elem, 2.385, s.x);
     poisson_assemble(n_elem, s.x, problem->beta, problem->f, &GAUSS2, s.A0,
                      s.b0);
     s.status = solve_bvp(problem, BY_GAUSS2, n_elem, s.x, s.A, s.b, s.u);
@@ -167,7 +167,7 @@ static void solve_once(void)
 {
     static double x[MANY + 1], b[MANY + 1], u[MANY + 1];
     struct matrix *A = matrix_alloc(BANDED, MANY + 1, 1);
-    grid_make(0.0, 1.0, MANY, 2.385, x);
+    poisson_grid(0.0, 1.0, MANY, 2.385, x);
     solve_bvp(&scene, BY_GAUSS2, MANY, x, A, b, u);
     matrix_free(A);
 }
@@ -195,7 +195,7 @@ static void errors_of_a_parabola(void)
     problem.beta = field_one;
     problem.exact = square;
     problem.exact_dx = square_dx;
-    grid_make(0.0, 1.0, n_elem, 2.385, x);
+    poisson_grid(0.0, 1.0, n_elem, 2.385, x);
     for (int j = 0; j < N_node; j++) u[j] = square(x[j]);
     for (int e = 0; e < n_elem; e++) {
         const double h = x[e + 1] - x[e];
@@ -217,7 +217,7 @@ static void errors_of_a_parabola(void)
 static void errors_agree_with_the_library(void)
 {
     double *x = guarded_alloc(N_node), *u = guarded_alloc(N_node);
-    grid_make(0.0, 1.0, n_elem, 0.2385, x);
+    poisson_grid(0.0, 1.0, n_elem, 0.2385, x);
     for (int j = 0; j < N_node; j++) u[j] = wave(x[j]) + 0.0613 * sin(5.0 * j);
 
     const struct poisson_error want =

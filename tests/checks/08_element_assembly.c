@@ -316,7 +316,7 @@ static struct matrix *trial_system(int singular, double b[65])
     const int left[] = {0};
     const double value[] = {1.247};
     struct matrix *A = matrix_alloc(DENSE, 65, 0);
-    grid_make(-0.2385, 2.385, 64, 3.714, x);
+    poisson_grid(-0.2385, 2.385, 64, 3.714, x);
     poisson_assemble(64, x, beta_, load_, &GAUSS2, A, b);
     if (!singular) matrix_dirichlet(A, b, 1, left, value, KEEP_DIAGONAL);
     return A;

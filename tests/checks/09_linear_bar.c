@@ -111,7 +111,7 @@ static void against_the_poisson_solver(int solving)
     enum { N = n_elem + 1 };
     double x[N], b[N], b_poisson[N], u[N], zero = 0.0;
     const int first = 0;
-    grid_make(0.0, 1.0, n_elem, 1.0, x);
+    poisson_grid(0.0, 1.0, n_elem, 1.0, x);
     for (int shape = UNIFORM; shape <= COSINE; shape++) {
         struct bar_scene s = scene_of(HELD, 0.0, FREE, 0.0);
         s.shape = (enum shape)shape;

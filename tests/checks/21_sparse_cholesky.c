@@ -274,7 +274,7 @@ static enum status factor_of(const struct csr *K, struct factor **L)
         for (int i = K->n - 1; i > j; i--)
             if (filled[i][j]) parent[j] = i, count[j]++;
     }
-    *L = factor_alloc(K->n, count);
+    *L = csr_factor_alloc(K->n, count);
     for (int p = 0; p < (*L)->start[K->n]; p++) { /* there is nothing yet */
         (*L)->row[p] = K->n - 1;
         (*L)->value[p] = NAN;
@@ -320,7 +320,7 @@ static void expect_factor(const struct csr *K, const char *what)
         for (int j = 0; j <= i; j++)
             expect_close(product[i][j], 0.0, ROUND_OFF, largest,
                          "%s: entry (%d, %d) of L L^T - K", what, i, j);
-    factor_free(L);
+    csr_factor_free(L);
 }
 
 static void factor_times_its_transpose_is_K(void)
@@ -350,7 +350,7 @@ static void the_pivot_is_compared_with_its_own_entry(void)
             K->value[p] *= pow(10.0, 9.0 * (sin(i) + sin(K->index[p])));
     expect(factor_of(K, &L) == OK, "scales from 1e-18 to 1e18: NOT_SPD, "
            "although it is positive definite");
-    factor_free(L);
+    csr_factor_free(L);
     csr_free(K);
 }
 
@@ -369,7 +369,7 @@ static enum status border(double part)
         K->start[i + 1] = k;
     }
     const enum status status = factor_of(K, &L);
-    factor_free(L);
+    csr_factor_free(L);
     csr_free(K);
     return status;
 }
@@ -401,7 +401,7 @@ static void what_is_not_spd_is_named(void)
             const enum status status = factor_of(K, &L);
             expect(status == (spoilt ? NOT_SPD : OK), "%s in row %d: %s",
                    what[bad], k, status_name(status));
-            factor_free(L);
+            csr_factor_free(L);
             csr_free(K);
         }
 }

@@ -41,6 +41,31 @@ rule 'common/ includes its own room, or downwards' \
           if (from[2] != to[1] && !(floor[to[1]] < floor[from[2]])) print $1 " includes " $2 }')"
 rule 'no header of common/ reaches itself' \
     "$(included common/*/*.h | sed 's|^common/||' | tsort 2>&1 >/dev/null)"
+# A public name begins with the name of its header, of its room (bar_, particle_
+# or particles_), or with a noun that the header states ("Names: mat2_."); a noun
+# belongs to one room.
+names=$(for h in common/*/*.h; do
+    awk -v f="$h" '
+        NR == 1 { split(f, path, "/"); own = path[3]; sub(/\.h$/, "", own)
+                  one = path[2]; sub(/s$/, "", one); n = 0 }
+        /^ \* Names: / { text = $0; gsub(/.*Names: |\.$/, "", text)
+                        n = split(text, noun, ", ") }
+        /^[a-z].*\(/ && !/^(typedef|static|INLINE|extern)/ {
+            name = $0; sub(/\(.*/, "", name); sub(/.*[ *]/, "", name)
+            good = index(name, own) == 1 || index(name, one "_") == 1 ||
+                   index(name, path[2] "_") == 1
+            for (k = 1; k <= n; k++) if (index(name, noun[k]) == 1) good = 1
+            if (name != "" && !good) print "name", f ": " name }
+        END { for (k = 1; k <= n; k++) print "noun", noun[k], path[2] }' "$h"
+done)
+rule 'names of common/ begin with their header, room or a stated noun' \
+    "$(echo "$names" | sed -n 's/^name //p')"
+rule 'a noun of common/ belongs to one room' \
+    "$(echo "$names" | grep '^noun' | sort -u | awk '{ print $2 }' | uniq -d)"
+rule 'all headers of common/ can be included together' \
+    "$(for h in common/*/*.h; do echo "#include \"${h#common/}\""; done |
+        ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
+            $(gsl-config --cflags 2>/dev/null) -w -fsyntax-only -x c - 2>&1)"
 rule 'common/ knows no lesson' \
     "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*/*.[ch])"
 rule 'solutions include libc, GSL and common/; studies also their own folder' \
@@ -297,8 +322,9 @@ rule 'the map of the course shows what the chapters say (make figures)' \
     "$( (awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md |
         cmp - figures/map.svg) 2>&1)"
 rule 'a figure has at most 250 kB, one of make bench 280, a moving one 400' \
-    "$(find figures -name '*.svg' -size +250k ! -path 'figures/speed/*';
-        find figures/speed -name '*.svg' -size +280k
+    "$(find figures -name '*.svg' -size +250k ! -path 'figures/speed/*' \
+        ! -name fronts.svg;
+        find figures/speed figures/work_precision/fronts.svg -name '*.svg' -size +280k
         find figures -name '*.gif' -size +400k)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do

@@ -235,7 +235,7 @@ static void fused_sweep_is_newton(void)
                         for (int i = 0; i <= n_; i++)
                             v[i] = 0.3 * sin(3.714 * i);
                         const struct newton_report got = bar_fast_newton(
-                            &bar, &control, (enum sweep)s, v);
+                            &bar, &control, (enum elimination)s, v);
                         ck_assert_int_eq(got.status, want.status);
                         ck_assert_int_le(abs(got.iterations - want.iterations),
                                          steps > 1);
@@ -256,7 +256,7 @@ static void fused_sweep_fails_with_a_reason(void)
     struct bar bar = {n, 1.0 / n, {0, 0}, b, material_make(CUBIC, 1000.0, 0.3)};
     const struct newton_control control = {1e-11, 3, 0, 0};
     for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
-        const enum sweep sweep = (enum sweep)s;
+        const enum elimination sweep = (enum elimination)s;
         b[n] = 1.0; /* nothing is held */
         bar.held[0] = 0;
         ck_assert_int_eq(bar_fast_newton(&bar, &control, sweep, u).status,

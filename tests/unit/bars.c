@@ -340,7 +340,7 @@ static void what_round_off_cannot_move_is_stalled(void)
     control.tolerance = 0.0;
     for (int s = FROM_LEFT; s <= FROM_BOTH_ENDS; s++) {
         for (int i = 0; i <= n; i++) u[i] = 0.5 * DBL_EPSILON * h * i;
-        report = bar_fast_newton(&bar, &control, (enum sweep)s, u);
+        report = bar_fast_newton(&bar, &control, (enum elimination)s, u);
         ck_assert_int_eq(report.status, STALLED);
         ck_assert_int_eq(report.iterations, 1);
     }
@@ -356,7 +356,7 @@ static void no_tolerance_is_too_small(void)
                                         .c = 11.925 * k + 1.0};
         struct bar_state *s = bar_state_alloc(&scene);
         const struct newton_report report = bar_fast_newton(
-            &s->bar, &control, (enum sweep)(k >> 1 & 1), s->u);
+            &s->bar, &control, (enum elimination)(k >> 1 & 1), s->u);
         ck_assert(report.status == STALLED ||
                   (report.status == OK && report.residual == 0.0));
         ck_assert_double_le(report.residual, 1e-12); /* of forces of 1e3 */

@@ -638,7 +638,7 @@ static void a_line_search_is_armijos(void)
     body->material = material_make(CUBIC, 1000.0, 0.0);
     for (int enough = 0; enough < 2; enough++) {
         struct promise promise = {body, enough ? 1.5e-4 : 0.75e-4};
-        const double s = root_of(fall, &promise, 0.4, 0.5);
+        const double s = study_root(fall, &promise, 0.4, 0.5);
         double u[SMALL], searched[SMALL];
         let_go(body, s, 0, u);
         let_go(body, s, 1, searched);

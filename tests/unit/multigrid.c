@@ -134,7 +134,7 @@ static void cg_reports_the_residual_of_x(void)
 static void incomplete_factor_has_the_entries_of_K(void)
 {
     struct bench t = bench_alloc(6);
-    struct factor *L = incomplete(t.K);
+    struct factor *L = cg_factor(t.K);
     ck_assert_ptr_nonnull(L);
     ck_assert_int_eq(2 * L->start[L->n] - L->n, t.K->start[t.K->n]);
     for (int i = 0; i < t.K->n; i++) {
@@ -152,12 +152,12 @@ static void incomplete_factor_has_the_entries_of_K(void)
     }
     fill(t.K->n, t.x, 0.7);
     memcpy(t.y, t.x, (size_t)t.K->n * sizeof *t.x);
-    factor_solve(L, t.y);
+    csr_factor_solve(L, t.y);
     cg_incomplete(L, t.x, t.z);
     for (int i = 0; i < t.K->n; i++) ck_assert(t.z[i] == t.y[i]);
-    factor_free(L);
+    csr_factor_free(L);
     t.K->value[0] = -1.0;
-    ck_assert_ptr_null(incomplete(t.K));
+    ck_assert_ptr_null(cg_factor(t.K));
     bench_free(t);
 }
 

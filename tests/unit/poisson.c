@@ -27,14 +27,14 @@ static void solve_exercise(int n, const double x[],
 static void grid_is_geometric_and_meets_its_ends(void)
 {
     double x[12];
-    grid_make(-0.7, 2.385, 11, 5.5, x);
+    poisson_grid(-0.7, 2.385, 11, 5.5, x);
     ck_assert(x[0] == -0.7 && x[11] == 2.385);
     for (int j = 1; j < 11; j++)
         close_to((x[j + 1] - x[j]) / (x[j] - x[j - 1]), pow(5.5, 0.1), 1e-13);
     close_to((x[11] - x[10]) / (x[1] - x[0]), 5.5, 1e-12);
-    grid_make(0.0, 1.0, 4, 1.0, x);
+    poisson_grid(0.0, 1.0, 4, 1.0, x);
     for (int j = 0; j <= 4; j++) ck_assert(x[j] == 0.25 * j);
-    grid_make(0.0, 1.0, 1, 7.0, x);
+    poisson_grid(0.0, 1.0, 1, 7.0, x);
     ck_assert(x[0] == 0.0 && x[1] == 1.0);
 }
 
@@ -59,7 +59,7 @@ static void exercise_5_equals_the_oracle(void)
 {
     double x[5], b[5];
     struct matrix *A = matrix_alloc(DENSE, 5, 1);
-    grid_make(0.0, 1.0, 4, 1.0, x);
+    poisson_grid(0.0, 1.0, 4, 1.0, x);
     poisson_assemble(4, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
     b[4] -= 0.5;
     for (int i = 0; i < 5; i++) {
@@ -84,7 +84,7 @@ static void errors_equal_the_oracles(void)
     for (int k = 0; k < COUNT(oracle_bvp_midpoint); k++) {
         const struct oracle_bvp *want = &oracle_bvp_midpoint[k];
         double x[65], u[65];
-        grid_make(0.0, 1.0, want->N, 1.0, x);
+        poisson_grid(0.0, 1.0, want->N, 1.0, x);
         solve_exercise(want->N, x, &MIDPOINT, u);
         const struct poisson_error got =
             poisson_errors(want->N, x, u, field_one, bvp_exact, bvp_exact_dx);
@@ -100,7 +100,7 @@ static void second_order_in_L2_on_an_unequal_grid(void)
     for (int k = 0; k < 2; k++) {
         const int n = 40 << k;
         double x[81], u[81];
-        grid_make(0.0, 1.0, n, 2.385, x);
+        poisson_grid(0.0, 1.0, n, 2.385, x);
         solve_exercise(n, x, &GAUSS2, u);
         error[k] =
             poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
@@ -147,7 +147,7 @@ static void rows_sum_to_zero_and_loads_to_the_integral(void)
 {
     double x[8], b[8], sum = 0.0, total = 0.0;
     struct matrix *A = matrix_alloc(BANDED, 8, 1);
-    grid_make(0.0, 1.0, 7, 3.714, x);
+    poisson_grid(0.0, 1.0, 7, 3.714, x);
     poisson_assemble(7, x, smooth, bvp_f, &MIDPOINT, A, b);
     for (int i = 0; i < 8; i++) {
         double row = 0.0;
@@ -263,7 +263,7 @@ static void the_fitted_system_is_exact_at_the_nodes(void)
     enum { n = 7 };
     double x[n + 1], u[n + 1];
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
-    grid_make(0.0, 1.0, n, 2.385, x);
+    poisson_grid(0.0, 1.0, n, 2.385, x);
     bvp_fitted_assemble(n, x, A, u);
     bvp_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);

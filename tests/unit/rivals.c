@@ -42,7 +42,7 @@ static void bars_end_where_they_should(void)
             e[k] = work_distance(&w, &end);
         }
         ck_assert(e[1] < 2e-5);
-        close_to(order_of(e[0], e[1], 2.0), 2.0, 0.05);
+        close_to(study_order(e[0], e[1], 2.0), 2.0, 0.05);
     }
 }
 

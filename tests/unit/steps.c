@@ -13,7 +13,8 @@
 /* Newton's method stops at 1e-10 h and is quadratic. */
 static void steps_are_the_oracles(void)
 {
-    static const enum stepping which[] = {BAR, BAR, STRAINED, BLOCK, BLOCK};
+    static const enum stepping which[] = {HANGING, HANGING, STRAINED, BLOCK,
+                                          BLOCK};
     static const enum law law[] = {CUBIC, LOG, CUBIC, CUBIC, LOG};
     for (int k = 0; k < 2 * COUNT(oracle_step); k++) {
         const int row = k / 2, flip = k % 2;

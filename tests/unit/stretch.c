@@ -192,8 +192,8 @@ static void line_search_is_armijos(void)
 {
     double enough = 1.5e-4, too_little = 0.75e-4;
     takes_the_length(0.2385, 1.0);
-    takes_the_length(root_of(fall, &enough, 0.1, 0.8), 1.0);
-    takes_the_length(root_of(fall, &too_little, 0.1, 0.8), 0.5);
+    takes_the_length(study_root(fall, &enough, 0.1, 0.8), 1.0);
+    takes_the_length(study_root(fall, &too_little, 0.1, 0.8), 0.5);
     takes_the_length(0.9, 0.25); /* w: 0.57; 39, 3.8, 0.13 */
 }
 

@@ -35,18 +35,18 @@ static double hole(double x, void *unused)
 static void a_root_is_found_to_the_last_digit(void)
 {
     double shift = 2.385;
-    close_to(root_of(cubic, &shift, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
-    close_to(root_of(cubic, &shift, 2.0, 0.0), cbrt(2.385), 1e-15 * 2);
+    close_to(study_root(cubic, &shift, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
+    close_to(study_root(cubic, &shift, 2.0, 0.0), cbrt(2.385), 1e-15 * 2);
     shift = 8.0; /* at an end */
-    ck_assert_double_eq(root_of(cubic, &shift, 1.0, 2.0), 2.0);
-    ck_assert_double_eq(root_of(cubic, &shift, 2.0, 3.0), 2.0);
-    ck_assert_double_eq(root_of(cubic, &shift, 2.0, 2.0), 2.0);
+    ck_assert_double_eq(study_root(cubic, &shift, 1.0, 2.0), 2.0);
+    ck_assert_double_eq(study_root(cubic, &shift, 2.0, 3.0), 2.0);
+    ck_assert_double_eq(study_root(cubic, &shift, 2.0, 2.0), 2.0);
     for (double size = -1e-200; size < 2e-200; size += 2e-200)
-        close_to(root_of(tiny, &size, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
+        close_to(study_root(tiny, &size, 0.0, 2.0), cbrt(2.385), 1e-15 * 2);
 }
 
-static void ask_without_a_root(void) { root_of(never, NULL, -1.0, 1.0); }
-static void ask_a_hole(void) { root_of(hole, NULL, 0.0, 1.0); }
+static void ask_without_a_root(void) { study_root(never, NULL, -1.0, 1.0); }
+static void ask_a_hole(void) { study_root(hole, NULL, 0.0, 1.0); }
 
 static void no_root_is_an_error(void)
 {
@@ -62,11 +62,11 @@ static void orders_are_the_exponents(void)
 {
     const double h = 0.2385;
     for (double size = 3e-9; size < 1e9; size *= 1e4) /* of any errors */
-        close_to(order_of(size * pow(3.0 * h, 2.5), size * pow(h, 2.5), 3.0),
+        close_to(study_order(size * pow(3.0 * h, 2.5), size * pow(h, 2.5), 3.0),
                  2.5, 1e-13);
-    ck_assert(isnan(order_of(0.0, 1.0, 2.0)));
-    ck_assert(isnan(order_of(1.0, 0.0, 2.0)));
-    ck_assert(isnan(order_of((double)NAN, 1.0, 2.0)));
+    ck_assert(isnan(study_order(0.0, 1.0, 2.0)));
+    ck_assert(isnan(study_order(1.0, 0.0, 2.0)));
+    ck_assert(isnan(study_order((double)NAN, 1.0, 2.0)));
 }
 
 static void claim_what_is_true(void)

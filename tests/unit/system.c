@@ -51,7 +51,7 @@ static void rows_multiply(void)
 static void factor_solves_with_both_triangles(void)
 {
     const int count[] = {2, 1, 1};
-    struct factor *L = factor_alloc(3, count);
+    struct factor *L = csr_factor_alloc(3, count);
     struct csr *A = drawn();
     const double value[] = {2.0, 3.5, sqrt(5.0), sqrt(26.0 - 3.5 * 3.5)};
     const int row[] = {0, 2, 1, 2};
@@ -63,10 +63,10 @@ static void factor_solves_with_both_triangles(void)
             L->end[j]++;
         }
     ck_assert_int_eq(L->start[3], 4);
-    factor_solve(L, x);
+    csr_factor_solve(L, x);
     ck_assert_double_le(csr_residual(A, x, b), 4 * DBL_EPSILON);
-    factor_free(L);
-    factor_free(NULL);
+    csr_factor_free(L);
+    csr_factor_free(NULL);
     csr_free(A);
 }
 

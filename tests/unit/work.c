@@ -1,6 +1,6 @@
-/* work.c - laws of figures/work_precision/work.h and sweep.h. */
+/* work.c - laws of figures/work_precision/work.h and trials.h. */
 #include "base/study.h"
-#include "figures/work_precision/sweep.h"
+#include "figures/work_precision/trials.h"
 
 #include "unit.h"
 
@@ -115,7 +115,7 @@ static void methods_have_their_orders(void)
         const struct work end = ends[law];
         const struct work coarse = run(FAST_PULL, law, 1, 4, 64, method);
         const struct work fine = run(FAST_PULL, law, 1, 4, 128, method);
-        const double order = order_of(work_distance(&coarse, &end),
+        const double order = study_order(work_distance(&coarse, &end),
                                       work_distance(&fine, &end), 2.0);
         close_to(order, method == BACKWARD_EULER ? 1.0 : 2.0, 0.1);
     }
@@ -223,7 +223,7 @@ static void limits_are_limits(void)
               moving_floor < work_distance(&mesh[1], &mesh[2]));
 }
 
-/* ---- sweep.h ------------------------------------------------------------- */
+/* ---- trials.h ------------------------------------------------------------ */
 
 static int same(const struct work_setting *a, const struct work_setting *b)
 {
@@ -233,19 +233,19 @@ static int same(const struct work_setting *a, const struct work_setting *b)
 }
 
 /* Of the column. */
-static void parts_are_what_they_should_be(const struct sweep *s)
+static void parts_are_what_they_should_be(const struct trials *s)
 {
     struct work_setting set = setting(BUCKLE, LOG, 1, 8, 32, IMPLICIT_MIDPOINT);
     double part[N_PART], finer[N_PART];
     set.tolerance = 1e-5;
-    sweep_parts(s, &set, part);
+    trials_parts(s, &set, part);
     ck_assert(part[MODEL] == 0.0);
     ck_assert(part[SOLVER] == 0.0);
     ck_assert(part[SPACE] > 0.3 && part[TIME] > 0.0);
     set.n = 32;
     set.method = BACKWARD_EULER;
     set.tolerance = 1e-2;
-    sweep_parts(s, &set, finer);
+    trials_parts(s, &set, finer);
     ck_assert(finer[SPACE] < 0.5 * part[SPACE]);
     ck_assert(finer[TIME] > part[TIME] && finer[SOLVER] > 0.0);
     /* the finest steps: what they leave is the solver's */
@@ -255,12 +255,12 @@ static void parts_are_what_they_should_be(const struct sweep *s)
         if (s->set[k].dynamic && s->set[k].method == set.method &&
             s->set[k].n == 8 && s->set[k].steps > set.steps)
             set.steps = s->set[k].steps;
-    sweep_parts(s, &set, finer);
+    trials_parts(s, &set, finer);
     ck_assert(finer[TIME] == 0.0 && finer[SOLVER] > 0.0);
     /* a straight column; the coarsest mesh would not have seen it */
     set = setting(BUCKLE, LINEAR, 0, 8, 1, BACKWARD_EULER);
     set.tolerance = 1e-2;
-    const double whole = sweep_parts(s, &set, part);
+    const double whole = trials_parts(s, &set, part);
     ck_assert(whole > fabs(part[MODEL] - part[SPACE]));
     ck_assert(whole < part[MODEL] + part[SPACE]);
     ck_assert(part[MODEL] > 0.2 && part[TIME] == 0.0 && part[SOLVER] == 0.0);
@@ -268,7 +268,7 @@ static void parts_are_what_they_should_be(const struct sweep *s)
 
 static void sweeps_know_parts_and_the_cheapest(void)
 {
-    struct sweep *s = sweep_alloc(BUCKLE);
+    struct trials *s = trials_alloc(BUCKLE);
     int dynamic = 0, leapt = 0;
     ck_assert_int_eq(s->count, 276);
     for (int k = 0; k < s->count; k++) {
@@ -277,7 +277,7 @@ static void sweeps_know_parts_and_the_cheapest(void)
         leapt += set->dynamic && set->method == SYMPLECTIC_EULER;
         for (int i = 0; i < k; i++)
             ck_assert(!same(set, &s->set[i]));
-        const int best = sweep_cheapest(s, s->error[k]);
+        const int best = trials_cheapest(s, s->error[k]);
         if (s->error[k] == INFINITY) continue;
         ck_assert(s->error[best] <= s->error[k]);
         ck_assert(s->work[best].flops <= s->work[k].flops);
@@ -287,30 +287,30 @@ static void sweeps_know_parts_and_the_cheapest(void)
     }
     ck_assert_int_eq(dynamic, 249);
     ck_assert_int_eq(leapt, 24);
-    ck_assert_int_eq(sweep_cheapest(s, 0.0), -1);
+    ck_assert_int_eq(trials_cheapest(s, 0.0), -1);
     ck_assert(s->floor > 0.0 && s->floor < 0.1 && s->size > 0.1);
     parts_are_what_they_should_be(s);
-    sweep_free(s);
+    trials_free(s);
 }
 
 static void the_rule_is_balanced(void)
 {
-    struct sweep *s = sweep_alloc(PUSH);
+    struct trials *s = trials_alloc(PUSH);
     double last = 0.0, part[N_PART];
-    ck_assert_int_eq(sweep_balanced(s, 0.0), -1);
+    ck_assert_int_eq(trials_balanced(s, 0.0), -1);
     for (double error = 2.0; error > 0.03; error *= 0.7) {
-        const int k = sweep_balanced(s, error);
+        const int k = trials_balanced(s, error);
         ck_assert(k >= 0);
-        const double sum = sweep_parts(s, &s->set[k], part);
+        const double sum = trials_parts(s, &s->set[k], part);
         ck_assert(part[MODEL] <= error && sum <= error);
         ck_assert_int_eq(s->work[k].status, OK);
         ck_assert(s->work[k].flops >= last);
         ck_assert(s->error[k] < 2.0 * error);
         last = s->work[k].flops;
-        const int as_good = sweep_cheapest(s, s->error[k]);
+        const int as_good = trials_cheapest(s, s->error[k]);
         ck_assert(s->work[k].flops <= 2.0 * s->work[as_good].flops);
     }
-    sweep_free(s);
+    trials_free(s);
 }
 
 static const struct unit_law laws[] = {

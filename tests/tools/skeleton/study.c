@@ -22,7 +22,7 @@ int main(void)
     table_row(2, before, MISSING);
     for (int n = 4; n <= 64; n *= 2) {
         const double error = error_of(n);
-        order = order_of(before, error, 2.0);
+        order = study_order(before, error, 2.0);
         table_row(n, error, order);
         before = error;
     }

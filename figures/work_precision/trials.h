@@ -1,5 +1,5 @@
 /*
- * sweep.h - all settings of work.h for one scene: which is the cheapest for an
+ * trials.h - all settings of work.h for one scene: which is the cheapest for an
  * error, and which one the balance rule takes.
  *
  * Static: every law, three meshes (1, 2, 4 times the coarsest), 1 or 8 load
@@ -12,23 +12,23 @@
 
 #include "work.h"
 
-enum { SWEEP_MOST = 320 };
-struct sweep {
+enum { TRIALS_MOST = 320 };
+struct trials {
     enum work_scene scene;
     double size, floor; /* of the limit (m); what is not known of it, rel. */
     int count;
-    struct work_setting set[SWEEP_MOST];
-    struct work work[SWEEP_MOST];
-    double error[SWEEP_MOST]; /* INFINITY where the run has failed */
+    struct work_setting set[TRIALS_MOST];
+    struct work work[TRIALS_MOST];
+    double error[TRIALS_MOST]; /* INFINITY where the run has failed */
 };
 
 /* All runs.  The caller frees it. */
-struct sweep *sweep_alloc(enum work_scene scene);
-void sweep_free(struct sweep *sweep);
+struct trials *trials_alloc(enum work_scene scene);
+void trials_free(struct trials *sweep);
 
 /* The setting with the fewest flops among those with at most this error, or
  * -1. */
-int sweep_cheapest(const struct sweep *sweep, double error);
+int trials_cheapest(const struct trials *sweep, double error);
 
 /*
  * What a setting should have wrong, part by part, relative to size, without a
@@ -39,7 +39,7 @@ int sweep_cheapest(const struct sweep *sweep, double error);
  */
 enum part { MODEL, SPACE, TIME, SOLVER, N_PART };
 #define PARTS "model space time solver" /* as words, in this order */
-double sweep_parts(const struct sweep *sweep, const struct work_setting *set,
+double trials_parts(const struct trials *sweep, const struct work_setting *set,
                    double part[N_PART]);
 
 /*
@@ -48,12 +48,12 @@ double sweep_parts(const struct sweep *sweep, const struct work_setting *set,
  * error, until that is at most `error`; of these settings the one with the
  * fewest flops.  -1: none gets there.
  */
-int sweep_balanced(const struct sweep *sweep, double error);
+int trials_balanced(const struct trials *sweep, double error);
 
-/* A row with the columns SWEEP_COLUMNS for setting k; `asked`: the error that
+/* A row with the columns TRIALS_COLUMNS for setting k; `asked`: the error that
  * it was wanted for, 0: none. */
-#define SWEEP_COLUMNS "scene asked law method n steps tolerance error flops " \
+#define TRIALS_COLUMNS "scene asked law method n steps tolerance error flops " \
                       "reason systems"
-void sweep_row(const struct sweep *sweep, int k, double asked);
+void trials_row(const struct trials *sweep, int k, double asked);
 
 #endif
