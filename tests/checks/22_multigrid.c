@@ -335,7 +335,7 @@ struct bench {
     struct system *s;
     struct csr *A;
     struct multigrid *m;
-    double *room[GRIDS];
+    double *room[GRIDS][3];
     int size;
     double *r[2], *z[2];
 };
@@ -354,8 +354,8 @@ static struct bench bench_make(int n)
     for (int g = 0; g < t.m->grids; g++) {
         const int size = t.m->K[g]->n;
         double **array[] = {&t.m->x[g], &t.m->b[g], &t.m->r[g]};
-        t.room[g] = t.m->x[g];
         for (int k = 0; k < 3; k++) { /* as an earlier cycle has left them */
+            t.room[g][k] = *array[k];
             *array[k] = guarded_alloc(size);
             for (int i = 0; i < size; i++)
                 (*array[k])[i] = odd_number(i + k * size);
@@ -366,7 +366,11 @@ static struct bench bench_make(int n)
 
 static void bench_end(struct bench t)
 {
-    for (int g = 0; g < t.m->grids; g++) t.m->x[g] = t.room[g];
+    for (int g = 0; g < t.m->grids; g++) {
+        t.m->x[g] = t.room[g][0];
+        t.m->b[g] = t.room[g][1];
+        t.m->r[g] = t.room[g][2];
+    }
     multigrid_free(t.m);
     csr_free(t.A);
     system_free(t.s);
