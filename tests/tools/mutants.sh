@@ -192,7 +192,7 @@ common)
             far=$(awk -v file="$file" -v unit="$unit" -v name="$name" '
                 $1 == "file:" { known = $2 == file }
                 $1 == "unit:" && known && $2 == unit { near += 100 }
-                index($0, "#include \"" name ".h\"") { near += 50 }
+                $0 ~ "#include \"(.*/)?" name "[.]h\"" { near += 50 }
                 END { print 1000 - near - 500 * (unit == name) }' \
                 tests/unit/mistakes.txt "tests/unit/$unit.c")
             echo "$far $unit"
@@ -200,7 +200,7 @@ common)
         near=$(echo "$units" | awk '$1 < 1000 { print $2 }')
         units=$(echo "$units" | sed 's/.* //')
         case $name in
-        banded | front) native=$NATIVE ;;
+        tiles | front | readable) native=$NATIVE ;;
         body) native=$NATIVE_BODY ;;
         *) native= ;;
         esac
