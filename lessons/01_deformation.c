@@ -120,7 +120,7 @@ static void print_square(const struct mesh *mesh, double s)
     int inverted = 0;
 
     for (int a = 0; a < mesh->n_vertex; a++)
-        push(s, mesh->X + 2 * a, x + 2 * a);
+        push(s, &mesh->X[2 * a], &x[2 * a]);
     table_begin("triangles", "e F11 F12 F21 F22 J");
     for (int e = 0; e < mesh->n_triangle; e++) {
         const int *v = mesh->triangle + 3 * e, other = e % 2 ? 2 : 1;

@@ -36,12 +36,14 @@ static enum status residual(const struct model *model, double dt,
                             const double u[], double q[])
 {
     const int n = model->n_dof;
-    double *move = allocate(2 * (size_t)n, sizeof *move), *force = move + n;
+    double *move = allocate((size_t)n, sizeof *move);
+    double *force = allocate((size_t)n, sizeof *force);
     enum status status = OK;
     /* SLOT 14a(model, dt, u0, v0, u, q, n, move, force, &status): q[0..n-1],
      * by model_mass() and model_force() [eq:time-residual]. */
     todo("14a", model, dt, u0, v0, u, q, n, move, force, &status);
     /* END 14a */
+    free(force);
     free(move);
     return status;
 }
@@ -78,13 +80,17 @@ static struct step_report implicit_step(
     const struct state *s, double u[], double v[])
 {
     const int n = s->n;
-    double *a = allocate(3 * (size_t)n, sizeof *a), *b = a + n, *g_mid = b + n;
+    double *a = allocate((size_t)n, sizeof *a);
+    double *b = allocate((size_t)n, sizeof *b);
+    double *g_mid = allocate((size_t)n, sizeof *g_mid);
     struct step_report report = {.status = OK};
     /* SLOT 14c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report):
      * a, b, d of the method; integrate_solve() with your residual(); u, v from
      * u*, v* [eq:one-solve]. */
     todo("14c", model, method, dt, g, s, u, v, n, a, b, g_mid, &report);
     /* END 14c */
+    free(g_mid);
+    free(b);
     free(a);
     return report;
 }
@@ -94,8 +100,7 @@ static struct step_report implicit_step(
  * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
  * FAST, then with ROBUST, then with ROBUST in 2, 4, ... MOST_SUBSTEPS parts,
  * the prescribed values going in a straight line to g.  Of a frame that is
- * lost, now is exactly as it was.  See integrate.h for FAST, ROBUST, struct
- * frame.
+ * lost, now is exactly as it was.  FAST, ROBUST, struct frame: integrate.h.
  */
 static struct frame frame_step(struct body *body, double dt, const double g[],
                                const double f[], struct state *now)
@@ -177,13 +182,11 @@ int main(int argc, char *argv[])
         {"wdt", .real = &w_dt, .min = 0.01, .max = 20.0,
          .help = "omega dt of the mode"},
         {"n", .integer = &n, .min = 2, .max = 32, .help = "squares per side"},
-        {"law", .choice = &law, .choices = "log cubic",
-         .help = "material of the loop"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "material"},
         {"reach", .real = &reach, .min = 0.0, .max = 1.8,
          .help = "how far the user of the loop goes"},
     };
     options_parse("14_time_step", options, COUNT(options), argc, argv);
-
     print_stages();
     print_mode(w_dt);
     print_frames(n, law ? CUBIC : LOG, reach);

@@ -100,8 +100,9 @@ enum { CAP = 300 };
 static struct release_report release(struct body *body, double u[])
 {
     const double small = RELEASE_TOLERANCE * material_modulus(&body->material);
-    double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
-    double *du = q + 2 * body->mesh->n_vertex;
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *q = allocate(n_dof, sizeof *q);
+    double *du = allocate(n_dof, sizeof *du);
     struct release_report report = {.status = MAX_ITERATIONS};
     /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
      * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
@@ -109,6 +110,7 @@ static struct release_report release(struct body *body, double u[])
      * _min_J(). */
     todo("16d", body, u, small, q, du, &report);
     /* END 16d */
+    free(du);
     free(q);
     return report;
 }

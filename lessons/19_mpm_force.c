@@ -96,7 +96,8 @@ static void print_taylor(const struct particle_body *body, const double u[],
                          const double f[])
 {
     const int n = 2 * body->grid->n_node;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *Kw = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *Kw = allocate((size_t)n, sizeof *Kw);
     struct taylor error, old = {0.0, 0.0};
     grid_shake(body->grid, 0.35 * body->grid->h, Kw);
     for (int r = 0; r < n; r++) w[r] = Kw[n - 1 - r];
@@ -109,6 +110,7 @@ static void print_taylor(const struct particle_body *body, const double u[],
                   cell_if(t < 0.25, log2(old.force / error.force)));
     }
     table_end();
+    free(Kw);
     free(w);
 }
 
@@ -119,17 +121,20 @@ static void print_seven(int order, struct material material, double shake)
     const struct particle_body body = {seven.grid, seven.p, material, NULL};
     const int n = 2 * seven.grid->n_node;
     const double h = seven.grid->h;
-    double *u = allocate(4 * (size_t)n, sizeof *u), *f = u + n;
-    double *cauchy = f + n, *quotient = cauchy + n;
+    double *u = allocate((size_t)n, sizeof *u);
+    double *f = allocate((size_t)n, sizeof *f);
+    double *cauchy = allocate((size_t)n, sizeof *cauchy);
+    double *quotient = allocate((size_t)n, sizeof *quotient);
     grid_shake(seven.grid, shake * h, u);
     check(grid_p2g(seven.grid, seven.p));
     check(force(&body, u, f));
     check(particle_cauchy_force(&body, u, cauchy));
     check(particle_difference_force(&body, u, 1e-5 * h, quotient));
     table_begin("force", "node component force cauchy quotient");
-    for (int r = 0; r < n; r++)
-        if (seven.grid->mass[r / 2] > 0.0)
-            table_row(r / 2, r % 2, f[r], cauchy[r], quotient[r]);
+    for (int a = 0; a < seven.grid->n_node; a++)
+        for (int k = 0, r = 2 * a; k < 2; k++, r++)
+            if (seven.grid->mass[a] > 0.0)
+                table_row(a, k, f[r], cauchy[r], quotient[r]);
     table_end();
     table_begin("balance", "form force_x force_y torque torque_undisplaced");
     for (int k = 0; k < 2; k++) {
@@ -140,6 +145,9 @@ static void print_seven(int order, struct material material, double shake)
     }
     table_end();
     print_taylor(&body, u, f);
+    free(quotient);
+    free(cauchy);
+    free(f);
     free(u);
     cloud_free(seven);
 }

@@ -35,12 +35,14 @@ static enum status potential(const struct particle_body *body,
 {
     const double *v = body->grid->v, *mass = body->grid->mass;
     const int n = 2 * body->grid->n_node;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *Mw = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *Mw = allocate((size_t)n, sizeof *Mw);
     enum status status = OK;
     /* SLOT 20a(body, step, u, v, mass, n, w, Mw, E, r, &status): the parts of
      * E, and r; particle_energy(), particle_force(), particle_mass(). */
     todo("20a", body, step, u, v, mass, n, w, Mw, E, r, &status);
     /* END 20a */
+    free(Mw);
     free(w);
     return status;
 }
@@ -58,6 +60,29 @@ static void number(const struct grid *grid, enum wall wall,
     /* END 20b */
 }
 
+/* What newton() works on: n numbers each. */
+struct room {
+    double *r, *y, *du, *trial;
+};
+
+static struct room room_alloc(size_t n)
+{
+    struct room room;
+    room.r = allocate(n, sizeof *room.r);
+    room.y = allocate(n, sizeof *room.y);
+    room.du = allocate(n, sizeof *room.du);
+    room.trial = allocate(n, sizeof *room.trial);
+    return room;
+}
+
+static void room_free(struct room *room)
+{
+    free(room->trial);
+    free(room->du);
+    free(room->y);
+    free(room->r);
+}
+
 /* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
  * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
  * that E falls.  Where A is not positive definite, it is made again without the
@@ -69,24 +94,25 @@ static struct particle_report newton(const struct particle_body *body,
                                      double u[])
 {
     const int n = 2 * body->grid->n_node;
-    const double small = 1e-10 * body->grid->h;
+    const double small = 1e-10 * body->grid->h, rate = step->rate;
     const struct particle_body convex = {body->grid, body->particles,
                                          body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
     struct potential there;
-    double *r = allocate(4 * (size_t)n, sizeof *r), *y = r + n, *du = y + n;
-    double *trial = du + n, weight = 0.0;
+    struct room room = room_alloc((size_t)n);
+    double *r = room.r, *y = room.y, *du = room.du, *trial = room.trial;
+    double weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    /* SLOT 20c(body, &convex, step, n, small, &report, map, &there, r, y, du,
-     * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
-    todo("20c", body, &convex, step, n, small, &report, map, &there, r, y, du,
-         trial, &weight, A, u, potential);
+    /* SLOT 20c(body, &convex, step, n, small, rate, &report, map, &there, r, y,
+     * du, trial, &weight, A, u, potential): particle_stiffness() adds to A. */
+    todo("20c", body, &convex, step, n, small, rate, &report, map, &there, r,
+         y, du, trial, &weight, A, u, potential);
     /* END 20c */
     matrix_free(A);
     unknowns_free(map);
-    free(r);
+    room_free(&room);
     return report;
 }
 

@@ -110,16 +110,17 @@ static void print_tree(const char *name, int n, const int parent[],
 
 /* The place of every vertex (i, j), and its increment in both orders. */
 static void print_vertices(const struct system *s, const int place[],
-                           const double du[])
+                           const double rows[], const double other[])
 {
     const int width = s->scene->mesh->n - 1;
     table_begin("vertices",
                 "i j place rows_x rows_y dissection_x dissection_y");
-    for (int v = 0; v < s->n_vertex; v++) {
-        const double *rows = &du[2 * v], *other = &rows[2 * s->n_vertex];
-        table_row(v % width, v / width, place[v], rows[0], rows[1], other[0],
-                  other[1]);
-    }
+    for (int j = 0; j < s->n_vertex / width; j++)
+        for (int i = 0; i < width; i++) {
+            const int v = j * width + i;
+            table_row(i, j, place[v], rows[2 * v], rows[2 * v + 1],
+                      other[2 * v], other[2 * v + 1]);
+        }
     table_end();
 }
 
@@ -175,15 +176,17 @@ int main(int argc, char *argv[])
     gsl_set_error_handler_off();
     struct system *s = system_alloc(n);
     int *place = allocate((size_t)s->n_vertex, sizeof *place);
-    double *du = allocate(4 * (size_t)s->n_vertex, sizeof *du);
+    double *rows = allocate(2 * (size_t)s->n_vertex, sizeof *rows);
+    double *other = allocate(2 * (size_t)s->n_vertex, sizeof *other);
 
     dissect(0, n - 1, 0, n + 1, leaf, n - 1, 0, place);
     const struct cost cost[2] = {
-        solve_in("rows", s, NULL, du),
-        solve_in("dissection", s, place, du + 2 * s->n_vertex)};
-    print_vertices(s, place, du);
+        solve_in("rows", s, NULL, rows),
+        solve_in("dissection", s, place, other)};
+    print_vertices(s, place, rows, other);
     print_costs(cost);
-    free(du);
+    free(other);
+    free(rows);
     free(place);
     system_free(s);
     return table_finish();

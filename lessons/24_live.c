@@ -75,8 +75,10 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 enum tangent tangent, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    double *move = allocate((size_t)n, sizeof *move), size = 0.0;
+    double *q = allocate((size_t)n, sizeof *q);
+    double *ahead = allocate((size_t)n, sizeof *ahead);
+    double *behind = allocate((size_t)n, sizeof *behind);
     enum status status = OK;
     for (int r = 0; r < n; r++) {
         move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
@@ -88,6 +90,9 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
      * and u0 + e move; body_assemble(), body_increment(). */
     todo("24c", body, Phi, u0, tangent, u, move, q, ahead, behind, e, &status);
     /* END 24c */
+    free(behind);
+    free(ahead);
+    free(q);
     free(move);
     return status;
 }
@@ -108,7 +113,8 @@ static enum status downhill(struct live *live, double u[], double v[],
 {
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     const struct incremental Phi = {dt, w, NULL};
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
@@ -118,6 +124,7 @@ static enum status downhill(struct live *live, double u[], double v[],
     todo("24d", live, dt, u0, v0, n, w, Phi, g, u, v, report, &status,
          &control);
     /* END 24d */
+    free(g);
     free(w);
     return status;
 }

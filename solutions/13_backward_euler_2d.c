@@ -124,6 +124,7 @@ static enum status equation(const struct body *body, double dt,
  * Then v = (u_new - u) / dt at every vertex, and u = u_new [eq:backward-euler].
  * NONFINITE: q or du is not finite; MAX_ITERATIONS: not done after cap systems.
  * Unless the status is OK, s->u, s->v and s->steps stay as they were.
+ * New since 12e: b comes from the state before the step, and the end makes v.
  */
 static struct history step(struct scene *s, double tolerance, int cap,
                            int lift)
@@ -134,16 +135,16 @@ static struct history step(struct scene *s, double tolerance, int cap,
     const size_t n_dof = (size_t)s->n_dof;
     struct history report = {.status = MAX_ITERATIONS};
     struct matrix *A = body_matrix(s->body);
-    double *next = allocate(4 * n_dof, sizeof *next), *b = next + n_dof;
-    double *q = b + n_dof, *du = q + n_dof;
-
+    double *next = allocate(n_dof, sizeof *next);
+    double *b = allocate(n_dof, sizeof *b);
+    double *q = allocate(n_dof, sizeof *q);
+    double *du = allocate(n_dof, sizeof *du);
     memcpy(next, s->u, n_dof * sizeof *next);
     if (lift) step_boundary(s->body, s->g, 1, next);
     /* SLOT 13d(s, tolerance, cap, dt, weight, &report, A, next, b, q, du,
      * right_hand_side, equation): write s->g into next; then the loop, which
      * fills report (history.h) on its way: body_increment() for du,
-     * body_max_free() for the size of q and du; then s->v and s->u.  New since
-     * 12e: b comes from the state before the step, and the end makes v. */
+     * body_max_free() for the size of q and du; then s->v and s->u. */
     right_hand_side(s, dt, s->u, s->v, b);
     /* Held vertices jump to g at once; from there on their du is 0. */
     for (size_t r = 0; r < n_dof; r++)
@@ -162,7 +163,6 @@ static struct history step(struct scene *s, double tolerance, int cap,
             break;
         report.status = MAX_ITERATIONS;
         if (k == cap) break;
-
         /* A du = -q at the free vertices */
         report.status = body_increment(s->body, A, q, du);
         if (report.status != OK) break;
@@ -180,6 +180,9 @@ static struct history step(struct scene *s, double tolerance, int cap,
     /* END 13d */
     s->steps += report.status == OK;
     matrix_free(A);
+    free(du);
+    free(q);
+    free(b);
     free(next);
     return report;
 }

@@ -36,7 +36,8 @@ static enum status residual(const struct model *model, double dt,
                             const double u[], double q[])
 {
     const int n = model->n_dof;
-    double *move = allocate(2 * (size_t)n, sizeof *move), *force = move + n;
+    double *move = allocate((size_t)n, sizeof *move);
+    double *force = allocate((size_t)n, sizeof *force);
     enum status status = OK;
     /* SLOT 14a(model, dt, u0, v0, u, q, n, move, force, &status): q[0..n-1],
      * by model_mass() and model_force() [eq:time-residual]. */
@@ -46,6 +47,7 @@ static enum status residual(const struct model *model, double dt,
     status = model_force(model, u, force);
     for (int i = 0; i < n; i++) q[i] += dt * dt * (force[i] - model->f[i]);
     /* END 14a */
+    free(force);
     free(move);
     return status;
 }
@@ -89,7 +91,9 @@ static struct step_report implicit_step(
     const struct state *s, double u[], double v[])
 {
     const int n = s->n;
-    double *a = allocate(3 * (size_t)n, sizeof *a), *b = a + n, *g_mid = b + n;
+    double *a = allocate((size_t)n, sizeof *a);
+    double *b = allocate((size_t)n, sizeof *b);
+    double *g_mid = allocate((size_t)n, sizeof *g_mid);
     struct step_report report = {.status = OK};
     /* SLOT 14c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report):
      * a, b, d of the method; integrate_solve() with your residual(); u, v from
@@ -100,15 +104,13 @@ static struct step_report implicit_step(
     const int midpoint = method == IMPLICIT_MIDPOINT ||
                          (method == BDF2 && first);
     const double d = midpoint ? 0.5 * dt : bdf2 ? 2.0 * dt / 3.0 : dt;
-
     for (int i = 0; i < n; i++) {
         /* BDF2: u+ = (4 u - u_before) / 3 + 2/3 dt v+, and v alike */
         a[i] = bdf2 ? (4.0 * s->u[i] - s->u_before[i]) / 3.0 : s->u[i];
         b[i] = bdf2 ? (4.0 * s->v[i] - s->v_before[i]) / 3.0 : s->v[i];
         if (g) g_mid[i] = 0.5 * (s->u[i] + g[i]);
     }
-    report =
-        integrate_solve(model, residual, d, a, b, midpoint ? g_mid : g, u);
+    report = integrate_solve(model, residual, d, a, b, midpoint ? g_mid : g, u);
     /* u*, v* of the midpoint rule are the means of before and after. */
     for (int i = 0; i < n; i++) {
         v[i] = (u[i] - a[i]) / d;
@@ -118,6 +120,8 @@ static struct step_report implicit_step(
         }
     }
     /* END 14c */
+    free(g_mid);
+    free(b);
     free(a);
     return report;
 }
@@ -127,8 +131,7 @@ static struct step_report implicit_step(
  * the forces f (NULL: none), by backward Euler of step.h [alg:frame]: with
  * FAST, then with ROBUST, then with ROBUST in 2, 4, ... MOST_SUBSTEPS parts,
  * the prescribed values going in a straight line to g.  Of a frame that is
- * lost, now is exactly as it was.  See integrate.h for FAST, ROBUST, struct
- * frame.
+ * lost, now is exactly as it was.  FAST, ROBUST, struct frame: integrate.h.
  */
 static struct frame frame_step(struct body *body, double dt, const double g[],
                                const double f[], struct state *now)
@@ -143,7 +146,6 @@ static struct frame frame_step(struct body *body, double dt, const double g[],
          substeps = substeps ? 2 * substeps : 1) {
         const struct step_control *control = substeps ? &ROBUST : &FAST;
         const int parts = substeps ? substeps : 1; /* 0: FAST, in one */
-
         frame.substeps = parts;
         frame.attempts++;
         for (int k = 1; k <= parts; k++) {
@@ -236,13 +238,11 @@ int main(int argc, char *argv[])
         {"wdt", .real = &w_dt, .min = 0.01, .max = 20.0,
          .help = "omega dt of the mode"},
         {"n", .integer = &n, .min = 2, .max = 32, .help = "squares per side"},
-        {"law", .choice = &law, .choices = "log cubic",
-         .help = "material of the loop"},
+        {"law", .choice = &law, .choices = "log cubic", .help = "material"},
         {"reach", .real = &reach, .min = 0.0, .max = 1.8,
          .help = "how far the user of the loop goes"},
     };
     options_parse("14_time_step", options, COUNT(options), argc, argv);
-
     print_stages();
     print_mode(w_dt);
     print_frames(n, law ? CUBIC : LOG, reach);

@@ -235,14 +235,15 @@ int main(int argc, char *argv[])
     };
     options_parse("15_definiteness", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
-
     const struct material material = material_notes(law ? CUBIC : LOG);
     print_modes(&material);
     const struct scene_setting set = scene_column(material.law, 20 * half, e);
     struct scene *s = scene_alloc(&set);
-    double *q = allocate(2 * (size_t)s->n_dof, sizeof *q);
-    print_descent(s, e, q, q + s->n_dof);
-    print_column(s, e, q, q + s->n_dof);
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    double *du = allocate((size_t)s->n_dof, sizeof *du);
+    print_descent(s, e, q, du);
+    print_column(s, e, q, du);
+    free(du);
     free(q);
     scene_free(s);
     return table_finish();

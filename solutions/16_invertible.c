@@ -124,8 +124,9 @@ enum { CAP = 300 };
 static struct release_report release(struct body *body, double u[])
 {
     const double small = RELEASE_TOLERANCE * material_modulus(&body->material);
-    double *q = allocate(4 * (size_t)body->mesh->n_vertex, sizeof *q);
-    double *du = q + 2 * body->mesh->n_vertex;
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    double *q = allocate(n_dof, sizeof *q);
+    double *du = allocate(n_dof, sizeof *du);
     struct release_report report = {.status = MAX_ITERATIONS};
     /* SLOT 16d(body, u, small, q, du, &report): body_assemble(body,
      * at_rest(NULL), u, PROJECTED or EXACT, q); release_shift(),
@@ -156,6 +157,7 @@ static struct release_report release(struct body *body, double u[])
     report.recovered = report.status == OK && report.min_J > 0.0 &&
                        report.energy <= RELEASE_ENERGY;
     /* END 16d */
+    free(du);
     free(q);
     return report;
 }

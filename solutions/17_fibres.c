@@ -95,28 +95,31 @@ static void add_fibres(const struct body *body, double dt, const double u[],
      * fibres->angle[e] (radians), F from body_deformation(); body->area[e],
      * vertices &body->vertex[3 * e], gradients &body->gradient[6 * e]; unknown
      * 2a + i is number body->equation[2a + i] of body->K, -1 if held. */
+    const struct fibre *fibre = &fibres->fibre;
     for (int e = 0; e < body->mesh->n_triangle; e++) {
         const double g[2] = {cos(fibres->angle[e]), sin(fibres->angle[e])};
         const int *t = &body->vertex[3 * e], *number = body->equation;
         const double *G = &body->gradient[6 * e], area = body->area[e];
         const mat2 F = body_deformation(body, u, e);
-        for (int c = 0; c < 6; c++) {
-            const int column = 2 * t[c / 2] + c % 2; /* vertex, component */
-            mat2 dF = {{{0.0}}}, P, dP;              /* dF/du of that unknown */
-            for (int m = 0; m < 2; m++) dF.m[c % 2][m] = G[c / 2 * 2 + m];
-            const double l = stress(&fibres->fibre, g, F, dF, kind, &P, &dP);
-            if (energy && !c) *energy += area * tension(&fibres->fibre, l).W;
-            if (q) q[column] += dt * dt * area * mat2_dot(P, dF);
-            if (kind == NO_TANGENT) continue;
-            for (int r = 0; r < 6; r++) {
-                const int row = 2 * t[r / 2] + r % 2;
-                const double *dP_i = dP.m[r % 2], *G_a = &G[r / 2 * 2];
-                const double K = dP_i[0] * G_a[0] + dP_i[1] * G_a[1];
-                if (number[row] >= 0 && number[column] >= 0)
-                    matrix_add(body->K, number[row], number[column],
-                               dt * dt * area * K);
+        for (int c = 0; c < 3; c++)
+            for (int k = 0; k < 2; k++) {
+                const int column = 2 * t[c] + k;
+                mat2 dF = {{{0.0}}}, P, dP; /* dF/du of that unknown */
+                for (int m = 0; m < 2; m++) dF.m[k][m] = G[2 * c + m];
+                const double l = stress(fibre, g, F, dF, kind, &P, &dP);
+                if (energy && !c && !k) *energy += area * tension(fibre, l).W;
+                if (q) q[column] += dt * dt * area * mat2_dot(P, dF);
+                if (kind == NO_TANGENT) continue;
+                for (int a = 0; a < 3; a++)
+                    for (int i = 0; i < 2; i++) {
+                        const int row = 2 * t[a] + i;
+                        const double *G_a = &G[2 * a], *dP_i = dP.m[i];
+                        const double K = dP_i[0] * G_a[0] + dP_i[1] * G_a[1];
+                        if (number[row] >= 0 && number[column] >= 0)
+                            matrix_add(body->K, number[row], number[column],
+                                       dt * dt * area * K);
+                    }
             }
-        }
     }
     /* END 17c */
 }

@@ -35,7 +35,8 @@ static enum status potential(const struct particle_body *body,
 {
     const double *v = body->grid->v, *mass = body->grid->mass;
     const int n = 2 * body->grid->n_node;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *Mw = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *Mw = allocate((size_t)n, sizeof *Mw);
     enum status status = OK;
     /* SLOT 20a(body, step, u, v, mass, n, w, Mw, E, r, &status): the parts of
      * E, and r; particle_energy(), particle_force(), particle_mass(). */
@@ -44,13 +45,17 @@ static enum status potential(const struct particle_body *body,
     if (status == OK) status = particle_force(body, u, r);
     for (int s = 0; s < n; s++) w[s] = step->rate * u[s] - v[s];
     if (status == OK) status = particle_mass(body, step->consistent, w, Mw);
-    for (int s = 0; s < n && status == OK; s++) {
-        const double weight = mass[s / 2] * step->g[s % 2];
-        E->inertia += 0.5 * w[s] * Mw[s]; /* w = u / dt - v */
-        E->load -= weight * u[s];
-        r[s] = step->rate * Mw[s] - r[s] - weight; /* dw/du = 1 / dt */
-    }
+    if (status == OK)
+        for (int a = 0; a < body->grid->n_node; a++)
+            for (int k = 0; k < 2; k++) {
+                const int s = 2 * a + k;
+                const double weight = mass[a] * step->g[k];
+                E->inertia += 0.5 * w[s] * Mw[s]; /* w = u / dt - v */
+                E->load -= weight * u[s];
+                r[s] = step->rate * Mw[s] - r[s] - weight; /* dw/du = 1 / dt */
+            }
     /* END 20a */
+    free(Mw);
     free(w);
     return status;
 }
@@ -65,19 +70,45 @@ static void number(const struct grid *grid, enum wall wall,
     /* SLOT 20b(grid, wall, columns, axes, at_wall, map): only nodes with mass
      * move, by the first `axes` components; then their mirror images. */
     map->n = 0;
-    for (int s = 0; s < map->n_dof; s++) {
-        const int held = wall != NO_WALL && s / 2 % columns <= at_wall;
-        const int moves = !held && s % 2 < axes && grid->mass[s / 2] > 0.0;
-        map->equation[s] = moves ? map->n++ : -1;
-        map->sign[s] = 1.0;
-    }
-    for (int s = 0; s < map->n_dof; s++) {
-        const int image = s + 4 * (at_wall - s / 2 % columns); /* in its row */
-        if (wall != MIRROR || image <= s || image >= map->n_dof) continue;
-        map->equation[s] = map->equation[image];
-        map->sign[s] = -1.0; /* in x_2 as well: u(-x_1) = -u(x_1) */
+    for (int a = 0; a < grid->n_node; a++)
+        for (int k = 0; k < 2; k++) {
+            const int held = wall != NO_WALL && a % columns <= at_wall;
+            const int moves = !held && k < axes && grid->mass[a] > 0.0;
+            map->equation[2 * a + k] = moves ? map->n++ : -1;
+            map->sign[2 * a + k] = 1.0;
+        }
+    for (int a = 0; a < grid->n_node; a++) {
+        const int image = a + 2 * (at_wall - a % columns); /* in its row */
+        if (wall != MIRROR || image <= a || image >= grid->n_node) continue;
+        for (int k = 0; k < 2; k++) {
+            map->equation[2 * a + k] = map->equation[2 * image + k];
+            map->sign[2 * a + k] = -1.0; /* both: u(-x_1) = -u(x_1) */
+        }
     }
     /* END 20b */
+}
+
+/* What newton() works on: n numbers each. */
+struct room {
+    double *r, *y, *du, *trial;
+};
+
+static struct room room_alloc(size_t n)
+{
+    struct room room;
+    room.r = allocate(n, sizeof *room.r);
+    room.y = allocate(n, sizeof *room.y);
+    room.du = allocate(n, sizeof *room.du);
+    room.trial = allocate(n, sizeof *room.trial);
+    return room;
+}
+
+static void room_free(struct room *room)
+{
+    free(room->trial);
+    free(room->du);
+    free(room->y);
+    free(room->r);
 }
 
 /* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
@@ -91,18 +122,19 @@ static struct particle_report newton(const struct particle_body *body,
                                      double u[])
 {
     const int n = 2 * body->grid->n_node;
-    const double small = 1e-10 * body->grid->h;
+    const double small = 1e-10 * body->grid->h, rate = step->rate;
     const struct particle_body convex = {body->grid, body->particles,
                                          body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
     struct potential there;
-    double *r = allocate(4 * (size_t)n, sizeof *r), *y = r + n, *du = y + n;
-    double *trial = du + n, weight = 0.0;
+    struct room room = room_alloc((size_t)n);
+    double *r = room.r, *y = room.y, *du = room.du, *trial = room.trial;
+    double weight = 0.0;
     number(body->grid, step->wall, map);
     struct matrix *A = unknowns_matrix(body, map);
-    /* SLOT 20c(body, &convex, step, n, small, &report, map, &there, r, y, du,
-     * trial, &weight, A, u, potential): particle_stiffness() adds to A. */
+    /* SLOT 20c(body, &convex, step, n, small, rate, &report, map, &there, r, y,
+     * du, trial, &weight, A, u, potential): particle_stiffness() adds to A. */
     memset(u, 0, (size_t)n * sizeof *u);
     for (int k = 0;; k = ++report.iterations) {
         report.status = potential(body, step, u, &report.E, r);
@@ -119,8 +151,7 @@ static struct particle_report newton(const struct particle_body *body,
             matrix_zero(A);
             const struct particle_body *of = p ? &convex : body;
             particle_stiffness(of, u, map->equation, map->sign, A);
-            particle_mass_matrix(body, step->consistent,
-                                 step->rate * step->rate, map, A);
+            particle_mass_matrix(body, step->consistent, rate * rate, map, A);
             weight = matrix_max_diagonal(A);
             report.status = matrix_factor(A);
         }
@@ -143,7 +174,7 @@ static struct particle_report newton(const struct particle_body *body,
     /* END 20c */
     matrix_free(A);
     unknowns_free(map);
-    free(r);
+    room_free(&room);
     return report;
 }
 

@@ -60,8 +60,10 @@ static void cg(const struct csr *K, preconditioner *precondition,
 {
     const int n = K->n;
     const size_t bytes = (size_t)n * sizeof *x;
-    double *r = allocate(4 * (size_t)n, sizeof *r), *z = r + n;
-    double *p = z + n, *Kp = p + n;
+    double *r = allocate((size_t)n, sizeof *r);
+    double *z = allocate((size_t)n, sizeof *z);
+    double *p = allocate((size_t)n, sizeof *p);
+    double *Kp = allocate((size_t)n, sizeof *Kp);
     memset(report, 0, sizeof *report);
     /* SLOT 22a(K, precondition, context, tolerance, cap, b, x, report, n,
      * bytes, r, z, p, Kp, dot): fill report on the way; r, z, p, Kp are 0. */
@@ -93,6 +95,9 @@ static void cg(const struct csr *K, preconditioner *precondition,
         before = rz;
     }
     /* END 22a */
+    free(Kp);
+    free(p);
+    free(z);
     free(r);
 }
 
@@ -185,8 +190,11 @@ static void print_solution(const struct system *s, const double x[])
 {
     const int width = s->scene->mesh->n - 1;
     table_begin("vertices", "i j x y");
-    for (int v = 0; v < s->n_vertex; v++)
-        table_row(v % width + 1, v / width, x[2 * v], x[2 * v + 1]);
+    for (int j = 0; j < s->n_vertex / width; j++)
+        for (int i = 0; i < width; i++) {
+            const double *at = &x[2 * (j * width + i)];
+            table_row(i + 1, j, at[0], at[1]);
+        }
     table_end();
 }
 
@@ -212,7 +220,8 @@ int main(int argc, char *argv[])
     struct multigrid *m = multigrid_alloc(K, n);
     struct factor *L = cg_factor(K);
     struct report *report = allocate(1, sizeof *report);
-    double *b = allocate(2 * (size_t)K->n, sizeof *b), *x = b + K->n;
+    double *b = allocate((size_t)K->n, sizeof *b);
+    double *x = allocate((size_t)K->n, sizeof *x);
 
     system_right_side(s, NULL, b);
     print_grids(m);
@@ -227,6 +236,7 @@ int main(int argc, char *argv[])
         die("%s after %d iterations", status_name(report->status),
             report->iterations);
     free(report);
+    free(x);
     free(b);
     csr_factor_free(L);
     multigrid_free(m);

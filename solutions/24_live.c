@@ -98,8 +98,10 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 enum tangent tangent, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
-    double *move = allocate(4 * (size_t)n, sizeof *move), *q = move + n;
-    double *ahead = q + n, *behind = ahead + n, size = 0.0;
+    double *move = allocate((size_t)n, sizeof *move), size = 0.0;
+    double *q = allocate((size_t)n, sizeof *q);
+    double *ahead = allocate((size_t)n, sizeof *ahead);
+    double *behind = allocate((size_t)n, sizeof *behind);
     enum status status = OK;
     for (int r = 0; r < n; r++) {
         move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
@@ -115,9 +117,9 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
     if (status == OK)
         status = body_assemble(body, Phi, u, NO_TANGENT, behind);
     if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
-    for (int r = 0; r < n && status == OK && e > 0.0; r++)
+    if (status == OK && e > 0.0)
         /* q_f + K_fh move: what the jump of the held ones does to q */
-        q[r] += (ahead[r] - behind[r]) / (2.0 * e);
+        for (int r = 0; r < n; r++) q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
     for (int r = 0; r < n && status == OK; r++) {
         /* du, whose size is looked at before it is added */
@@ -126,6 +128,9 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
         u[r] += u0[r];
     }
     /* END 24c */
+    free(behind);
+    free(ahead);
+    free(q);
     free(move);
     return status;
 }
@@ -146,7 +151,8 @@ static enum status downhill(struct live *live, double u[], double v[],
 {
     const double dt = live->dt, *u0 = live->now.u, *v0 = live->now.v;
     const int n = live->n_dof;
-    double *w = allocate(2 * (size_t)n, sizeof *w), *g = w + n;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
     const struct incremental Phi = {dt, w, NULL};
     struct step_control control = LIVE_DOWNHILL;
     enum status status = INVERTED;
@@ -179,6 +185,7 @@ static enum status downhill(struct live *live, double u[], double v[],
     const int whole = status == OK && report->part == 1.0;
     for (int r = 0; r < n; r++) v[r] = whole ? (u[r] - u0[r]) / dt : 0.0;
     /* END 24d */
+    free(g);
     free(w);
     return status;
 }
