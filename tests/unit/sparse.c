@@ -512,6 +512,13 @@ static void refinement_ends_and_says_how(void)
     for (int i = 0; i < p.n; i++) b[i] = -2.385; /* it is no zero */
     ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
     ck_assert_int_eq(solves, 1);
+    for (int at = 0; at < p.n; at += p.n - 1) { /* one entry, first or last */
+        memset(b, 0, sizeof b);
+        b[at] = 2.385;
+        ck_assert_int_eq(refine_solve(A, 1e-12, b, &solves), OK);
+        ck_assert_int_eq(solves, 1);
+        ck_assert(b[at] != 0.0);
+    }
     fill(p.n, b);
     ck_assert_int_eq(refine_solve(A, 0.0, b, &solves), STALLED);
     ck_assert_int_le(solves, 9);

@@ -195,6 +195,7 @@ static void unknowns_and_masses_agree(void)
         struct matrix *A = unknowns_matrix(&s.body, s.map);
         for (int e = 0; e < n; e++) y[e] = 0.1 * ((3 * e + 1) % 7 - 2);
         unknowns_scatter(s.map, y, s.u);
+        for (int e = 0; e < n; e++) Ay[e] = 2.385; /* which goes */
         unknowns_gather(s.map, s.w, Ay);
         close_to(dot(n, y, Ay), dot(s.map->n_dof, s.u, s.w), 1e-13);
         particle_mass_matrix(&s.body, consistent, 2.385, s.map, A);
