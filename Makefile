@@ -139,8 +139,8 @@ deps:
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
 # has all but window_sdl.c, which needs SDL2 and is for `make live` only.
-NEEDS := $(shell grep -H '^\#include "' $(wildcard common/*/*.[ch] \
-             figures/*/*.[ch] solutions/*.c lessons/*.c tests/*/*.[ch]) | \
+NEEDS := $(shell find -L common figures solutions lessons tests -type f \
+             -name '*.[ch]' -exec grep -H '^\#include "' {} + | \
              awk -f tests/tools/needs.awk)
 comma := ,
 needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
