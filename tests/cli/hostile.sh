@@ -191,8 +191,8 @@ none() { # none NUMBER WHAT TEXT
 }
 unguarded() {
     prepare "$1"
-    rm build/tests/child.o
-    "$MAKE" build/tests/child.o "build/solutions/$slug.judge" BUILD=build \
+    rm build/tests/confine.o
+    "$MAKE" build/tests/confine.o "build/solutions/$slug.judge" BUILD=build \
         CFLAGS='-O0 -DWITHOUT_LANDLOCK' >/dev/null 2>&1
     state >../state."$(basename "$1")"
     number=100
