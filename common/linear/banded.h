@@ -12,7 +12,7 @@
  *
  * which is GSL's symmetric band format, and LAPACK's lower band with
  * ldab = p + 1.  The entries * beyond the last row are 0 and stay it.  These
- * are the textbook's loops, for p < TILES_WIDE; tiles.h does wide bands faster.
+ * are the textbook's loops, for any p; tiles.h does wide bands faster.
  *
  * Source: Golub & Van Loan, Matrix Computations, 4th ed., sec. 4.1.2,
  *         4.3.6.

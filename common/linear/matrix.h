@@ -108,7 +108,8 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
                       enum diagonal diagonal);
 
 /*
- * Cholesky factorisation A = L L^T [eq:cholesky], in place unless sparse.
+ * Cholesky factorisation A = L L^T [eq:cholesky], in place unless sparse; of a
+ * tridiagonal band A = L D L^T, see banded.h.
  *
  * NOT_SPD when a pivot is not above n eps times its own diagonal entry, which
  * is where round-off leaves the last pivot of a singular matrix; NaN is caught

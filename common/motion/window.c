@@ -1,5 +1,5 @@
-/* window_none.c - window.h without a window, for all programs but that of
- * `make live`, which brings window.c. */
+/* window.c - window.h without a window, for all programs but that of `make
+ * live`, which brings window_sdl.c. */
 #include "motion/window.h"
 
 struct window *window_open(void) { return NULL; }

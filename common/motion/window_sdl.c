@@ -1,4 +1,4 @@
-/* window.c - see window.h. */
+/* window_sdl.c - window.h by SDL2. */
 #include "motion/window.h"
 
 #include "base/clock.h"
