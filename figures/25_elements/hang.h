@@ -1,0 +1,30 @@
+/*
+ * hang.h - the square that hangs from its left side, by every element of
+ * lesson 25.
+ *
+ * Linear elasticity, 1 N per square metre, E = 1000; n x n squares, whose
+ * corners are the vertices of linear triangles, and half of those of quadratic
+ * ones; graded towards the held side, the bottom and the top.
+ */
+#ifndef FIGURES_HANG_H
+#define FIGURES_HANG_H
+
+enum hang_element { HANG_LINEAR, HANG_AVERAGED, HANG_QUADRATIC };
+#define HANG_WORDS {"linear", "averaged", "quadratic"}
+
+enum { HANG_SHARED = 25 }; /* the vertices of 4 x 4 squares are all meshes' */
+
+struct hang {
+    double u[2 * HANG_SHARED]; /* (m), row by row */
+    double sag;                /* u_y of (1, 0) */
+    double div; /* root of the mean of (div u)^2 over the triangles, or over
+                 * the three points of the quadratic ones */
+};
+
+/* n is a multiple of 4. */
+struct hang hang_of(enum hang_element element, int n, double m, double nu);
+
+/* |a - b| over the shared vertices, of |b|. */
+double hang_apart(const struct hang *a, const struct hang *b);
+
+#endif

@@ -1,0 +1,63 @@
+/*
+ * orders.c - does the exponent of the corner predict how fast elements of
+ * degree k on a mesh that is graded with m converge?
+ *
+ * 2 min(k, p m) with p of material_corner(), in five cases.  Tables: the error
+ * at the vertices that all meshes have, against graded quadratic triangles with
+ * n = 64; and the prediction beside the last order.
+ */
+#include "hang.h"
+
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
+#include "material/material.h"
+
+#include <math.h>
+
+static const char *const word[] = HANG_WORDS;
+static const struct {
+    enum hang_element element;
+    double m;
+    int last; /* n */
+} kind[] = {{HANG_LINEAR, 1.0, 128}, {HANG_LINEAR, 1.5, 128},
+            {HANG_QUADRATIC, 1.0, 32}, {HANG_QUADRATIC, 1.5, 32},
+            {HANG_QUADRATIC, 2.0, 32}};
+enum { KINDS = COUNT(kind) };
+
+int main(void)
+{
+    const struct material material = material_make(CUBIC, 1000.0, 0.3);
+    const double p = material_corner(&material);
+    const struct hang limit = hang_of(HANG_QUADRATIC, 64, 3.0, 0.3);
+    double order[KINDS], predicted[KINDS];
+
+    table_begin("error", "element m n error order");
+    for (int k = 0; k < KINDS; k++) {
+        double before = NAN;
+        for (int n = 8; n <= kind[k].last; n *= 2) {
+            const struct hang hang =
+                hang_of(kind[k].element, n, kind[k].m, 0.3);
+            const double error = hang_apart(&hang, &limit);
+            order[k] = study_order(before, error, 2.0);
+            table_row(word[kind[k].element], kind[k].m, n,
+                      cell_rounded(5, error),
+                      n > 8 ? cell_rounded(4, order[k]) : cell_word(MISSING));
+            before = error;
+        }
+    }
+    table_end();
+    table_begin("orders", "element m predicted observed n");
+    for (int k = 0; k < KINDS; k++) {
+        const int degree = kind[k].element == HANG_QUADRATIC ? 2 : 1;
+        predicted[k] = 2.0 * fmin(degree, p * kind[k].m);
+        table_row(word[kind[k].element], kind[k].m, predicted[k],
+                  cell_rounded(4, order[k]), kind[k].last);
+    }
+    table_end();
+    for (int k = 0; k < KINDS; k++)
+        claim(fabs(order[k] - predicted[k]) < 0.2,
+              "%s triangles, m = %g: the order is within 0.2 of %g (%g)",
+              word[kind[k].element], kind[k].m, predicted[k], order[k]);
+    return table_finish();
+}

@@ -1,0 +1,31 @@
+# orders.gp - the error of linear and quadratic triangles at the vertices, even
+# and graded, against n, with the predicted orders.
+# Expected: slopes 2 min(k, p m), p of the corner.
+# Reads   data  tables error, orders
+# Writes  out   SVG
+load "figures/style.gp"
+set output out
+of(name, grading) = strcol("element") eq name && column("m") == grading \
+                    ? column("error") : NaN
+set datafile missing "-"
+set logscale xy
+set xrange [6.5:250]
+set yrange [5e-5:0.4]
+set xtics (8, 16, 32, 64, 128)
+set format y "10^{%T}"
+set xlabel "squares per side n"
+set ylabel "error at the vertices, relative"
+plot data index "error" using "n":(of("linear", 1)) with linespoints ls 2 \
+         title "linear", \
+     "" index "error" using "n":(of("linear", 1.5)) with linespoints ls 5 \
+         title "linear, m = 1.5", \
+     "" index "error" using "n":(of("quadratic", 1)) with linespoints ls 1 \
+         title "quadratic", \
+     "" index "error" using "n":(of("quadratic", 1.5)) with linespoints ls 6 \
+         title "quadratic, m = 1.5", \
+     "" index "error" using "n":(of("quadratic", 2)) with linespoints ls 3 \
+         title "quadratic, m = 2", \
+     [16:128] 1.35 * x**-1.42 with lines ls 8 title "orders 1.42, 2.13, 2.84", \
+     [8:32] 0.075 * x**-1.42 with lines ls 8 notitle, \
+     [8:32] 0.25 * x**-2.13 with lines ls 8 notitle, \
+     [8:32] 0.95 * x**-2.84 with lines ls 8 notitle

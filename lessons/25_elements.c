@@ -1,0 +1,206 @@
+/*
+ * 25_elements.c - a square that hangs from its left side: linear triangles, the
+ * same with one dilatation per square, quadratic triangles; even and graded.
+ *
+ * Notes: beyond the notes; a triangle has the forces of Lecture 2, 3.3.2.
+ *
+ * Problem.  The body (-1, 1)^2 is held on its left side and hangs under 1 N per
+ * square metre; linear elasticity, which is K at rest.  How far does (1, 0)
+ * sink?  All elements have the same vertices, n x n cells; two by two of them
+ * are a square of two quadratic triangles:
+ *
+ *         2           nodes 0 1 2: the corners, counter-clockwise; 3 4 5: the
+ *         | \         middles of the edges opposite to them
+ *         4   3       l = (l_0, l_1, l_2): barycentric coordinates, of which
+ *         |     \     l_a is 1 at corner a, and 0 on the edge opposite to it
+ *         0---5---1   dl_a/dX_j = of_l[2a + j]: the hats of lesson 12
+ *
+ * Run       make lesson-25; make lesson-25 ARGS=-h lists its options
+ * PREDICT 1 sag with m = 0, quadratic over linear, --nu 0.4999 --n 16: ...
+ * PREDICT 2 mass of a middle over that of a corner, as scaled: ...
+ * PREDICT 3 order of quadratic triangles with --m 2, nu = 0.3: ...
+ * Plot: axis X u_y
+ */
+#include "plane/elements.h"
+#include "plane/quadratic.h"
+#include "base/options.h"
+#include "base/table.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* N[a] := the six functions of degree 2 at l, 1 at node a and 0 at the other
+ * five; gradient[2a + j] := dN_a/dX_j (1/m) [eq:quadratic-shape]. */
+static void shapes(const double l[3], const double of_l[6], double N[6],
+                   double gradient[12])
+{
+    /* SLOT 25a(l, of_l, N, gradient): nodes 0 to 2, then 3 to 5. */
+    todo("25a", l, of_l, N, gradient);
+    /* END 25a */
+}
+
+/*
+ * q[2a + i] := dPsi/du_ai, K[12 (2a + i) + 2b + j] := dq_ai/du_bj of one
+ * quadratic triangle with the displacements u[2a + i] of its nodes, by the
+ * three-point rule [eq:three-points].  INVERTED where the material is not
+ * defined at one of the points; q and K are then incomplete.
+ */
+static enum status element(const struct material *material,
+                           const double of_l[6], double area,
+                           const double u[12], double q[12], double K[144])
+{
+    const double point[3][3] = {{2.0 / 3, 1.0 / 6, 1.0 / 6},
+                                {1.0 / 6, 2.0 / 3, 1.0 / 6},
+                                {1.0 / 6, 1.0 / 6, 2.0 / 3}};
+    /* SLOT 25b(material, of_l, area, u, q, K, point, shapes): point[k] is l;
+     * material_defined(), material2_pk1(), material2_dpk1(). */
+    todo("25b", material, of_l, area, u, q, K, point, shapes);
+    /* END 25b */
+    return OK;
+}
+
+/*
+ * x[0..n] := the lines of a lattice from -1 to 1, n even, for elements of this
+ * degree, 1 or 2: every degree-th line, an end of elements, is graded towards
+ * -1, and if `both` towards 1 as well.  What is nearer to such an end than
+ * L = 1/2 goes from the distance d to L (d/L)^m [eq:graded].  What lies between
+ * two of them, in quadratic triangles, is in the middle.  m = 0 stands for the
+ * least m with which a corner, u ~ r^p, costs no order.  Returns m.
+ */
+static double lines(int n, int degree, double p, double m, int both, double x[])
+{
+    const double L = 0.5;
+    /* SLOT 25c(n, degree, p, m, both, L, x): fill x; return m. */
+    todo("25c", n, degree, p, m, both, L, x);
+    /* END 25c */
+}
+
+/*
+ * The mean of div u over the two linear triangles 0 1 2 and 0 2 3 of a cell
+ * with these corners is sum_ai D_ai u_ai [eq:averaged]: D[2a + i] := D_ai.
+ * Returns the area of the cell.
+ */
+static double dilatation(const struct mesh *mesh, const int corner[4],
+                         double D[8])
+{
+    /* SLOT 25d(mesh, corner, D): mesh_gradients_of(mesh, t, g) fills g for the
+     * vertices t[3], returns the area; areas may be unequal. */
+    todo("25d", mesh, corner, D);
+    /* END 25d */
+}
+
+/* Of a quadratic triangle of this area, load[a] := int N_a, of a body force 1;
+ * mass[a] := its mass, density 1, on the diagonal and > 0, in the ratio of the
+ * int N_a^2, |e|/30 and 8|e|/45 [eq:scaled-mass]. */
+static void shares(double area, double load[6], double mass[6])
+{
+    /* SLOT 25e(area, load, mass): what do the six add up to? */
+    todo("25e", area, load, mass);
+    /* END 25e */
+}
+
+/* ---- the square, once with each element ---------------------------------- */
+
+enum kind { WHOLE, AVERAGED, QUADRATIC };
+static const char *const kind_name[] = {"linear", "averaged", "quadratic"};
+
+/* K and f of the two linear triangles of this cell; what is not `averaged` has
+ * lambda on each of them. */
+static void add_cell(struct elements *s, const struct material *material,
+                     int averaged, int cell)
+{
+    const int n = s->mesh->n, low = cell / n * (n + 1) + cell % n;
+    const int corner[4] = {low, low + 1, low + n + 2, low + n + 1};
+    double D[8], E[64];
+    for (int e = 0; e < 2; e++) {
+        const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
+        const double area = elements_linear(
+            s, t, material->mu, averaged ? 0.0 : material->lambda);
+        for (int a = 0; a < 3; a++) s->f[2 * t[a] + 1] -= area / 3.0;
+    }
+    if (!averaged) return;
+    const double area = dilatation(s->mesh, corner, D);
+    for (int r = 0; r < 8; r++) /* of lambda/2 |cell| (mean of div u)^2 */
+        for (int c = 0; c < 8; c++)
+            E[8 * r + c] = material->lambda * area * D[r] * D[c];
+    elements_add(s, 4, corner, E);
+}
+
+/* K and f of the quadratic triangle e. */
+static void add_quadratic(struct elements *s, const struct material *material,
+                          int e)
+{
+    const double rest[12] = {0.0};
+    double of_l[6], q[12], E[144], load[6], mass[6];
+    int node[6];
+    quadratic_nodes(s->mesh, e, node);
+    const double area = mesh_gradients_of(s->mesh, node, of_l);
+    element(material, of_l, area, rest, q, E);
+    shares(area, load, mass);
+    elements_add(s, 6, node, E);
+    for (int a = 0; a < 6; a++) s->f[2 * node[a] + 1] -= load[a];
+}
+
+/* u of the square on this mesh, whose left side is held. */
+static void hang(const struct mesh *mesh, const struct material *material,
+                 enum kind kind, double u[])
+{
+    const int n = mesh->n;
+    struct elements *s = elements_alloc(mesh, kind == QUADRATIC ? 2 : 1);
+    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
+    for (int j = 0; j <= n; j++) held[j * (n + 1)] = 1;
+    for (int e = 0; e < (kind == QUADRATIC ? n * n / 2 : n * n); e++)
+        if (kind == QUADRATIC) add_quadratic(s, material, e);
+        else add_cell(s, material, kind == AVERAGED, e);
+    const enum status status = elements_solve(s, held, u);
+    if (status != OK) die("the tangent at rest: %s", status_name(status));
+    elements_free(s);
+    free(held);
+}
+
+int main(int argc, char *argv[])
+{
+    int n = 8;
+    double m = 1.0, nu = 0.3;
+    const struct option options[] = {
+        {"n", .integer = &n, .min = 4, .max = 64, .help = "cells, even"},
+        {"m", .real = &m, .min = 0, .max = 4, .help = "grading; 0: of p"},
+        {"nu", .real = &nu, .min = 0, .max = 0.4999, .help = "Poisson's"},
+    };
+    options_parse("25_elements", options, COUNT(options), argc, argv);
+    n += n % 2;
+    const struct material material = material_make(CUBIC, 1000.0, nu);
+    const double p = material_corner(&material);
+    struct mesh *mesh = mesh_square(n);
+    double *x = allocate((size_t)n + 1, sizeof *x), load[6], mass[6];
+    double *y = allocate((size_t)n + 1, sizeof *y), *u = NULL;
+    const int middle = n / 2 * (n + 1); /* at (-1, 0) */
+
+    table_begin("sag", "element m unknowns sag");
+    for (int kind = WHOLE; kind <= QUADRATIC; kind++) {
+        const int degree = kind == QUADRATIC ? 2 : 1;
+        const double grading = lines(n, degree, p, m, 0, x);
+        lines(n, degree, p, m, 1, y);
+        for (int j = 0; j <= n; j++)
+            for (int i = 0; i <= n; i++) {
+                mesh->X[2 * (j * (n + 1) + i)] = x[i];
+                mesh->X[2 * (j * (n + 1) + i) + 1] = y[j];
+            }
+        free(u);
+        u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u);
+        hang(mesh, &material, (enum kind)kind, u);
+        table_row(kind_name[kind], grading, 2 * n * (n + 1),
+                  u[2 * (middle + n) + 1]);
+    }
+    table_end();
+    table_begin("axis", "X u_y"); /* of quadratic triangles, X2 = 0 */
+    for (int i = 0; i <= n; i++) table_row(x[i], u[2 * (middle + i) + 1]);
+    table_end();
+    table_begin("shares", "node load mass"); /* of a triangle of area 1 */
+    shares(1.0, load, mass);
+    for (int a = 0; a < 6; a++) table_row(a, load[a], mass[a]);
+    table_end();
+    free(x), free(y), free(u);
+    mesh_free(mesh);
+    return table_finish();
+}
