@@ -3,7 +3,8 @@
 # Not recursive; everything is compiled under build/.  solutions/NN_slug.c makes
 # NN a lesson, and figures/NN_slug/what.c makes what a study: both are found by
 # wildcard.  tests/tests.mk has the rules that only `make test` needs.
-# V=1 shows the commands; CC, CFLAGS, LDFLAGS and NATIVE may be given.
+# V=1 shows the commands; CC, CFLAGS, LDFLAGS and NATIVE may be given, and others
+# than the last time build anew.
 
 # Numbers have a decimal point, whatever the user's language is.
 export LC_ALL := C
@@ -28,10 +29,12 @@ endif
 # digits are the same everywhere, and without pairs made of lines that stand one
 # after the other, which gcc 12 contracts all the same.  They make the build one
 # for this machine; `make clean` and NATIVE= give one for any.
-ALL_NATIVE = $(shell for flag in -O3 -march=native \
-                 -mprefer-vector-width=512 -ffp-contract=fast; do \
-                 $(CC) -Werror $$flag -x c -c /dev/null -o /dev/null \
-                 2>/dev/null && echo $$flag; done)
+ALL_NATIVE = $(shell takes() { \
+                 $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
+                 2>/dev/null && echo "$$@"; }; \
+                 set -- -O3 -march=native -mprefer-vector-width=512 \
+                 -ffp-contract=fast; \
+                 takes "$$@" || for flag in "$$@"; do takes "$$flag"; done)
 ifeq ($(origin NATIVE),undefined)
 NATIVE = $(eval NATIVE := $(ALL_NATIVE))$(NATIVE)
 endif
@@ -79,19 +82,41 @@ MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
                /dev/null figures/*/*.gp))
 TIMED   := $(sort $(filter $(SPEED),$(SCRIPTS)) $(patsubst figures/%.gp,%, \
                $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
+SQUARES := $(patsubst figures/%.gp,%,$(shell grep -l 'square.gp"' \
+               /dev/null figures/*/*.gp))
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
-data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES)),$1,$(patsubst \
+# ..., which may need options to print it: the line "Yours" says which.
+OPTIONS_OF = sed -n 's/^\# Yours *the lesson with //p'
+ASKING  := $(filter-out $(STUDIES),$(patsubst figures/%.gp,%,$(shell grep -l \
+               '^. Yours  ' /dev/null figures/*/*.gp)))
+data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES) $(ASKING)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
 FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
            figures/map.svg
 TIMED_HERE := $(foreach f,$(filter-out $(SPEED),$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
-# With `deps` among the goals nothing is compiled before it has finished.
-DEPS := $(filter deps,$(MAKECMDGOALS))
+# With `deps` among the goals nothing is compiled before it has finished; where
+# gsl-config is missing, nothing before GSL has been looked for.
+DEPS := $(filter deps,$(MAKECMDGOALS)) $(if $(GSL_CFLAGS),,gsl)
 
+# What all objects were compiled with: with other words they are compiled anew.
+# The judge of one file (INTO) without the solution's, and a test with
+# ANY_FLAGS=1, take them as they are.
+FLAGS := $(strip $(CC) $(STD) $(STRICT) $(CFLAGS) $(LDFLAGS) $(if $(filter \
+             file undefined,$(origin NATIVE)),,NATIVE=$(NATIVE)))
+ifeq ($(if $(filter $(BUILD)/solutions/%,$(MAKECMDGOALS)),,$(INTO))$(ANY_FLAGS),)
+ifneq ($(FLAGS),$(strip $(shell cat $(BUILD)/flags 2>/dev/null)))
+OTHER_FLAGS := always
+endif
+endif
+RULES := Makefile $(BUILD)/flags
+
+# A job for each processor; of the tests several wait, for a loop's end or a
+# sleeper, so they get two more.
 ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
-MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+MAKEFLAGS += -j$(shell echo $$(($$(getconf _NPROCESSORS_ONLN 2>/dev/null || \
+                 echo 2)$(if $(filter test,$(MAKECMDGOALS)), + 2))))
 endif
 MAKEFLAGS += --no-print-directory
 export CC MAKE
@@ -103,7 +128,7 @@ SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help deps status figures course book bench clean
+.PHONY: help deps status figures course book bench clean gsl always
 .DEFAULT_GOAL := help
 
 help:
@@ -114,10 +139,13 @@ help:
 	@echo '  make lesson-07    build and run my lessons/07_*.c'
 	@echo '  make check-07     judge it: one line per check, one verdict'
 	@echo '  make hint-07      the next hint; there are three levels'
-	@echo '  make plot-07      my numbers over the reference'
+	@echo '  make plot-07      my numbers over the reference, as a picture'
+	@echo '  make diff-07      the cells in which mine and the reference differ'
 	@echo '  make solution-07  the reference solution (after a pass, or FORCE=1)'
 	@echo '  make reset-07     put the starter back (my file is saved first)'
 	@echo '  make watch-07     check again at each save'
+	@echo '  make debug-07     run mine with the sanitizers; where to start gdb'
+	@echo '  make figure-07    the figures of a lesson; figure-07-orders: one'
 	@echo '  make figures      run every study and draw every figure'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
@@ -128,20 +156,35 @@ help:
 	@echo
 	@echo '  for teachers:     verify-07  mutants-07  starters  workbook-07  workbook'
 	@echo '  and authors       lint  memcheck  clean  (CONTRIBUTING.md says how)'
-	@echo '  make new-25 NAME=spring      the files of a new lesson'
+	@echo '  make new-26 NAME=spring      the files of a new lesson'
 	@echo '  make grade DIR=submissions   judge a class, a folder per student'
+	@echo '  make check-07 JSON=file      the verdict for machines, too'
 
 deps:
 	@sh tests/tools/deps.sh
 
+gsl: | $(filter deps,$(DEPS))
+	@echo '#include <gsl/gsl_math.h>' | $(CC) -E - > /dev/null 2>&1 || { \
+	    echo 'GSL is not found; it comes with: make deps' >&2; exit 1; }
+
 # ---- library and programs ---------------------------------------------------
+
+$(BUILD)/flags: $(OTHER_FLAGS)
+	$(Q)mkdir -p $(@D) && $(WHOLE) printf '%s\n' '$(subst ','\'',$(FLAGS))' \
+	    > $(PART) && $(MOVED)
 
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
 # has all but window_sdl.c, which needs SDL2 and is for `make live` only.
-NEEDS := $(shell find -L common figures solutions lessons tests -type f \
-             -name '*.[ch]' -exec grep -H '^\#include "' {} + | \
-             awk -f tests/tools/needs.awk)
+# The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
+NO_PROGRAM := help deps status alone check-% hint-% solution-% reset-% watch-% \
+              debug-% mistakes-%
+ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
+             solutions/$(SLUG).c)
+NEEDS := $(if $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),$(shell find -L \
+             common figures solutions lessons tests -type f -name '*.[ch]' \
+             -exec grep -H '^\#include "' {} + | \
+             awk -v asked='$(ASKED)' -f tests/tools/needs.awk))
 comma := ,
 needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
             $1=%,$(NEEDS)))))
@@ -153,17 +196,25 @@ $(LIB): $(OBJECTS)
 	$(call say,lib,$@)
 	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
 
-native_for = $(if $(filter tiles front readable,$1),$(NATIVE)) \
+# tiles.c, half of what the first lesson waits for, is as fast with -O2 and these
+# of gcc, has the same digits, and compiles in two thirds of the time.
+LESS_THAN_O3 = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
+                   -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null \
+                   -o /dev/null 2>/dev/null && echo "$$@" || echo -O3)
+native_for = $(if $(filter front readable,$1),$(NATIVE)) \
+             $(if $(filter tiles,$1),$(if $(filter -O3,$(NATIVE)), \
+                 $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
+                 $(filter -g,$(CFLAGS))),$(NATIVE))) \
              $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)) \
                  -fno-tree-slp-vectorize)
-$(OBJECTS): $(BUILD)/%.o: %.c Makefile | $(DEPS)
+$(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(call native_for,$(notdir $*)) $< $(OBJECT)
 
 # Compiled and linked by themselves: `make test` links them with other libraries.
 PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
-$(PARTS:=.o): $(BUILD)/%.o: %.c Makefile | $(DEPS)
+$(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(OBJECT)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
@@ -171,12 +222,13 @@ $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 
 $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(call say,cc,$<)
+	@[ -f $< ] || { echo '$< is not a plain file.' >&2; exit 1; }
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
-JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose verdict compare \
-          tables claims guard output predict child confine sight)
-$(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c Makefile | $(DEPS)
+JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
+          compare cells tables claims guard output predict child confine sight)
+$(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
@@ -188,10 +240,12 @@ BOUNDS = $(eval BOUNDS := $(shell for flags in \
              $(CC) -Werror $$flags -x c -c /dev/null -o /dev/null 2>/dev/null && \
              echo $$flags && break; done))$(BOUNDS)
 
+# A judge is compiled more often than run, and runs no longer with -O1.
+QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
 NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
-build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(BOUNDS) $3 -I. \
+build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(QUICK) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
               tests/checks/$2.c $(PLACED)
 
@@ -221,10 +275,17 @@ $(COUNTED:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%
 	$(call say,study,$*)
 	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(PART) && $(MOVED)
 
+$(ASKING:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: figures/%.gp \
+        $(BUILD)/solutions/$$(firstword $$(subst /, ,$$*))
+	$(call say,run,$*)
+	$(Q)mkdir -p $(@D) && $(WHOLE) \
+	    $(filter-out %.gp,$^) $$($(OPTIONS_OF) $<) > $(PART) && $(MOVED)
+
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 DRAW = $(Q)mkdir -p $(@D) && sh tests/tools/figure.sh
 define figure_rule
-$2: figures/$1.gp figures/style.gp $(call data_of,$1)
+$2: figures/$1.gp figures/style.gp $(call data_of,$1) \
+        $(if $(filter $1,$(SQUARES)),$(wildcard figures/square.*))
 	$$(call say,plot,$$@)
 	$$(DRAW) $$< $(call data_of,$1) $$@
 endef
@@ -238,6 +299,22 @@ figures: $(FIGURES) $(TIMED_HERE)
 	@echo 'figures: $(words $(FIGURES)) in figures/;' \
 	      '$(words $(TIMED_HERE)) with seconds of this machine in' \
 	      '$(BUILD)/figures/'
+	@echo '  left to make bench, which takes minutes:' \
+	      '$(filter $(SPEED),$(SCRIPTS))'
+
+# One figure, figure-16-principal, or all of a folder: figure-16, figure-speed.
+dashed = $(subst -, ,$1)
+folder_of = $(or $(filter $(firstword $(dashed))_%,$(LESSONS)),$(firstword \
+                $(dashed)))
+asked_for = $(filter $(folder_of)/$(or $(word 2,$(dashed)),%),$(SCRIPTS))
+figure-%: $$(foreach f,$$(filter-out $$(SPEED),$$(call asked_for,$$*)),$$(if \
+          $$(filter $$f,$$(TIMED)),$$(BUILD)/)$$(call picture,$$f))
+	@for f in $^; do echo "  $$f"; done
+	@for f in $(filter $(SPEED),$(call asked_for,$*)); do \
+	    echo "  figures/$$f.svg is left to make bench"; done
+	@[ -n '$(call asked_for,$*)' ] || { echo 'There is no figure-$*; there are:' \
+	    $(or $(notdir $(filter $(call folder_of,$*)/%,$(SCRIPTS))),$(patsubst \
+	    %/,%,$(sort $(dir $(SCRIPTS))))) >&2; exit 2; }
 
 $(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
 	$(call say,check,$*)
@@ -292,42 +369,87 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 # ---- the student's commands -------------------------------------------------
 
 # exec: a signal to make's child is one to the script
-STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' TABLE='$(TABLE)' \
-          sh tests/tools/student.sh
+STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' sh tests/tools/student.sh
+
+# What may be given with which goal; to any other it is an error.  It reaches
+# student.sh in the environment and as it was typed: what looks like make's or
+# the shell's to expand is neither's.
+takes_lesson := TABLE ARGS
+takes_diff   := TABLE ARGS
+takes_plot   := TABLE X Y KEY ARGS
+takes_live   := ARGS
+takes_debug  := ARGS
+takes_check  := JSON
+takes_grade  := JSON
+MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON
+given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
+goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
+ifeq ($(MAKELEVEL),0)
+$(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
+    make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
+    $(strip $(foreach t,lesson plot diff debug check live grade,$(if $(filter \
+    $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
+endif
+override TABLE := $(if $(filter TABLE,$(given)),$(value TABLE))
+override X     := $(if $(filter X,$(given)),$(value X))
+override Y     := $(if $(filter Y,$(given)),$(value Y))
+override KEY   := $(if $(filter KEY,$(given)),$(value KEY))
+override ARGS  := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
+export TABLE X Y KEY ARGS
+
 status: ; @$(STUDENT) status
 
 define lesson_rules
-.PHONY: $(addsuffix -$1,lesson check hint plot solution reset watch mistakes)
+.PHONY: $(addsuffix -$1,lesson check hint plot diff solution reset watch mistakes)
 lesson-$1: $(BUILD)/mine/$2
 	@$(STUDENT) run $2
 check-$1: ; @$(SHARED)$(STUDENT) check $2
 watch-$1: ; @$(SHARED)$(STUDENT) watch $2
-plot-$1: $(BUILD)/mine/$2 $(BUILD)/data/$2.tsv
-	@$(STUDENT) plot $2
+plot-$1 diff-$1: $(BUILD)/mine/$2 $(BUILD)/solutions/$2 \
+        $(BUILD)/solutions/$2.judge $(if $(ARGS),,$(BUILD)/data/$2.tsv)
+	@$(STUDENT) $$(@:-$1=) $2
 hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2
+.PHONY: debug-$1
+debug-$1: ; @$(SHARED)$(STUDENT) debug $2
 endef
 $(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
 
-# Lesson 24 in a window; ARGS: its options.
+# Lesson 24 in a window; ARGS: its options.  Until all its slots are written it is
+# the solution that runs.
+LIVE = $(if $(FORCE)$(shell grep -s 'todo."24[a-z]"' lessons/24_live.c; \
+           [ -f lessons/24_live.c ] || echo none),solutions,lessons)/24_live.c
 .PHONY: live
 live: $(LIB)
 	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \
 	    'apt install libsdl2-dev, or brew install sdl2' >&2; exit 2; }
-	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) \
-	    $(if $(FORCE),solutions,lessons)/24_live.c common/motion/window_sdl.c \
-	    -o $(BUILD)/live $(LINK) $$(pkg-config --libs sdl2)
-	@$(BUILD)/live $(ARGS) > $(BUILD)/live.tsv
-	@echo 'The frames are in $(BUILD)/live.tsv'
+	@[ $(LIVE) = lessons/24_live.c ] || [ -n '$(FORCE)' ] || echo 'Lesson 24' \
+	    'has slots that are not written yet: this is its solution.'
+	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) $(LIVE) \
+	    common/motion/window_sdl.c -o $(BUILD)/live $(LINK) \
+	    $$(pkg-config --libs sdl2)
+	@set -f; case " $$ARGS " in *' -h '*|*' --help '*) exec $(BUILD)/live -h ;; \
+	esac; $(BUILD)/live $$ARGS > $(BUILD)/live.tsv && \
+	echo 'The frames are in $(BUILD)/live.tsv'
 
-# The files of a new lesson: make new-25 NAME=spring
+# The files of a new lesson: make new-26 NAME=spring
 new-%:
 	@sh tests/tools/new.sh '$*' '$(NAME)'
 	@$(SHARED)$(MAKE) workbook-$* figures/map.svg figures/$*_$(NAME)/order.svg
 
-lesson-% check-% hint-% plot-% solution-% reset-% watch-%:
-	@echo "There is no lesson $*. The lessons are:" >&2
-	@for l in $(LESSONS); do echo "  $$l" >&2; done
-	@exit 2
+# A goal that there is not: what may have been meant.  A file that is missing is
+# make's to name; .DEFAULT would hide by whom it is needed, so it is there only
+# when a goal is none of these.
+WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
+BY_NUMBER := lesson check hint diff plot solution reset watch debug
+GOALS := help deps status figures course book test live bench many grade lint \
+         starters workbook programs studies memcheck look alone clean new-% \
+         deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
+         workbook-% $(BY_NUMBER:=-%)
+$(BY_NUMBER:=-%): ; $(WANT); exit 2
+ifneq ($(filter-out $(GOALS),$(foreach g,$(MAKECMDGOALS),$(if $(findstring \
+      /,$g)$(findstring .,$g),,$g))),)
+.DEFAULT: ; $(WANT); exit 2
+endif
 
 # Progress and replaced files of the student stay.
 clean:
@@ -336,10 +458,21 @@ clean:
 
 # Thousands of rules are for tests and teachers; what a student asks for does
 # without them, and answers at once.
-ifeq ($(filter-out help deps status alone lesson-% check-% hint-% solution-% \
-      reset-% watch-% live $(INTO),$(or $(MAKECMDGOALS),help)),)
+JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
+                 $(BUILD)/solutions/$(SLUG).judge)
+ifeq ($(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live $(JUDGED_BY), \
+      $(or $(MAKECMDGOALS),help))$(filter mistakes-%,$(MAKECMDGOALS)),)
+ifneq ($(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),)
 -include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d))
+endif
 else
-include tests/tests.mk
+# Known mistakes: with the rules of their lesson alone.
+ifeq ($(filter-out mistakes-%,$(MAKECMDGOALS)),)
+LESSONS := $(filter $(MAKECMDGOALS:mistakes-%=%_%),$(LESSONS))
+-include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d) \
+                    $(LESSONS:%=$(BUILD)/mistakes/%/*.d))
+else
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+endif
+include tests/tests.mk
 endif

@@ -30,11 +30,12 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them, compiled as quickly as can be, but in lessons that
-# compute for long.  Where an entry does not fit the solution any more, there is
-# none, and lint says why.
-LONG := 15_% 17_% 18_% 20_% 22_% 23_% 24_%
-quick = $(if $(filter $(LONG),$1),-O1,-O0) -g0 -w
+# There are many of them, compiled and linked as quickly as can be, but where the
+# program itself computes for long.  Where an entry does not fit the solution any
+# more, there is none, and lint says why.
+LONG := 18_% 22_%
+QUICK = -g0 -w -Wl,-S
+quick = $(if $(filter $(LONG),$1),-O1,-O0) $$(QUICK)
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
@@ -72,6 +73,8 @@ mistakes-$(call number,$1): $$(addprefix $(BUILD)/mistakes/,$(if \
 	    esac; done
 endef
 $(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
+# the rest is not for those who ask for known mistakes alone
+ifneq ($(filter-out mistakes-%,$(MAKECMDGOALS)),)
 
 # A class at once: DIR holds one folder per student.
 GRADE = exec env BUILD='$(BUILD)' LESSONS='$(LESSONS)' sh tests/tools/grade.sh
@@ -147,7 +150,7 @@ CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
-$(BUILD)/unit/%.o: tests/unit/%.c Makefile | $(DEPS)
+$(BUILD)/unit/%.o: tests/unit/%.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
 $(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
@@ -168,7 +171,7 @@ $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
         $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
-	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O0 -g0 -w \
+	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O0 $$(QUICK) \
 	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE)) \
 	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
@@ -238,17 +241,26 @@ $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+$(T)/pictures.result: tests/cli/pictures.sh $(LESSONS:%=$(BUILD)/data/%.tsv) \
+        $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk) \
+        $(wildcard tests/tools/*)
+	$(call say,test,pictures of the student)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(call say,test,random options)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade limits new): $(T)/%.result: tests/cli/%.sh \
+$(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
+        $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(call mistakes_of,$(TRIED))
 	$(call say,test,$*)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
+# and on what each lesson's own judge says of its data
+$(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
+        figures/overlay.gp
 $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
@@ -260,11 +272,15 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
-           $(T)/options.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/new.result $(T)/many.result $(SAME_RESULTS) \
+           $(T)/options.result $(T)/pictures.result $(T)/habits.result \
+           $(T)/json.result $(T)/hostile.result $(T)/grade.result \
+           $(T)/limits.result $(T)/new.result $(T)/diff.result \
+           $(T)/many.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
-test: $(RESULTS)
+# first what is long, one after the other, or waits, while the rest computes
+FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits)
+test: $(FIRST) $(RESULTS)
 	@sh tests/tools/sizes.sh table
 	@cat $^ | sh tests/tools/count.sh
 
@@ -276,3 +292,4 @@ memcheck:
 
 include tests/many.mk
 include tests/mutants.mk
+endif

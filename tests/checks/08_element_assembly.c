@@ -16,6 +16,7 @@
 #include "program.h"
 
 #include "judge.h"
+#include "linear/residual.h"
 
 #include "../oracle/poisson.h"
 

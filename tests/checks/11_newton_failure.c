@@ -15,7 +15,7 @@
 #include "judge.h"
 
 #include "../oracle/11_newton_failure.h"
-#include "figures/11_newton_failure/stretch.c"
+#include "figures/11_newton_failure/element.c"
 
 #include <float.h>
 
@@ -397,7 +397,7 @@ static void map_and_prediction_agree(void)
     }
 }
 
-/* The studies' stretch.h, which is bar_newton() on one element. */
+/* The studies' element.h, which is bar_newton() on one element. */
 static void same_as_common_stretch(void)
 {
     static const double p[] = {-37140.0, -1347.0, -100.0, 0.0, 613.7};
@@ -411,13 +411,13 @@ static void same_as_common_stretch(void)
             const struct outcome got[] = {
                 solve(&m, load, F, &control),
                 load_stepping(&m, load, 1.0 - F, &control)};
-            const struct stretch_report want[] = {
-                stretch_newton(&m, load, F, &control),
-                stretch_stepping(&m, load, 1.0 - F, &control)};
+            const struct element_report want[] = {
+                element_newton(&m, load, F, &control),
+                element_stepping(&m, load, 1.0 - F, &control)};
             for (int w = 0; w < 2; w++) {
                 expect(got[w].status == want[w].status,
                        "%s law, p = %g, F0 = %g, %s: %s, the studies' "
-                       "stretch.h says %s", material_law(m.law), load, F,
+                       "element.h says %s", material_law(m.law), load, F,
                        w ? "load stepping" : "solve",
                        status_name(got[w].status), status_name(want[w].status));
                 if (got[w].status != OK) continue;

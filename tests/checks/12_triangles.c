@@ -676,6 +676,15 @@ static void failures_are_named(void)
            status_name(report.status));
     scene_free(s);
 
+    s = scene_alloc(&set); /* so soft that q and K are finite, and du is not */
+    s->body->material.mu = s->body->material.lambda = 1e-300;
+    s->f[2 * 12] = 1e10;
+    report = equilibrium(s, 1e-10, HISTORY_CAP, s->u);
+    expect(report.status == NONFINITE,
+           "du is not finite: the method ends with %s, not NONFINITE",
+           status_name(report.status));
+    scene_free(s);
+
     struct output *out = run_unsolved("--scene gravity --force 500", "NOT_SPD");
     expect(row_count(out, "history") > 1 &&
                strcmp(word(out, "history", "status", -1), "NOT_SPD") == 0,

@@ -557,8 +557,7 @@ static void what_was_predicted(void)
     int r = 0;
     while (cell(output, "where", "least", r + 1) <= 0.0) r++;
     measured("1", cell(output, "where", "s", r));
-    measured("3", cell(output, "column", "systems", 5) /
-                      cell(output, "column", "systems", 3));
+    measured("3", fabs(cell(output, "column", "deflection", 3)));
 }
 
 static const struct claim claims[] = {
@@ -606,6 +605,9 @@ static const struct column_rule rules[] = {
     {"column", "deflection", 1e-6, "soft near a bifurcation", 1},
     {"column", "energy", 1e-10, "Newton's method to 1e-10", 1},
     {"column", "*", 0, "a word", 0},
+    {"nodes", "u_x", 1e-6, "soft near a bifurcation", 1},
+    {"nodes", "u_y", 1e-6, "soft near a bifurcation", 1},
+    {"nodes", "*", 1e-14, "given", 1e3},
 };
 
 static const struct lesson lesson = {

@@ -760,6 +760,9 @@ static const struct column_rule rules[] = {
     {"field", "angle", 1e-14, "given", 1},
     {"field", "T", 1e-9, STATE, 1e3},
     {"field", "*", 1e-9, STATE, 1},
+    {"nodes", "u_x", 1e-9, STATE, 1},
+    {"nodes", "u_y", 1e-9, STATE, 1},
+    {"nodes", "*", 1e-14, "given", 1e3},
 };
 
 static const struct lesson lesson = {

@@ -573,7 +573,7 @@ static void spin_is_the_oracles(void)
 /* What the header asks to PREDICT. */
 static void what_was_predicted(void)
 {
-    measured("1", cell(run(""), "spin", "ratio", 100));
+    measured("1", cell(run("--order 1"), "spin", "ratio", 100));
     measured("3", cell(run("--order 3"), "spin", "ratio", 100));
 }
 
@@ -610,7 +610,8 @@ static const struct claim claims[] = {
 static const char *const runs[] = {
     "",
     "--order 1 --x 4 --kick 1 --scheme FLIP --steps 3",
-    "--order 3 --x 5.0713 --kick 1 --scheme APIC --steps 7 --ppc 2",
+    ("--order 3 --x 5.0713 --kick 1 --scheme APIC --steps 7 --ppc 2 "
+     "--disc yes"),
     "--order 1 --dt 0.2385 --kick -1.3 --scheme APIC --steps 5 --ppc 3",
     "--order 2 --x 3 --dt 0.1 --kick 2.385 --scheme FLIP --steps 9",
 };
@@ -628,6 +629,7 @@ static const struct column_rule rules[] = {
     {"grid", "*", 1e-10, TRANSFER ", divided by small masses", 1},
     {"spin", "transfers", 0, "a count", 0},
     {"spin", "ratio", 1e-11, "as many transfers", 1},
+    {"disc", "*", 1e-11, "as many transfers", 1},
     {"filter", "wavelength", 0, "a count", 0},
     {"filter", "scheme", 0, "a word", 0},
     {"filter", "*", 1e-11, TRANSFER, 1},

@@ -27,6 +27,16 @@ void wrong(const char *format, ...)
     _exit(1);
 }
 
+void keep_figures(const struct figures *figures)
+{
+    char path[PATH_SIZE];
+    FILE *file = fopen(work_file("judge.figures", path), "w");
+    if (!file) quit("cannot write %s", path);
+    fprintf(file, "%s\n%s\n%s\n", figures->got, figures->want,
+            figures->allowed);
+    fclose(file);
+}
+
 void expect_close(double got, double want, double tolerance, double scale,
                   const char *what, ...)
 {
@@ -35,10 +45,16 @@ void expect_close(double got, double want, double tolerance, double scale,
     va_start(arguments, what);
     vsnprintf(text, sizeof text, what, arguments);
     va_end(arguments);
+    if (isfinite(got) && fabs(got - want) <= tolerance * scale) return;
+    struct figures figures;
+    snprintf(figures.got, sizeof figures.got, "%.17g", got);
+    snprintf(figures.want, sizeof figures.want, "%.17g", want);
+    snprintf(figures.allowed, sizeof figures.allowed, "%.17g",
+             tolerance * scale);
+    keep_figures(&figures);
     if (!isfinite(got)) wrong(NOT_FINITE "%s is %g", text, got);
-    if (!(fabs(got - want) <= tolerance * scale))
-        wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text,
-              got, want, fabs(got - want), tolerance * scale);
+    wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text, got,
+          want, fabs(got - want), tolerance * scale);
 }
 
 /* Stop this check if the program stopped as none should: at a slot that is

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const struct column_rule *find_rule(const char *table, const char *name)
+const struct column_rule *find_rule(const char *table, const char *name)
 {
     const struct column_rule *all = NULL;
     for (int i = 0; i < judging.lesson->n_rule; i++) {
@@ -16,9 +16,9 @@ static const struct column_rule *find_rule(const char *table, const char *name)
     return all;
 }
 
-/* What allows |yours - reference|: tolerance times scale. */
-static double allowed(const struct column_rule *rule,
-                      const struct named_table *want, int c)
+/* Tolerance times scale. */
+double column_allows(const struct column_rule *rule,
+                     const struct named_table *want, int c)
 {
     double scale = rule->scale;
     if (!(scale > 0.0))
@@ -48,7 +48,7 @@ static int errors_of_column(const struct named_table *want, int c,
 
 /* What row r is allowed on top of that: what its errors are allowed, carried
  * into their order or constant. */
-static double carried(const struct named_table *want, int c, int r)
+double row_allows(const struct named_table *want, int c, int r)
 {
     int is_order;
     const int at = errors_of_column(want, c, &is_order);
@@ -57,9 +57,16 @@ static double carried(const struct named_table *want, int c, int r)
     if (!rule || !(rule->tolerance > 0.0)) return 0.0;
     const double here = fabs(number_at(want, at, r));
     const double before = r > 0 ? fabs(number_at(want, at, r - 1)) : here;
-    const double relative = allowed(rule, want, at) / fmin(here, before);
+    const double relative = column_allows(rule, want, at) / fmin(here, before);
     if (is_order) return 3.0 * relative;
     return 20.0 * relative * fabs(number_at(want, c, r));
+}
+
+double times_allowed(double got, double want, double limit)
+{
+    if (got == want || (isnan(got) && isnan(want))) return 0.0;
+    const double times = fabs(got - want) / limit;
+    return isnan(times) ? INFINITY : times;
 }
 
 /* A cell as a message quotes it. */
@@ -73,6 +80,15 @@ static const char *quoted(const struct named_table *table, int c, int r,
     return text;
 }
 
+/* A cell as struct figures has it. */
+static void figure(const struct named_table *table, int c, int r, char text[80])
+{
+    if (word_at(table, c, r))
+        snprintf(text, 80, "%s", word_at(table, c, r));
+    else
+        snprintf(text, 80, "%.17g", number_at(table, c, r));
+}
+
 /* Whether a word differs, or stands against a number. */
 static int words_differ(const struct named_table *got, int c_got,
                         const struct named_table *want, int c, int r)
@@ -80,6 +96,9 @@ static int words_differ(const struct named_table *got, int c_got,
     const char *y = word_at(got, c_got, r), *z = word_at(want, c, r);
     return y && z ? strcmp(y, z) != 0 : y != z;
 }
+
+/* What column_differs() has found; empty when it is no cell. */
+static struct figures differing;
 
 /* Compare one column; describe the first word that differs, or the worst and
  * the first bad number, in `text`. */
@@ -109,17 +128,19 @@ static int column_differs(const struct named_table *got,
                  quoted(want, 0, r, sizeof label, label), name,
                  quoted(got, c_got, r, sizeof mine, mine),
                  quoted(want, c, r, sizeof due, due));
+        figure(got, c_got, r, differing.got);
+        figure(want, c, r, differing.want);
         return 1;
     }
-    const double limit_ = allowed(rule, want, c);
+    const double limit = column_allows(rule, want, c);
     for (int r = 0; r < want->n_row; r++) {
-        const double y = number_at(got, c_got, r), z = number_at(want, c, r);
-        const double off = fabs(y - z);
-        const double limit_r = limit_ + carried(want, c, r);
-        if (off <= limit_r || (isnan(y) && isnan(z)) || y == z) continue;
-        if (first < 0) first = worst = r;
-        if (off / limit_r > excess) {
-            excess = off / limit_r;
+        const double times =
+            times_allowed(number_at(got, c_got, r), number_at(want, c, r),
+                          limit + row_allows(want, c, r));
+        if (times <= 1.0) continue;
+        if (first < 0) first = r;
+        if (times > excess) {
+            excess = times;
             worst = r;
         }
     }
@@ -133,6 +154,10 @@ static int column_differs(const struct named_table *got,
              number_at(got, c_got, worst), number_at(want, c, worst),
              excess, rule->tolerance,
              rule->reason, first + 1);
+    figure(got, c_got, worst, differing.got);
+    figure(want, c, worst, differing.want);
+    snprintf(differing.allowed, sizeof differing.allowed, "%.17g",
+             limit + row_allows(want, c, worst));
     return 1;
 }
 
@@ -178,9 +203,11 @@ void check_same_numbers_as_reference(void)
                  want->stderr_, want->error);
         struct output *got =
             want->status ? run_unsolved(options, "") : run(options);
-        if (tables_differ(got, want, sizeof text, text))
+        if (tables_differ(got, want, sizeof text, text)) {
+            if (*differing.got) keep_figures(&differing);
             wrong("%s%s%s%s", *options ? "with " : "", options,
                   *options ? ": " : "", text);
+        }
         output_free(got);
         output_free(want);
     }

@@ -161,10 +161,11 @@ static void print_predictions(int index)
 }
 
 /* All checks pass. */
-static void print_ok(const char *number, int n)
+static void print_ok(const char *number, int n, const struct finding finding[])
 {
     const struct finding none = {.verdict = PASS};
     write_result(&none, "-", "");
+    write_report(n, finding, n, "", "");
     print_predictions(n);
     printf("  Notice:\n");
     print_wrapped("    ", judging.lesson->notice);
@@ -173,13 +174,47 @@ static void print_ok(const char *number, int n)
     printf("VERDICT %s: OK, all %d checks\n", number, n);
 }
 
-/* The first check that fails, the one of this index, and with `search` the
- * known mistakes; the last line is the verdict. */
-static void print_failure(const char *number, int index,
-                          const struct finding *bad, int search)
+/* What to do next: where the tables are not those of the reference, see in
+ * which cells, with the options that the message names.  Where another check
+ * fails first and the default run is right, that comes second.  No hint is
+ * about a line that is no table's. */
+static const char *what_next(const char *number, int index,
+                             const struct finding finding[], size_t size,
+                             char text[])
 {
+    const struct lesson *lesson = judging.lesson;
+    const struct finding *tables = &finding[lesson->n_claim];
+    const int differ =
+        tables->verdict == WRONG || tables->verdict == NONFINITE_;
+    const char *options = "";
+    for (int r = 0; differ && r < lesson->n_run; r++) {
+        const char *run_ = lesson->runs[r];
+        const char *at = *run_ ? strstr(tables->text, run_) : NULL;
+        const size_t n = strlen(run_);
+        if (at && strchr(": ", at[n]) && n > strlen(options)) options = run_;
+    }
+    const char *given = *options ? " ARGS='" : "", *end = *options ? "'" : "";
+    if (strstr(finding[index].text, "belongs to no table"))
+        snprintf(text, size, "make lesson-%s", number);
+    else if (differ && index == lesson->n_claim)
+        snprintf(text, size, "make diff-%s%s%s%s, make hint-%s", number, given,
+                 options, end, number);
+    else if (*options)
+        snprintf(text, size, "make hint-%s, make diff-%s%s%s%s", number, number,
+                 given, options, end);
+    else
+        snprintf(text, size, "make hint-%s", number);
+    return text;
+}
+
+/* The first check that fails, the one of this index of n, and with `search` the
+ * known mistakes; the last line is the verdict. */
+static void print_failure(const char *number, int n, int index,
+                          const struct finding finding[], int search)
+{
+    const struct finding *bad = &finding[index];
     const char *check = claim_at(judging.lesson, index).name;
-    char mistakes[1024] = "";
+    char mistakes[1024] = "", next[300];
     write_result(bad, check, "");
     printf("  In %s", check);
     if (*bad->slot) printf(" (slot %s)", bad->slot);
@@ -191,7 +226,9 @@ static void print_failure(const char *number, int index,
     printf("VERDICT %s: %s", number, verdict_name[bad->verdict]);
     if (bad->verdict == UNFINISHED) printf(" (slot %s)", bad->slot);
     if (bad->verdict == CRASHED) printf(" in %s", check);
-    printf("    next: make hint-%s\n", number);
+    printf("    next: %s\n",
+           what_next(number, index, finding, sizeof next, next));
+    write_report(n, finding, index, mistakes, next);
 }
 
 /* As the subject of another judge: one claim, or the program itself. */
@@ -220,6 +257,10 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     const int n = lesson->n_claim + 1;
 
     judging.lesson = lesson;
+    if (argc == 4 && strcmp(argv[1], "--cells") == 0) {
+        cells_print(argv[2], argv[3]);
+        return 0;
+    }
     be_the_subject(lesson, argc, argv);
     judging.file = value_of(argc, argv, "--file");
     read_predictions(value_of(argc, argv, "--source"));
@@ -228,6 +269,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.mistakes = absolute(value_of(argc, argv, "--mistakes"));
     judging.prepare = value_of(argc, argv, "--prepare");
     judging.result = value_of(argc, argv, "--result");
+    judging.report = value_of(argc, argv, "--report");
     const char *work = value_of(argc, argv, "--work");
     if (n > MAX_CLAIMS)
         quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
@@ -236,7 +278,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     if (!judging.file || !judging.reference)
         quit("usage: %s --file FILE [--source FILE] [--subject JUDGE] "
              "--reference PROGRAM [--mistakes FOLDER] [--prepare COMMAND] "
-             "[--result FILE] [--work FOLDER]", argv[0]);
+             "[--result FILE] [--report FILE] [--work FOLDER]", argv[0]);
     make_work(work ? work : argv[0]);
     child_on_interrupt(remove_work);
     child_work_in(judging.work);
@@ -247,9 +289,9 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     int first = 0;
     while (first < n && finding[first].verdict == PASS) first++;
     if (first == n)
-        print_ok(number, n);
+        print_ok(number, n, finding);
     else
-        print_failure(number, first, &finding[first], !over);
+        print_failure(number, n, first, finding, !over);
     remove_work();
     return first == n ? 0 : 1;
 }

@@ -1,9 +1,10 @@
 /*
  * judging.h - what the parts of the judge know of each other; checks see only
  * judge.h.  claims.c and tables.c are what a check may call; compare.c adds the
- * last check; verdict.c runs one in a child (output.h, child.h); diagnose.c
- * looks for known mistakes; judge.c runs all and prints.  Each calls those
- * named before it only.
+ * last check, and cells.c prints what it compares; verdict.c runs one in a
+ * child (output.h, child.h); report.c writes for machines; diagnose.c looks for
+ * known mistakes; judge.c runs all and prints.  Each calls those named before
+ * it only.
  */
 #ifndef TESTS_CHECKS_JUDGING_H
 #define TESTS_CHECKS_JUDGING_H
@@ -24,6 +25,7 @@ struct judging {
     const char *prepare;   /* command that builds those that CAUGHT_BY= names
                             * the check of, and judges of the JUDGED= */
     const char *result;    /* file for "verdict check slot mistakes" */
+    const char *report;    /* file for all that is said; NULL: none */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 };
 extern struct judging judging;
@@ -35,10 +37,16 @@ extern struct judging judging;
 enum verdict { PASS, WRONG, UNFINISHED, CRASHED, TIMEOUT, NONFINITE_, NOT_RUN };
 extern const char *const verdict_name[];
 
+/* What a check that fails has compared: numbers or words, or nothing. */
+struct figures {
+    char got[80], want[80], allowed[32];
+};
+
 /* What a check has found. */
 struct finding {
     enum verdict verdict;
     char text[1100];
+    struct figures figures;
     char slot[16];
     int costly; /* it took all its time or output: do not run the others */
 };
@@ -47,6 +55,9 @@ struct finding {
 
 /* A file in the folder of the judge. */
 const char *work_file(const char *name, char path[PATH_SIZE]);
+
+/* Before wrong(): what its message compares. */
+void keep_figures(const struct figures *figures);
 
 /* The output of the program under test. */
 struct output *output_of_subject(const char *options);
@@ -58,8 +69,22 @@ struct output *output_of_subject(const char *options);
 int tables_differ(const struct output *got, const struct output *want,
                   size_t size, char text[]);
 
+/* The rule of a column, or NULL; what it allows |yours - reference|; what a row
+ * is allowed on top of that; and the difference in units of both together, 0
+ * where there is none. */
+const struct column_rule *find_rule(const char *table, const char *name);
+double column_allows(const struct column_rule *rule,
+                     const struct named_table *want, int c);
+double row_allows(const struct named_table *want, int c, int r);
+double times_allowed(double got, double want, double limit);
+
 /* The check that every lesson ends with. */
 void check_same_numbers_as_reference(void);
+
+/* ---- cells.c */
+
+/* Two files with output, cell by cell; see there. */
+void cells_print(const char *mine, const char *reference);
 
 /* ---- verdict.c */
 
@@ -73,6 +98,17 @@ void run_claim(const struct claim *claim);
 
 /* Run the claim of this index in a child of its own. */
 void examine(int index, struct finding *finding);
+
+/* ---- report.c */
+
+/* Write what was found to judging.report, if it is asked for: records that end
+ * in RS, of fields with US between.  The first has lesson, file, verdict,
+ * check, slot, mistakes (commas between), next and message; each other one a
+ * check: claim, status, slot, got, want, allowed and message.  What there is
+ * not is empty; `first` is the index of the first check that fails, n if none
+ * does. */
+void write_report(int n, const struct finding finding[], int first,
+                  const char *mistakes, const char *next);
 
 /* ---- diagnose.c */
 

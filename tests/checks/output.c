@@ -81,6 +81,10 @@ static void read_row(struct output *output, struct named_table *table,
     int n_cell = 1;
     for (const char *c = line; *c; c++) n_cell += *c == '\t';
     if (n_cell != table->n_column) {
+        if (output->stray) {
+            output->stray(line);
+            return;
+        }
         snprintf(output->error, sizeof output->error,
                  "table `%s`, row %d: %d cells, but %d columns, in the line "
                  "`%.60s`" STDOUT_IS_FOR_TABLES,
@@ -102,6 +106,8 @@ static void read_header(struct output *output, struct named_table *table,
 {
     for (char *name = strtok(line, "\t"); name; name = strtok(NULL, "\t")) {
         if (table->n_column == MAX_COLUMNS) {
+            if (output->stray) output->stray(name);
+            if (output->stray) return;
             snprintf(output->error, sizeof output->error,
                      "table `%s` has more than %d columns", table->name,
                      MAX_COLUMNS);
@@ -127,11 +133,19 @@ static void read_tables(struct output *output, const char *path)
     }
     while (!*output->error && getline(&line, &size, file) >= 0) {
         output->printed = 1;
+        if (output->stray && !strchr(line, '\n')) {
+            output->stray(line);
+            break;
+        }
         line[strcspn(line, "\r\n")] = '\0';
         if (line[strspn(line, " \t")] == '\0') {
             table = NULL;
+        } else if (line[0] == '#' && table) {
+            continue;
+        } else if (output->stray &&
+                   (line[0] == '#' ? output->n_table == MAX_TABLES : !table)) {
+            output->stray(line);
         } else if (line[0] == '#') {
-            if (table) continue;
             if (output->n_table == MAX_TABLES) {
                 snprintf(output->error, sizeof output->error,
                          "more than %d tables", MAX_TABLES);
@@ -152,6 +166,15 @@ static void read_tables(struct output *output, const char *path)
     }
     free(line);
     fclose(file);
+}
+
+struct output *output_read(const char *path, void (*stray)(const char *line))
+{
+    struct output *output = calloc(1, sizeof *output);
+    if (!output) quit("out of memory");
+    output->stray = stray;
+    read_tables(output, path);
+    return output;
 }
 
 void output_free(struct output *output)

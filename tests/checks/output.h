@@ -43,6 +43,8 @@ struct output {
     struct named_table table[MAX_TABLES];
     char error[512];   /* what is wrong with the format, or "" */
     char stderr_[512]; /* last line on stderr, or "" */
+    void (*stray)(const char *line); /* takes what is not of the format,
+                                      * which is no error then; or NULL */
 };
 
 /*
@@ -53,6 +55,11 @@ struct output {
 struct output *output_of(const char *program, const char *options,
                          const char *folder);
 void output_free(struct output *output);
+
+/* The tables of a file, whatever else is in it: lines that belong to no table,
+ * and a last line that was cut off, go to stray().  Without the file there are
+ * none. */
+struct output *output_read(const char *path, void (*stray)(const char *line));
 
 const struct named_table *find_table(const struct output *output,
                                      const char *name);

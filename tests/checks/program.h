@@ -11,6 +11,9 @@
 
 int program_main(int argc, char *argv[]);
 
+#ifndef NAMES /* in an editor, for which .clangd gives PROGRAM */
+#define NAMES "names.h"
+#endif
 #define main program_main
 #include NAMES
 #include PROGRAM

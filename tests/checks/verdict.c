@@ -25,6 +25,18 @@ static int read_message(size_t size, char text[])
     return 1;
 }
 
+/* The figures that it wrote before, if any. */
+static void read_figures(struct figures *figures)
+{
+    char path[PATH_SIZE];
+    FILE *file = open_regular(work_file("judge.figures", path));
+    if (!file) return;
+    if (fscanf(file, "%79[^\n]%*c%79[^\n]%*c%31[^\n]", figures->got,
+               figures->want, figures->allowed) < 2)
+        *figures = (struct figures){0};
+    fclose(file);
+}
+
 static int starts(const char *text, const char *with)
 {
     return strncmp(text, with, strlen(with)) == 0;
@@ -144,6 +156,7 @@ void examine(int index, struct finding *finding)
 
     chmod(judging.work, 0700);
     remove(work_file("judge.message", path));
+    remove(work_file("judge.figures", path));
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, both_ways) < 0 ||
         write(both_ways[0], &number, sizeof number) < 0)
         quit("cannot make a socket: %s", strerror(errno));
@@ -164,6 +177,7 @@ void examine(int index, struct finding *finding)
     finding->verdict = WRONG;
     if (ending.limit == NO_LIMIT && ending.status == 1 &&
         read_message(sizeof finding->text, finding->text)) {
+        read_figures(&finding->figures);
         if (starts(finding->text, NOT_FINITE)) finding->verdict = NONFINITE_;
         if (starts(finding->text, UNREADABLE)) *finding->slot = '\0';
     } else {

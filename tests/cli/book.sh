@@ -37,10 +37,18 @@ ten --> *eleven* ![twelve](13.svg) `fourteen`.
 ```
 
 [22]: 23.md
+
+Read as far as this list, which all chapters say, and stop:
+
+<details><summary>Measured: open it</summary>
+
+Twenty-four, and 25.
+
+</details>
 END
 rule 'shown words are counted' \
     "$(awk -f tests/tools/words.awk "$tmp/short.md" >"$tmp/said"
-    [ "$(cat "$tmp/said")" = "14 $tmp/short.md" ] || cat "$tmp/said")"
+    [ "$(cat "$tmp/said")" = "17 $tmp/short.md" ] || cat "$tmp/said")"
 long() { # long N: a chapter of N words
     awk -v n="$1" 'BEGIN { for (i = 1; i <= n; i++) print "word" }' >"$tmp/$1.md"
     awk -v most=1200 -f tests/tools/words.awk "$tmp/$1.md"
@@ -66,6 +74,18 @@ rule 'pictures out of order and wrong links between chapters are found' \
         sed "$gone" "$tmp/lessons/01_a.md" >"$tmp/lessons/01_c.md"
         [ "$(cd "$tmp" && awk -f "$tools/chapters.awk" lessons/01_c.md \
             lessons/02_b.md | grep -v previous)" ] || echo "without $gone"
+    done)"
+# folded EDIT: what is said of a chapter that sed has changed
+folded() {
+    sed "$1" lessons/07_poisson_bvp.md >"$tmp/lessons/07_f.md"
+    awk -f tests/tools/fold.awk "$tmp/lessons/07_f.md"
+}
+rule 'a chapter that tells what it asks to predict is found' \
+    "$(folded ''
+    for edit in '/^Read as far/d' '/^<details><summary>Measured/d' \
+        's/^<details><summary>Measured/Ten times as many. &/' '/^<.details>$/d' \
+        's/^## Measured/## Results/' 's/^## Predict/## Expect/'; do
+        [ "$(folded "$edit")" ] || echo "$edit"
     done)"
 printf '%s\n' '# A *place*' '[a](../p/place.md#a-place) [b](#b) [c](#c) <a id="c"></a>' \
     >"$tmp/lessons/place.md"

@@ -23,7 +23,7 @@ state() {
 
 # ---- the class ----------------------------------------------------------------
 for student in Zo"$(printf '\303\253')" "O'Neill, \"Sean\"" -dash 'two twice' \
-    'Mallory ' nobody ann bob eve fay gil; do
+    'Mallory ' nobody ann bob eve fay gil ivy; do
     mkdir -p "class/$student/handed in"
 done
 variant lift_sign >"class/O'Neill, \"Sean\"/handed in/$slug.c"
@@ -52,6 +52,7 @@ export hostile='for (int k = 1; k < 9; k++) {
 } >"class/Mallory /$slug.c"
 # ann's, as a browser names it, and bob's are Sean's but for comments and blanks;
 # gil has the solution's text, eve includes it, fay wrote UTF-16
+variant reaction_sign >"class/ivy/$slug.c"
 variant lift_sign | tee "class/ann/$slug (1).c" |
     sed -e 's|/\*.*\*/||; s/    /	/' -e 's/$/ /' >"class/bob/$slug.c"
 { echo '/* all'; echo 'mine */'; cat "solutions/$slug.c"; } >"class/gil/$slug.c"
@@ -74,6 +75,7 @@ bob,$slug,WRONG,known_values_move_to_the_right,3a,lift_sign
 eve,$slug,WRONG,compile,-,-
 fay,$slug,WRONG,compile,-,-
 gil,$slug,OK,-,-,-
+ivy,$slug,WRONG,reactions_balance_the_loads,3c,reaction_sign
 two twice,$slug,two files,-,-,-
 END
 "$MAKE" "mistakes-${slug%%_*}" >said 2>&1 # their judges are not copied
@@ -99,18 +101,61 @@ for text in '99_nothing.c: no lesson' 'twice/link: a link' 'everyone: a link' \
     echo "$said" | grep -qF "$text"
     result $? "grade says: $text" "$said"
 done
-[ "$(ls build/grade | tr '\n' ' ')" = 'grades.csv grades.svg verdicts.txt ' ]
+[ "$(ls build/grade | tr '\n' ' ')" = 'grades.csv grades.svg verdicts.json verdicts.txt ' ]
 result $? 'grade leaves its tables and no folder' "$(ls build/grade)"
 left=$(state | diff before -)
 result $? 'a submission changes nothing' "$left"
-"$MAKE" -j1 grade BUILD=build DIR="$PWD/class/" >/dev/null 2>&1
+"$MAKE" -j1 grade BUILD=build DIR="$PWD/class/" FORMAT=gradescope >/dev/null 2>&1
 cmp -s wanted build/grade/grades.csv
 result $? 'judged again, the class has the same table' "$(cat build/grade/grades.csv)"
+
+# ---- for machines -------------------------------------------------------------
+follows() { # follows SCHEMA FILE
+    wrong=$(awk -f tests/tools/schema.awk "$1" "$2")
+    result $? "$2 keeps to its schema" "$wrong"
+}
+{ echo '{"type": "array", "items":'
+  cat tests/cli/verdict.schema.json
+  echo '}'; } >list
+follows list build/grade/verdicts.json
+[ "$(grep -c '"student"' build/grade/verdicts.json)" = 11 ]
+result $? 'verdicts.json has all files' "$(cat build/grade/verdicts.json)"
+score() { # score STUDENT POINTS: each of 3 slots and the whole gives one
+    file=build/grade/gradescope/$1/results.json
+    follows tests/cli/gradescope.schema.json "$file"
+    [ "$(sed -n 's/^  "score": \(.*\),$/\1/p' "$file")" = "$2" ] &&
+        [ "$(grep -c '"max_score": 1,' "$file")" = 4 ]
+    result $? "grade gives '$1' $2 of 4 points" "$(cat "$file")"
+}
+score gil 4
+score bob 0
+score ivy 2
+score -dash 0
+score 'Mallory ' 0
+score "O'Neill, \"Sean\"" 0
+score fay 0
+score 'two twice' 0
 mkdir none
+said=$("$MAKE" grade BUILD=build DIR=class FORMAT=canvas 2>&1)
+[ $? = 2 ] && echo "$said" | grep -q '^grade: FORMAT=canvas'
+result $? 'grade refuses a FORMAT that it does not know' "$said"
 for dir in '' no-such-folder none . ; do
     said=$("$MAKE" grade BUILD=build DIR="$dir" 2>&1)
     [ $? = 2 ] && echo "$said" | grep -q '^grade: ' &&
         cmp -s wanted build/grade/grades.csv
     result $? "grade refuses the folder '$dir'" "$said"
+done
+# the lines for Gradescope of TEACHING.md, with a lesson and with none
+awk '/^```/ { shown = 0 } shown { print } /^```sh/ { shown = 1 }' \
+    lessons/TEACHING.md | sed "s|/autograder|\$PWD/autograder|" >run_autograder
+mkdir -p autograder/source autograder/results autograder/submission
+cp "solutions/$slug.c" autograder/submission
+ln -s "$PWD" autograder/source/workbook
+for points in 4 0; do
+    BUILD=build sh run_autograder >said 2>&1
+    grep -q "^.*\"score\": $points," autograder/results/results.json
+    result $? "TEACHING.md grades for Gradescope: $points" \
+        "$(cat said autograder/results/results.json)"
+    rm -f autograder/submission/*
 done
 cd - >/dev/null && rm -rf "$copy"

@@ -8,6 +8,7 @@ set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
+export ANY_FLAGS=1 # the judged programs are compiled quickly, the rest stays
 slug=03_dirichlet_correction nn=03
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
@@ -146,7 +147,7 @@ nothing_left() { # nothing_left NUMBER: or say what
 judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
     said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
         CFLAGS=-O0 2>&1 </dev/null)
-    last=$(echo "$said" | grep -v '^make' | tail -n 1)
+    last=$(echo "$said" | grep -v -e '^make' -e '^next: ' | tail -n 1)
     echo "$last" | grep -Eq "^VERDICT $nn: ($(echo "$3" | sed 's/[()]/\\&/g'))"
     result $? "$2 is $3" "$said"
     if [ "${4:-}" ]; then
@@ -275,7 +276,7 @@ tools() {
         "$MAKE" "check-$nn" BUILD=build >first 2>&1 &
         "$MAKE" "check-$nn" BUILD=build >second 2>&1
         wait
-        tail -qn 1 first second >last
+        grep -h "^VERDICT" first second >last
         [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ] || break
     done
     [ "$(grep -c "^VERDICT $nn: OK" last)" = 2 ]

@@ -1,5 +1,6 @@
 #!/bin/sh
-# figure.sh SCRIPT DATA OUT - draw one figure, or leave OUT as it was.
+# figure.sh SCRIPT DATA OUT [REFERENCE] - draw one figure, with the data of the
+# reference in grey behind it, or leave OUT as it was.
 #
 # gnuplot warns and exits with 0 when data is missing, and a script that fails
 # half-way leaves a truncated file; so OUT is written beside its place and moved
@@ -11,7 +12,8 @@ script=$1 data=$2 out=$3
 part=$out.$$.part
 trap 'rm -f "$part"' EXIT
 trap 'exit 130' HUP INT TERM
-said=$(gnuplot -e "data='$data'; out='$part'" "$script" 2>&1)
+behind=${4:+"reference='$4';"}
+said=$(gnuplot -e "data='$data'; $behind out='$part'" "$script" 2>&1)
 status=$?
 # of a GIF gnuplot says how many frames it has; in the C locale it has no degree
 # sign of its own, which no script uses

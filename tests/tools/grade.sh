@@ -1,6 +1,7 @@
 #!/bin/sh
 # grade.sh class - judge every NN_slug.c in the folders below DIR, one folder
-# per student, and tabulate the verdicts in $BUILD/grade.
+# per student, and tabulate the verdicts in $BUILD/grade, as JSON too, and for
+# Gradescope where that is the FORMAT.
 #
 # Called by the Makefile, with BUILD, MAKE, LESSONS and DIR set.  No link is
 # followed.  A submission is copied to a folder of its own and judged there by
@@ -9,7 +10,7 @@
 set -u
 LC_ALL=C
 export LC_ALL
-: "${BUILD:=build}" "${MAKE:=make}" "${DIR:=}" "${LESSONS:=}"
+: "${BUILD:=build}" "${MAKE:=make}" "${DIR:=}" "${LESSONS:=}" "${FORMAT:=}"
 out=$BUILD/grade
 tab=$(printf '\t')
 
@@ -133,9 +134,12 @@ one() {
     if [ -f "$1/twice" ]; then
         echo 'two-files - - -' >"$1/result"
         echo "More than one file of this lesson: none is judged." >"$said"
+        report "$slug" "$name" 'two files' '' '' <"$said" >"$1/report"
     else
         sh tests/tools/student.sh grade "$slug" "$1/$slug.c" "$name" "$1"
         [ -s "$1/result" ] || echo 'not-judged - - -' >"$1/result"
+        [ -s "$1/report" ] || report "$slug" "$name" 'not judged' '' '' \
+            <"$said" >"$1/report"
     fi
     read -r word check slot mistakes <"$1/result"
     word=$(echo "$word" | tr '-' ' ')
@@ -145,6 +149,7 @@ one() {
 }
 
 . tests/tools/patiently.sh
+. tests/tools/report.sh
 clean_up() {
     trap '' INT TERM HUP QUIT # one is enough
     end_running
@@ -280,7 +285,33 @@ summary() {
     show_notes | sed 's/^/  /'
 }
 
+# The verdicts of all as one JSON.
+machines() {
+    between='['
+    while IFS=$tab read -r JSON_STUDENT lesson folder; do
+        export JSON_STUDENT
+        echo "$between"
+        json "$work/$folder/report"
+        between=,
+    done <"$work/order"
+    echo ']'
+}
+
+# A results.json for each student.
+gradescope() {
+    for id in $(cut -f 3 "$work/order" | sed 's/[.].*//' | sort -u); do
+        set -- "$work/$id".*/report
+        to=$work/gradescope/$(cat "${1%report}student")
+        mkdir -p "$to" && awk -f tests/tools/json.awk \
+            -f tests/tools/gradescope.awk "$@" >"$to/results.json" || exit 2
+    done
+    mv "$work/gradescope" "$out"
+}
+
 class() {
+    case $FORMAT in '' | gradescope) ;; *)
+        fail "FORMAT=$FORMAT is not known; there is FORMAT=gradescope" ;;
+    esac
     [ -n "$DIR" ] || fail 'say where: make grade DIR=submissions'
     [ -d "$DIR" ] || fail "there is no folder $DIR"
     case $DIR in /* | ./* | ../*) ;; *) DIR=./$DIR ;; esac
@@ -290,6 +321,7 @@ class() {
     "$(cd "$DIR" && pwd -P)"/*) fail "$DIR holds the workbook itself" ;;
     esac
     mkdir -p "$out" || exit 2
+    [ -z "$FORMAT" ] || rm -rf "$out/gradescope"
     work=$(mktemp -d "$out/work.XXXXXX") || exit 2
     trap clean_up EXIT
     trap 'exit 130' INT TERM HUP QUIT
@@ -301,16 +333,21 @@ class() {
     for folder in "$work"/[0-9]*/; do
         sed "s/^/$(basename "$folder")$tab/" "$folder/row" |
             awk -F '\t' '{ print $2 "\t" $3 "\t" $1 }'
-    done | sort | while IFS=$tab read -r student lesson folder; do
+    done | sort >"$work/order"
+    while IFS=$tab read -r student lesson folder; do
         printf '== %s, %s\n' "$student" "$lesson"
         cat "$work/$folder/said"
         [ ! -f "$work/$folder/same" ] || cat "$work/$folder/same"
         echo
-    done >"$work/verdicts" && mv "$work/verdicts" "$out/verdicts.txt"
+    done <"$work/order" >"$work/verdicts" &&
+        mv "$work/verdicts" "$out/verdicts.txt"
+    machines >"$work/json" && mv "$work/json" "$out/verdicts.json"
+    [ -z "$FORMAT" ] || gradescope
     draw
     summary
     echo "  $out/grades.csv is the table, $out/verdicts.txt has what was said,"
-    echo "  $out/grades.svg shows the mistakes"
+    echo "  $out/grades.svg shows the mistakes; verdicts.json is for machines"
+    [ -z "$FORMAT" ] || echo "  $out/gradescope/ has a results.json per student"
     ! grep -q "${tab}not judged$tab" "$work/rows"
 }
 

@@ -179,6 +179,8 @@ rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
 chapters=$(sh tests/tools/workbook.sh chapters)
 rule 'a chapter shows at most 1200 words (tests/tools/words.awk)' \
     "$(awk -v most=1200 -f tests/tools/words.awk lessons/[0-9]*.md figures/*/README.md)"
+rule 'a chapter says where to stop, and folds what was measured (tests/tools/fold.awk)' \
+    "$(awk -f tests/tools/fold.awk lessons/[0-9]*.md)"
 rule 'pictures are numbered, and chapters lead to each other (tests/tools/chapters.awk)' \
     "$(awk -f tests/tools/chapters.awk $chapters)"
 rule 'errata name tables, studies, checks and mistakes that are there' \
@@ -248,6 +250,7 @@ for slug in $lessons; do
     head -n 1 "lessons/$slug.md" | grep -q "^# Lesson $nn: " ||
         missing="$missing chapter's-title"
     grep -q '^ \* Plot: ' "solutions/$slug.c" || missing="$missing Plot:line"
+    grep -q '^ \* Run .*ARGS=-h' "solutions/$slug.c" || missing="$missing ARGS-in-Run"
     list=tests/mistakes/$slug.txt
     [ "$(grep -c '^mistake: ' "$list")" -ge 5 ] || missing="$missing five-mistakes"
     grep -q '^verdict: NONFINITE' "$list" || missing="$missing NONFINITE-mistake"
@@ -260,6 +263,7 @@ for slug in $lessons; do
         done
     done
     grep -q '<summary>Answer' "$hints" || missing="$missing answer"
+    grep -qF "tests/checks/$slug.c}" .clangd || missing="$missing line-of-.clangd"
     rule "lesson $nn is whole" "$missing"
     # two to four numbers to predict, dots in the solution too; the checks and
     # the chapter know them by their keys
@@ -274,6 +278,7 @@ for slug in $lessons; do
         for key in $asked; do
             awk '/^## /{ in_ = /^## Predict/ } in_' "lessons/$slug.md" |
                 grep -q "^${key%[a-z]}\. " || echo "no $key in the chapter"
+            tr '\n' ' ' <"$hints" | grep -qF "*Predict ${key%[a-z]}.*" || echo "no answer $key"
         done)"
     rule "hints of lesson $nn name checks or slots that exist" \
         "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |

@@ -5,8 +5,9 @@
 # prints "FILE:LINE: FORMULA".  Markdown takes \, and \{ for escapes, and * and
 # a _ after a bracket for emphasis; GitHub does not know \operatorname.  So
 # between dollars every backslash stands before a letter, every _ after a letter
-# or a digit, and there is no *.  A formula stands on one line; matrices and
-# longer ones go into a fence, ```math, which Markdown leaves alone.
+# or a digit, and there is no *; a blank does for \,.  A formula stands on one
+# line; matrices and longer ones go into a fence, ```math, which Markdown leaves
+# alone.
 
 function judge(formula) {
     if (formula ~ /\\([^A-Za-z]|$)/ || formula ~ /operatorname|[*]/ ||

@@ -128,6 +128,8 @@ score() {
     wait $first $second
     [ -f "$known" ] || known=/dev/null
     cat "$work/0.found" "$work/1.found" | sort -n >"$BUILD/mutants/$name.found"
+    [ -s "$BUILD/mutants/$name.found" ] ||
+        { echo "mutants: no mutant of $file compiles" >&2; exit 1; }
     awk -F '\t' -v file="$file" -v name="$name" -v \
         tried="$(($(cat "$work/0.tried") + $(cat "$work/1.tried")))" \
         -v out="$BUILD/mutants/$name.txt" '
@@ -168,6 +170,7 @@ score() {
             printf "  %-26s %6d %8d %10d %6d %5d %6.1f %%\n", name, tried,
                 compiled, equivalent, killed, lived,
                 (real > 0 ? 100 * killed / real : 100)
+            if (lived) print "    those that lived: " out
         }' "$known" "$file" "$BUILD/mutants/$name.found"
     rm -rf "$work"
     rm_on_exit=
@@ -204,6 +207,7 @@ common)
         body) native=$NATIVE_BODY ;;
         *) native= ;;
         esac
+        native="$native -I${file%/*}" # where a module beside studies has its header
         score
     done ;;
 esac

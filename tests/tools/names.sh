@@ -21,11 +21,16 @@ part=$into.$$
 trap 'rm -f "$part" "$part.i" "$part.e"' EXIT
 trap 'exit 130' HUP INT TERM
 
-# The names that FILE defines or undefines as macros.
+# The names that the program defines or undefines as macros: "both NAME" if the
+# solution does so, too, "mine NAME" if not.
 macros() {
-    sed -n 's/^[[:space:]]*#[[:space:]]*define[[:space:]]/#/p
-            s/^[[:space:]]*#[[:space:]]*undef[[:space:]]/#/p' "$1" |
-        sed -n 's/^#[[:space:]]*\([A-Za-z_][A-Za-z_0-9]*\).*/\1/p' | sort -u
+    awk 'sub(/^[ \t\r\f\v]*#[ \t\r\f\v]*(define|undef)[ \t\r\f\v]+/, "") &&
+        match($0, /^[A-Za-z_][A-Za-z_0-9]*/) {
+            name = substr($0, 1, RLENGTH)
+            if (FILENAME == ARGV[1]) solution[name]
+            kind = name in solution ? "both" : "mine"
+            if (FILENAME == ARGV[2] && !said[name]++) print kind, name
+        }' "$solution" "$program"
 }
 # The lines that are in the first list, but not in the second.
 without() { printf '%s\n' "$1" "$2" "$2" | sort | uniq -u; }
@@ -44,11 +49,13 @@ own() { printf '%s\n' "$all" | sed -n "s/^$1 //p"; }
     refuse 'what it includes, or its macros, have no end'
 all=$(awk -f tests/tools/own.awk "$part.i")
 case $all in refused*) refuse "$(own refused | head -n 1)" ;; esac
-macros=$(macros "$program")
-mine=$(without "$macros" "$(macros "$solution")")
-ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //' | sort -u)
+macros=$(macros)
+mine=$(echo "$macros" | sed -n 's/^mine //p')
+macros=$(echo "$macros" | sed 's/.* //')
+ours=$(awk -f tests/tools/names.awk "$solution" | sed 's/.* //')
 kept=
-[ -z "$mine" ] || kept=$(printf '%s\n' "$mine" "$ours" | sort | uniq -d)
+[ -z "$mine" ] || kept=$({ echo "$mine" && echo "$ours" | sort -u; } |
+    sort | uniq -d)
 [ -z "$kept" ] || kept=$(without "$kept" "$(own word)")
 # what such a macro stands for keeps its name
 theirs=$(echo $ours $macros; for name in $kept; do

@@ -3,7 +3,8 @@
 #     awk -f tests/tools/show.awk -v show=NAME FILE
 #
 # The table NAME is printed, aligned on the right, numbers to six digits, at most
-# 20 rows of it; of the others the name and the number of rows.
+# 20 rows of it; of the others the name and the number of rows; and the lines
+# that belong to no table.
 function is_number(text) {
     return text ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/
 }
@@ -28,14 +29,17 @@ function leave() {
     }
     table = ""
 }
+function keep_stray(line) { if (++strays <= 20) stray[strays] = line }
 NF == 0 { leave(); next }
 /^#/ {
     text = substr($0, 3)
-    if (table == "") { table = text; rows = 0; if (table == show) print table ":" }
+    if (table == "") { table = text; rows = n_cell = 0; if (table == show) print table ":" }
     else if (table == show) print "  (" text ")"
     next
 }
+table == "" || rows > 0 && split($0, field, "\t") != n_cell { keep_stray($0); next }
 {
+    if (rows == 0) n_cell = split($0, field, "\t")
     rows++
     if (table != show || rows > 21) next
     n = split($0, field, "\t")
@@ -48,9 +52,7 @@ NF == 0 { leave(); next }
         if (length(text) + 2 > width[i]) width[i] = length(text) + 2
     }
 }
-END {
-    leave()
-    if (others == "") exit
+function print_others(    n, word, line, i) {
     n = split("Other tables (rows): " others, word, " ")
     line = ""
     for (i = 1; i <= n; i++) {
@@ -58,4 +60,11 @@ END {
         else line = line (line == "" ? "" : " ") word[i]
     }
     print line
+}
+END {
+    leave()
+    if (others != "") print_others()
+    if (strays) print "Lines on stdout that belong to no table:"
+    for (r = 1; r <= strays && r <= 20; r++) print "  " stray[r]
+    if (strays > 20) print "  ... " strays - 20 " more"
 }

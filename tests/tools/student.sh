@@ -8,7 +8,8 @@
 set -u
 LC_ALL=C
 export LC_ALL
-: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}"
+: "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}" "${JSON:=}"
+: "${ARGS:=}" "${TABLE:=}"
 command=$1
 slug=${2:-}
 nn=${slug%%_*}
@@ -32,26 +33,35 @@ save_mine() { # keep a copy of the student's file; say where
 
 # ---- judging: everything is done in $folder ---------------------------------
 
-verdict() { # the closing line; also remembered for hint and status
-    echo "$2" >"$folder/result"
-    echo "VERDICT $nn: $1    next: $3"
-}
-
 . tests/tools/patiently.sh
+. tests/tools/report.sh
 clean_up() {
     end_running
     chmod -R u+rwx "$folder" 2>/dev/null
     rm -rf "$folder"
 }
 
-# compile TARGET FILE: by make, with limits, for a file may include anything
+# compile FILE TARGET...: by make, with limits, for a file may include anything
 bounded=
 if command -v timeout >/dev/null 2>&1; then bounded='timeout 120'; fi
 compile() {
+    source=$1
+    shift
     patiently sh -c '
         { ulimit -t 60; ulimit -f 2000000; ulimit -v 4000000; } 2>/dev/null
-        exec "$@"' sh $bounded "$MAKE" "$1" FILE="$2" \
+        exec "$@"' sh $bounded "$MAKE" "$@" FILE="$source" \
         INTO="$folder/judge" SLUG="$slug" >"$folder/log" 2>&1
+}
+# build FILE: its judge, and the solution with its own.  These are nearly always
+# there; when they are not, and the limits were too narrow for them as well, they
+# are made without.  If that cannot be, there is a file `unready`.
+build() {
+    set -- "$1" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge"
+    compile "$@" "$folder/judge" && return
+    "$MAKE" -q "$2" "$3" >/dev/null 2>&1 && return 1
+    : >"$folder/unready"
+    patiently "$MAKE" "$2" "$3" >"$folder/log" 2>&1 && rm "$folder/unready" &&
+        compile "$1" "$folder/judge"
 }
 errors() { grep -E 'error|undefined reference|cannot find|not found' "$1"; }
 
@@ -61,8 +71,8 @@ not_your_fault() {
         errors "$folder/log" >"$folder/errors" || cp "$folder/log" "$folder/errors"
         head -n 5 "$folder/errors" | sed 's/^/  /'
         echo "A tool or a library that is missing comes with: make deps"
-    } >&2
-    return 2
+    } >"$folder/why"
+    no_verdict 'make deps'
 }
 
 # The names between quotes in the log's lines that match PATTERN.
@@ -75,7 +85,7 @@ names() {
 # does.
 explain_compile() {
     cp "$folder/log" "$folder/log.judge"
-    if ! compile alone "$1"; then
+    if ! compile "$1" alone; then
         grep -F "$1:" "$folder/log" | grep -E ':[0-9]+: (fatal )?error' \
             >"$folder/errors" || errors "$folder/log" >"$folder/errors"
         head -n 5 "$folder/errors" | sed "s|^.*$1|  $2|"
@@ -113,42 +123,43 @@ fingerprint() {
 # judge FILE NAME [PREPARE]: the verdict on FILE, shown as NAME; 0 when it is OK,
 # 2 when there is none, and the reason is not FILE.
 judge() {
+    shown=$2
     if [ -e "$1" ] && [ ! -f "$1" ]; then
-        echo "$2 is not a plain file."
+        echo "$2 is not a plain file." >"$folder/why"
         verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     if [ ! -f "$1" ]; then
-        echo "$2 is not there."
+        echo "$2 is not there." >"$folder/why"
         verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     if ! grep -q '[^[:space:]]' "$1"; then
-        echo "$2 is empty."
+        echo "$2 is empty." >"$folder/why"
         verdict "UNFINISHED (empty file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     case $(od -An -tx1 -N2 "$1" | tr -d ' ') in
     fffe | feff | 00?? | ??00)
-        echo "$2 is in UTF-16. Save it as UTF-8, which compilers read."
+        echo "$2 is in UTF-16. Save it as UTF-8, which compilers read." \
+            >"$folder/why"
         verdict "WRONG (UTF-16)" "WRONG compile - -" "make check-$nn"
         return 1 ;;
     esac
-    patiently "$MAKE" "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
-        >"$folder/log" 2>&1 || { not_your_fault; return 2; }
-    if ! compile "$folder/judge" "$1"; then
+    if ! build "$1"; then
+        [ ! -f "$folder/unready" ] || { not_your_fault; return 2; }
         why=$(sed -n 's/^refused: //p' "$folder/log")
         if [ -n "$why" ]; then
-            echo "  $2 is not judged: $why."
+            echo "  $2 is not judged: $why." >"$folder/why"
             verdict "WRONG (refused)" "WRONG compile - -" "make check-$nn"
             return 1
         fi
         mv "$folder/log" "$folder/log.first"
-        compile "$folder/judge" "solutions/$slug.c" ||
+        compile "solutions/$slug.c" "$folder/judge" ||
             { not_your_fault; return 2; }
         mv "$folder/log.first" "$folder/log"
-        explain_compile "$1" "$2"
-        [ -z "$log" ] || echo "  the whole message: $log"
+        explain_compile "$1" "$2" >"$folder/why"
+        [ -z "$log" ] || echo "  the whole message: $log" >>"$folder/why"
         verdict "WRONG (does not compile)" "WRONG compile - -" "make check-$nn"
         return 1
     fi
@@ -159,8 +170,10 @@ judge() {
         --source "$1" --subject "$folder/judge" --work "$folder/work" \
         --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" ${3:+--prepare "$3"} \
-        --result "$folder/result"
+        --result "$folder/result" --report "$folder/report" 2>"$folder/why"
     status=$?
+    mkdir -p "$folder" # a program may have removed it
+    [ $status -gt 1 ] && [ $status -lt 128 ] || cat "$folder/why" >&2
     if [ "$(fingerprint)" != "$sums" ]; then
         {
             echo "While $2 was judged, files of the workbook changed"
@@ -168,15 +181,16 @@ judge() {
             { echo "$sums"; fingerprint; } | sort | uniq -u |
                 awk '{ print "  " $NF }' | sort -u | head -n 9
             echo "Put them back (git status names them), and judge again."
-        } >&2
-        rm -f "$folder/result"
+        } >"$folder/why"
+        no_verdict "make check-$nn"
         return 2
     fi
     if [ $status -gt 1 ] && [ $status -lt 128 ]; then
-        rm -f "$folder/result"
-        return 2 # the judge has said why
+        no_verdict '' # the judge has said why
+        return 2
     elif [ $status -gt 1 ] || [ ! -s "$folder/result" ]; then
-        echo "  The judge was killed: does the program send signals?"
+        echo "  The judge was killed: does the program send signals?" \
+            >"$folder/why"
         verdict "CRASHED (it ended its judge)" "CRASHED - - -" "make hint-$nn"
         return 1
     fi
@@ -189,16 +203,29 @@ check() {
     rm -f "$state.pass" "$state.result"
     log=$BUILD/mine/$slug.log
     before=$(sum "$mine")
+    json_begin
     folder=$(mktemp -d "$BUILD/mine/$slug.XXXXXX") || return 2
     judge "$mine" "$mine" "'$MAKE' mistakes-$nn"
     status=$?
+    json_end "$folder/report" || status=2
     [ ! -f "$folder/log" ] || mv -f "$folder/log" "$log"
     [ ! -s "$folder/result" ] || mv -f "$folder/result" "$state.result"
     if [ $status = 0 ] && [ "$before" = "$(sum "$mine")" ]; then
         echo "$before" >"$state.pass"
     fi
     clean_up
+    [ $status != 0 ] || following
     return $status
+}
+# What comes after this lesson: the one behind it, or what there is to read.
+following() {
+    after=$(ls solutions/[0-9][0-9]_*.c | sed -n "/\/$slug\.c\$/{n;s/.*\///;s/\.c//;p;}")
+    if [ -n "$after" ]; then
+        echo "next: lesson ${after%%_*}, $(title "$after") (lessons/$after.md)"
+    else
+        echo 'next: that was the last lesson; to read:'
+        sed -n 's/^.*\[\(.*\)\](\(figures[^)]*\)) | To read.*/  \1 (\2)/p' workbook.md
+    fi
 }
 # The same for any file: what is said, and the result, go to the folder INTO.
 grade() { # grade FILE NAME INTO
@@ -206,6 +233,7 @@ grade() { # grade FILE NAME INTO
     folder=$3/judging
     mkdir "$folder" || return 2
     judge "$1" "$2" >"$3/said" 2>&1
+    mv "$folder/report" "$3/report"
     [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }
 folder= part=
@@ -215,94 +243,12 @@ trap 'trap "" INT TERM HUP QUIT
     [ -z "$part" ] || rm -f "$part"' EXIT
 trap 'exit 130' INT TERM HUP QUIT
 
-# Sections of solutions/NN_slug.md: <details><summary>Hint 1 ...</summary>
-hints() { # hints LEVEL PATTERN: the text of those whose summary has PATTERN
-    awk -v level="$1" -v pattern="$2" '
-        /^<details><summary>Hint / {
-            title = $0
-            gsub(/<[^>]*>/, "", title)
-            showing = title ~ "^Hint " level && index(title, pattern)
-            if (showing) print title ":"
-            next
-        }
-        /^<\/details>/ { showing = 0 }
-        showing && NF { print "  " $0 }' "solutions/$slug.md"
-}
-
 last_result() { # the last verdict's word, failed check and slot
     word= failed= at=
     [ ! -f "$state.result" ] || read -r word failed at rest <"$state.result"
 }
 
-# The table and the two columns that the solution's header says to plot.
-plot_spec() { sed -n 's/^ \* Plot: *//p' "solutions/$slug.c" | head -n 1; }
-
-out=$BUILD/mine/$slug.tsv
-# limit OPTION MOST: `ulimit`, which in dash sets one limit at a time.  One that
-# is there already may be lower.
-limit() {
-    ulimit "$1" "$2" 2>/dev/null ||
-        case $(ulimit "$1" 2>/dev/null) in
-        *[0-9]*) ;;
-        *) echo "ulimit knows no $1 here: what never ends is yours to stop." >&2 ;;
-        esac
-}
-run_mine() { # so that an endless loop or endless output ends
-    (
-        limit -t 21
-        ulimit -S -t 20 2>/dev/null # a signal that has a name
-        limit -f 65536
-        exec "$built/mine/$slug" >"$out"
-    )
-    ended=$?
-    case $ended in
-    152) echo 'The program was ended: it computes for too long.' ;;
-    153) echo "The program was ended: it prints too much; see $out" ;;
-    esac >&2
-    return $ended
-}
-
-draw() { # in the C locale gnuplot has no degree sign of its own, and says so
-    said=$(gnuplot -e "$1" figures/overlay.gp 2>&1 1>&3)
-    drawn=$?
-    echo "$said" | grep -v -e '^$' -e 'iconv failed to convert degree sign' >&2
-    return $drawn
-} 3>&1
-
-hint() {
-    last_result
-    # the level starts again when the file or what is wrong with it changes
-    key="$word $failed $at"
-    level=0
-    if [ -f "$state.hint" ]; then
-        read -r level last <"$state.hint"
-        [ "$last" = "$key" ] || level=0
-    fi
-    if [ -z "$word" ]; then
-        echo "Run make check-$nn first: the first hint follows what fails."
-        return 0
-    fi
-    [ "$level" -ge 3 ] || level=$((level + 1))
-    echo "$level $key" >"$state.hint"
-    text=
-    if [ "$failed" = compile ]; then
-        echo "The compiler's whole message is in $BUILD/mine/$slug.log; begin"
-        echo "with its first line."
-        return 0
-    fi
-    if [ "$level" = 1 ] && [ "$word" != UNFINISHED ]; then
-        text=$(hints 1 "$failed")
-    fi
-    [ -n "$text" ] || text=$(hints "$level" "slot $at")
-    [ -n "$text" ] || text=$(hints "$level" "")
-    # not echo, which in dash turns \t into a tab; $ is for the typeset book
-    printf '%s\n' "$text" | tr -d '$' | sed 's/\\cdot */ /g'
-    if [ "$level" -lt 3 ]; then
-        echo "(hint $level of 3; make hint-$nn again for the next)"
-    else
-        echo "(hint 3 of 3; after that: make solution-$nn FORCE=1)"
-    fi
-}
+. tests/tools/numbers.sh
 
 status() {
     for file in solutions/[0-9][0-9]_*.c; do
@@ -324,16 +270,23 @@ status() {
     done
 }
 
+. tests/tools/pictures.sh
+
 case $command in
 run)
     run_mine
     status=$?
+    if asked_for_help; then
+        cat "$out"
+        exit $status
+    fi
     table=${TABLE:-$(plot_spec | cut -d ' ' -f 1)}
     awk -f tests/tools/show.awk -v show="$table" "$out"
     case $status in
     0) echo "TABLE=name shows another; all are in $out"
        echo "next: make check-$nn" ;;
     3) echo "Write the slot in $mine; make hint-$nn helps." ;;
+    2) [ -z "$ARGS" ] || echo "make lesson-$nn ARGS=-h lists the options." ;;
     *) echo "The program ended with status $status. make check-$nn says more." ;;
     esac
     exit $status ;;
@@ -353,18 +306,22 @@ watch)
         fi
         sleep 1
     done ;;
+diff)
+    make_diff ;;
 plot)
-    set -- $(plot_spec)
-    run_mine || exit $?
-    given="mine='$out'; reference='$BUILD/data/$slug.tsv'"
-    given="$given; name='$1'; x='$2'; y='$3'"
-    picture=$BUILD/mine/$slug.svg part=$BUILD/mine/$slug.$$.part
-    rm -f "$picture"
-    draw "$given; out=''" && draw "$given; out='$part'" &&
-        mv "$part" "$picture" &&
-        echo "Table \`$1\`, $3 against $2; the picture is $picture" ;;
+    command -v gnuplot >/dev/null || {
+        echo 'gnuplot is not found; it comes with: make deps' >&2
+        exit 2
+    }
+    make_plot ;;
+pictures) # of what the last run has printed
+    course_figures ;;
 hint)
+    . tests/tools/hint.sh
     hint ;;
+debug)
+    . tests/tools/debug.sh
+    debug ;;
 solution)
     if passed || [ -n "$FORCE" ]; then
         cat "solutions/$slug.c"

@@ -18,7 +18,7 @@ judge_one() { # judge_one JUDGE [OPTIONS]: its verdict block
 }
 judge_variant() {
     if [ ! -f "$BUILD/mistakes/$slug/$name.c" ]; then
-        echo "FAIL $nn: $name does not fit the solution: make test says more (lint)"
+        echo "FAIL $nn: $name does not fit the solution: make lint says where"
         exit 0
     fi
     said=$(judge_one "$BUILD/mistakes/$slug/$name.judge")
@@ -145,7 +145,7 @@ behave)
         judged "$1" "$3"
     }
     judged() {
-        said=$("$MAKE" "check-$nn" 2>/dev/null </dev/null)
+        said=$("$MAKE" "check-$nn" 2>/dev/null </dev/null | grep -v "^next: ")
         said "$1" "$2"
     }
     behave 'segmentation fault' "$crash" CRASHED

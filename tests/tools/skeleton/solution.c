@@ -7,7 +7,7 @@
  * here as an example: a line through 0 at the ends of n equal pieces of (0, 1),
  * and its integral by the trapezium rule.
  *
- * Run       make lesson-@NN@, or with options: -h lists them
+ * Run       make lesson-@NN@; make lesson-@NN@ ARGS=-h lists its options
  * PREDICT 1 the integral of 2.385 x over (0, 1): ...
  * PREDICT 2 the value at 1: ...
  * Plot: line x y

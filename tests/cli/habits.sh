@@ -1,0 +1,189 @@
+#!/bin/sh
+# habits.sh - what a student tries besides `make check-03`: other flags, debug,
+# hints, what comes next, goals mistyped, tools that are missing, one figure, the
+# window.  In a path with a space and an apostrophe, and what student.sh does
+# under each shell.  Prints "ok ...", "FAIL ..." or "skip ..." lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}" "${MAKE:=make}"
+slug=03_dirichlet_correction nn=03
+mine=lessons/$slug.c
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
+}
+says() { # says TEXT WHAT COMMAND...: TEXT is a pattern in what it says
+    text=$1 what=$2
+    shift 2
+    said=$(timeout 300 "$@" 2>&1 </dev/null)
+    echo "$said" | grep -q -e "$text"
+    result $? "$what" "$(echo "$said" | tail -n 20)"
+}
+
+# ---- editors ------------------------------------------------------------------
+if command -v clangd >/dev/null; then
+    for file in tests/checks/$slug.c common/motion/window_sdl.c; do
+        says '[^0-9]0 errors' "clangd finds no error in $file" \
+            clangd --check=$file
+    done
+else
+    echo 'skip cli: no clangd here'
+fi
+
+copy="$BUILD/test/a pupil's copy"
+BUILD="$BUILD" sh tests/tools/copy.sh "$copy" $slug || exit 1
+cd "$copy" || exit 1
+
+# ---- flags ---------------------------------------------------------------------
+compiles() { # compiles yes|no WHAT GOAL WORDS...: objects of common/
+    want=$1 what=$2
+    shift 2
+    touch mark && sleep 1
+    said=$("$MAKE" "$@" 2>&1)
+    found=no
+    [ -z "$(find build/common -name '*.o' -newer mark)" ] || found=yes
+    [ $found = $want ]
+    result $? "$what" "$found: $(echo "$said" | tail -n 5)"
+}
+cp solutions/$slug.c $mine
+compiles no 'what the same flags have made stays' lesson-$nn
+compiles yes 'other flags compile anew' lesson-$nn CFLAGS='-O1 -g0'
+compiles no 'the same other flags do not' lesson-$nn CFLAGS='-O1 -g0'
+compiles yes 'another CC compiles anew' lesson-$nn CC='cc -g'
+compiles yes 'NATIVE= compiles anew' lesson-$nn CC='cc -g' NATIVE=
+compiles yes 'a verdict has the flags that it is asked for' check-$nn CFLAGS=-O0
+compiles no 'and once is enough' check-$nn CFLAGS=-O0
+[ -z "$("$MAKE" -n lesson-$nn CFLAGS=-O0 | grep -e ' -c ')" ] &&
+    "$MAKE" -n lesson-$nn CFLAGS=-O1 | grep -q ' -c ' &&
+    grep -q ' -O0$' build/flags
+result $? 'make -n says what would be compiled, and changes nothing' \
+    "$("$MAKE" -n lesson-$nn CFLAGS=-O0; cat build/flags)"
+for k in 1 2; do
+    "$MAKE" lesson-$nn CFLAGS=-O1 >said.$k 2>&1 &
+    eval "run$k=\$!"
+done
+wait "$run1" && wait "$run2" && [ -z "$(find build -name '*.part')" ]
+result $? 'two makes at once take to other flags' "$(cat said.1 said.2)"
+
+# ---- what student.sh does, under each shell --------------------------------------
+with_line() { # with_line LINE: the solution with LINE in its first slot
+    line=$1 awk '{ print }
+        !done && /\/\* SLOT / { inside = 1 }
+        inside && /\*\// { print ENVIRON["line"]; inside = 0; done = 1 }' \
+        solutions/$slug.c >$mine
+    at=$(grep -n -F -e "$1" $mine | head -n 1)
+    at=$mine:${at%%:*}
+}
+twice='char *volatile p = malloc(8); free(p); p[0] = 1;'
+can=$(echo 'int main(void) { return 0; }' >try.c
+    ${CC:-cc} -fsanitize=address,undefined try.c -o try 2>&1 && ./try 2>&1)
+habits() {
+    if [ -z "$can" ]; then
+        with_line "$twice"
+        says "in move_known_values, $at\$" "debug names the line of a use after free, $1" \
+            "$MAKE" debug-$nn
+        with_line 'double q[3]; for (volatile int k = 0; k <= 3; k++) q[k] = k;'
+        says "in move_known_values, $at\$" "debug names the line of an index, $1" \
+            "$MAKE" debug-$nn
+        with_line ''
+        says 'ends well; the sanitizers .* found nothing' \
+            "debug says that a program is fine, $1" "$MAKE" debug-$nn
+        awk -f tests/tools/starter.awk solutions/$slug.c >$mine
+        says 'comes to a slot that is not written' "debug of a starter, $1" \
+            "$MAKE" debug-$nn
+    else
+        echo "skip cli: no sanitizers here, $1"
+    fi
+
+    cp solutions/$slug.c $mine
+    says 'next: lesson 04, Two flux ends: .*(lessons/04_neumann' \
+        "a pass says what is next, $1" "$MAKE" check-$nn
+    "$MAKE" hint-$nn >said 2>&1
+    [ "$(grep -c 'hint-03 SLOT=3[abc]$' said)" = 3 ] && ! grep -q '^Hint' said
+    result $? "without a slot no hint is shown, $1" "$(cat said)"
+    says '^Hint 1: slot 3b' "a hint for the slot that is asked for, $1" \
+        "$MAKE" hint-$nn SLOT=3b
+    with_line 'exit(0);'
+    "$MAKE" check-$nn >/dev/null 2>&1
+    "$MAKE" hint-$nn >/dev/null 2>&1
+    says '^(hint 2 of 3' "the level of hints rises, $1" "$MAKE" hint-$nn
+    echo '/* edited */' >>$mine
+    says '^(hint 1 of 3' "an edit takes it back, $1" "$MAKE" hint-$nn
+    rm $mine && mkfifo $mine
+    says 'is not a plain file' "a pipe in the place of the file, $1" \
+        timeout 20 "$MAKE" lesson-$nn
+    rm $mine && cp solutions/$slug.c $mine
+}
+for shell in dash bash 'busybox sh'; do
+    program=$(command -v "${shell%% *}") || {
+        echo "skip cli: no $shell here"
+        continue
+    }
+    mkdir -p "$shell" && printf '#!/bin/sh\nexec %s "$@"\n' \
+        "$program${shell#"${shell%% *}"}" >"$shell/sh" && chmod +x "$shell/sh"
+    rm -f build/progress/*
+    path=$PATH
+    PATH=$PWD/$shell:$PATH
+    habits "$shell"
+    PATH=$path
+done
+
+# ---- goals ----------------------------------------------------------------------
+for pair in check-7:check-07 chek-07:check-07 lesson7:lesson-07 plot-007:07 \
+    watch:watch-07 hint-3x:hint-03 stauts:'make status' zork:'make alone'; do
+    says "${pair#*:}" "make ${pair%%:*} says ${pair#*:}" "$MAKE" "${pair%%:*}"
+done
+for goals in chek-07 watch zork 'check-7 help'; do
+    "$MAKE" $goals >/dev/null 2>&1
+    [ $? = 2 ]
+    result $? "make $goals fails" 'status 0'
+done
+rm -f build/mine/$slug && mv $mine moved
+says "No rule to make target .*needed by .*[-/]$nn" \
+    'a file that is missing is named, and by whom it is needed' \
+    "$MAKE" lesson-$nn
+mv moved $mine
+
+# ---- what is missing ----------------------------------------------------------------
+mkdir tools hide hide/gsl
+echo "$PATH" | tr : '\n' | while IFS= read -r folder; do
+    for file in "$folder"/*; do ln -s "$file" tools 2>/dev/null; done
+done
+rm -f tools/gnuplot tools/gsl-config
+for header in math errno linalg; do
+    echo '#error not here' >hide/gsl/gsl_$header.h
+done
+printf '#!/bin/sh\nexec %s -Ihide "$@"\n' "${CC:-cc}" >tools/nogsl
+chmod +x tools/nogsl
+for goal in lesson plot check; do
+    said=$(PATH=$PWD/tools CC=nogsl "$MAKE" $goal-$nn 2>&1)
+    [ $? = 2 ] && echo "$said" | grep -q 'GSL.*make deps'
+    result $? "$goal without GSL says make deps" "$said"
+done
+"$MAKE" lesson-$nn >/dev/null 2>&1
+said=$(PATH=$PWD/tools "$MAKE" plot-$nn 2>&1)
+[ $? = 2 ] && echo "$said" | grep -q 'gnuplot.*make deps'
+result $? 'plot without gnuplot says make deps' "$said"
+rm -rf tools
+
+# ---- one figure ------------------------------------------------------------------
+says 'figures/03_dirichlet_correction/conditioning.svg$' 'one figure is drawn' \
+    "$MAKE" figure-03-conditioning
+says 'there are: .*conditioning' 'a figure that there is not' \
+    "$MAKE" figure-03-zork
+says 'left to make bench' 'make figures says what it leaves out' \
+    "$MAKE" -n figures
+
+# ---- the window -------------------------------------------------------------------
+if pkg-config --exists sdl2 2>/dev/null; then
+    awk -f tests/tools/starter.awk solutions/24_live.c >lessons/24_live.c
+    says 'this is its solution' 'make live runs the solution until 24 is written' \
+        env SDL_VIDEODRIVER=dummy "$MAKE" live ARGS='--input pull'
+    says 'frames are in' 'and mine from then on' \
+        sh -c 'cp solutions/24_live.c lessons; SDL_VIDEODRIVER=dummy "$0" live \
+            ARGS="--input pull" | grep -v solution' "$MAKE"
+    says '  --law ' 'make live ARGS=--help prints' "$MAKE" live ARGS=--help
+else
+    echo 'skip cli: no SDL2 here'
+fi
+cd - >/dev/null && rm -rf "$copy"
