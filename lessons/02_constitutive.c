@@ -14,9 +14,9 @@
  *           |   .-'   |                   cubic         yes     yes     yes
  *     -11/6 + cubic   | log              equal up to the third derivative at 1
  *
- * Run       make lesson-02, or with options: -h lists them
+ * Run       make lesson-02; make lesson-02 ARGS=-h lists its options
  * PREDICT 1 slope dP/dF at rest in 1D, E = 1000, nu = 0.3 (N/m^2): ...
- * PREDICT 2 F > 1 from which the cubic law's stress is 1 % off: ...
+ * PREDICT 2 the cubic law's stress is off the log law's at F = 1.05 by (%): ...
  * Plot: curve_cubic F P
  */
 #include "material/material.h"

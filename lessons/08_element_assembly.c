@@ -13,7 +13,7 @@
  *     | K10 K11+K00 K01|   elements 0, 1 | r1+r0  |   (superscripts left out:
  *     |  .  K10 K11+.. |   ...           | r1+..  |    each from its element)
  *
- * Run       make lesson-08, or with options: -h lists them
+ * Run       make lesson-08; make lesson-08 ARGS=-h lists its options
  * PREDICT 1 by how many eps A changes with --order reversed: ...
  * PREDICT 2a flops of 256 elements in dense storage: ...
  * PREDICT 2b and in banded storage: ...
@@ -23,6 +23,7 @@
 #include "linear/matrix.h"
 #include "base/options.h"
 #include "bar/poisson.h"
+#include "linear/residual.h"
 #include "base/table.h"
 
 #include <math.h>

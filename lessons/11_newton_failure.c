@@ -11,10 +11,10 @@
  *           | /.'
  *       p - +.' - - -
  *
- * Run       make lesson-11, or with options: -h lists them
+ * Run       make lesson-11; make lesson-11 ARGS=-h lists its options
  * PREDICT 1 iterations of the log law at p = -1346: ...
  * PREDICT 2 largest time step of the notes' example with 100 elements (s): ...
- * Plot: history k F
+ * Plot: history k F logy
  */
 #include "bar/bar.h"
 #include "base/options.h"

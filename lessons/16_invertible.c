@@ -14,10 +14,10 @@
  *         | ./  below eps the    extended  log law; G(J) goes on as a parabola
  *         |/    log law is left  stable    G(J) a parabola everywhere
  *
- * Run       make lesson-16, or with options: -h lists them
+ * Run       make lesson-16; make lesson-16 ARGS=-h lists its options
  * PREDICT 1 laws, of cubic, extended, stable, that open a point: ...
- * PREDICT 3 `stable` is off the log law at a stretch of 1.1 by (%): ...
- * Plot: principal s2 P2
+ * PREDICT 3 `stable` is off the log law at s2 = 1.1, --s1 1, by (%): ...
+ * Plot: principal s2 P2 key=law
  */
 #include "plane/circuit.h"
 #include "material/modes.h"

@@ -12,15 +12,14 @@
  *     0 +---+----+-----+---- l                        [eq:force-length]
  *          1-w   1    1+w
  *
- * Run       make lesson-17, or with options: -h lists them
+ * Run       make lesson-17; make lesson-17 ARGS=-h lists its options
  * PREDICT 1a length of the free strip at full activation: ...
  * PREDICT 1b and when it carries 100 N/m^2: ...
  * Plot: force_length l T
  */
 #include "plane/fibre.h"
 #include "base/options.h"
-#include "plane/scene.h"
-#include "base/table.h"
+#include "plane/history.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
@@ -172,6 +171,7 @@ int main(int argc, char *argv[])
     const enum status square =
         step_solve(s->body, &newton, at_rest(s->f), s->u).status;
     print_field(s, &fibres);
+    history_nodes(s, "f", s->f);
     if (status != OK || square != OK)
         die("strip: %s, square: %s", status_name(status), status_name(square));
     free(angle);

@@ -9,8 +9,8 @@
  *     |. .|. .| . |     particle p has x[2p], x[2p + 1], v alike, and B[p]
  *     o - o - o - o     (particles.h).  Order 1 reaches 2 nodes per axis,
  *     |  .|. .|  .|     order 2 reaches 3 and order 3 reaches 4.
- * Run       make lesson-18, or with options: -h lists them
- * PREDICT 1 part of the spin that PIC leaves after 100 transfers: ...
+ * Run       make lesson-18; make lesson-18 ARGS=-h lists its options
+ * PREDICT 1 part of the spin left by 100 transfers of PIC, --order 1: ...
  * PREDICT 3 and with the cubic kernel, --order 3: ...
  * Plot: spin transfers ratio
  */
@@ -123,8 +123,9 @@ static void print_transfer(int order, double dt, double kick)
     cloud_free(c);
 }
 
-/* A turning disc goes there and back in its place; what is left of its L. */
-static void print_spin(int order, enum transfer scheme, int steps)
+/* A turning disc goes there and back in its place; what is left of its L.
+ * disc: some of its particles, too. */
+static void print_spin(int order, enum transfer scheme, int steps, int disc)
 {
     struct cloud c = cloud_disc(order, 32, scheme);
     const double L = angular(c.p);
@@ -134,6 +135,13 @@ static void print_spin(int order, enum transfer scheme, int steps)
         table_row(step, angular(c.p) / L);
     }
     table_end();
+    if (disc) {
+        table_begin("disc", "x y v_x v_y");
+        for (int q = 0; q < c.p->n; q += 11)
+            table_row(c.p->x[2 * q], c.p->x[2 * q + 1], c.p->v[2 * q],
+                      c.p->v[2 * q + 1]);
+        table_end();
+    }
     cloud_free(c);
 }
 
@@ -156,7 +164,7 @@ static void print_filter(int order, int ppc)
 
 int main(int argc, char *argv[])
 {
-    int order = 2, scheme = PIC, steps = 100, ppc = 4;
+    int order = 2, scheme = PIC, steps = 100, ppc = 4, disc = 0;
     double x = 2.385, dt = 0.013, kick = 0.0;
     const struct option options[] = {
         {"order", .integer = &order, .min = 1, .max = 3, .help = "of kernels"},
@@ -165,12 +173,13 @@ int main(int argc, char *argv[])
         {"kick", .real = &kick, .min = -9, .max = 9, .help = "for transfer"},
         {"scheme", .choice = &scheme, .choices = TRANSFERS, .help = "for spin"},
         {"steps", .integer = &steps, .max = 1000, .help = "for spin"},
+        {"disc", .choice = &disc, .choices = "no yes", .help = "its particles"},
         {"ppc", .integer = &ppc, .min = 1, .max = 64, .help = "for filter"},
     };
     options_parse("18_mpm_transfer", options, COUNT(options), argc, argv);
     print_weights(order, 0.385, 0.385 * x);
     print_transfer(order, dt, kick);
-    print_spin(order, (enum transfer)scheme, steps);
+    print_spin(order, (enum transfer)scheme, steps, disc);
     print_filter(order, ppc);
     return table_finish();
 }

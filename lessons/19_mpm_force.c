@@ -12,11 +12,11 @@
  *     |  . |    |.   |     nodes that particle p reaches and grad N_a there are
  *     o -- o -- o -- o     node[i] and gradient[i] of a struct support
  *     |    | .  |  . |     (particles.h)
- * Run       make lesson-19, or with options: -h lists them
+ * Run       make lesson-19; make lesson-19 ARGS=-h lists its options
  * PREDICT 2a part of the stress that an inner node feels, 8 cells, linear: ...
  * PREDICT 2b and with 64 cells: ...
  * PREDICT 3 and one step from rest: ...
- * Plot: taylor t force
+ * Plot: taylor t force logx logy
  */
 #include "base/options.h"
 #include "particles/particle_force.h"

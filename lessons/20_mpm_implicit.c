@@ -13,10 +13,10 @@
  *    o-|-o---o---o---o      u = T y, y the unknowns of map: u_s = sign[s]
  *      |. .  . .  . .       y[equation[s]], or 0 where equation[s] < 0.  Across
  *    wall at x_1 = 0        the wall u(-x_1) = -u(x_1) [eq:mirror]
- * Run       make lesson-20, or with options: -h lists them
+ * Run       make lesson-20; make lesson-20 ARGS=-h lists its options
  * PREDICT 2a order of the error in h, nodes at x_1 <= 0 held: ...
  * PREDICT 2b and with the mirror: ...
- * Plot: energies t elastic
+ * Plot: step x next_x
  */
 #include "base/options.h"
 #include "particles/particle_bodies.h"

@@ -15,10 +15,10 @@
  *     L by compressed columns: column j is rows L->row[p], ascending, L_jj
  *         first, and values L->value[p], L->start[j] <= p < L->end[j]
  *
- * Run       make lesson-21, or with options: -h lists them
+ * Run       make lesson-21; make lesson-21 ARGS=-h lists its options
  * PREDICT 1 flops row by row over flops by dissection, n = 64: ...
  * PREDICT 2 least n from which on dissection needs fewer flops: ...
- * Plot: dissection k count
+ * Plot: rows k count
  */
 #include "base/options.h"
 #include "plane/system.h"

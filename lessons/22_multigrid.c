@@ -14,10 +14,10 @@
  *     |   |   |   |   |     columns i = 0 and i = n are held and have none
  *     o---.---o---.---o
  *
- * Run       make lesson-22, or with options: -h lists them
- * PREDICT 1a iterations of Jacobi at n = 64; at n = 32 it takes 222: ...
- * PREDICT 1b and of the V-cycle: ...
- * Plot: history k residual
+ * Run       make lesson-22; make lesson-22 ARGS=-h lists its options
+ * PREDICT 1a iterations of Jacobi at n = 96; at n = 32 it takes 222: ...
+ * PREDICT 1b entries of all coarser grids over those of K, n = 32: ...
+ * Plot: history k residual logy
  */
 #include "linear/cg.h"
 #include "linear/multigrid.h"

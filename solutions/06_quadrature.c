@@ -14,7 +14,7 @@
  *       -----+--------------------+---+---+-----      vertices j - 1 and j
  *           ...               j - 1   j   j + 1
  *
- * Run       make lesson-06, or with options: -h lists them
+ * Run       make lesson-06; make lesson-06 ARGS=-h lists its options
  * PREDICT 1a integral of s^2 over (0, 1) less the midpoint rule: ...
  * PREDICT 1b and less the trapezoidal rule: ...
  * Plot: nodes x u

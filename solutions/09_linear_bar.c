@@ -14,8 +14,8 @@
  * A positive h or f pushes towards +X.  Linear elements on n equal lengths;
  * unit cross-section, so that stresses are forces.
  *
- * Run       make lesson-09, or with options: -h lists them
- * PREDICT 1 the printed modulus at nu = 0.3 is too soft by the factor: ...
+ * Run       make lesson-09; make lesson-09 ARGS=-h lists its options
+ * PREDICT 1 the printed modulus at nu = 0.33 is too soft by the factor: ...
  * PREDICT 2 strain in tension at which linear is 5 % off the log law: ...
  * Plot: nodes X u
  */

@@ -15,7 +15,7 @@
  *               o-----o-----o--- ... ---o         e - 1 and e and has
  *     element      1     2           n            F_e = 1 + (u_e - u_{e-1}) / h
  *
- * Run       make lesson-10, or with options: -h lists them
+ * Run       make lesson-10; make lesson-10 ARGS=-h lists its options
  * PREDICT 1 error of the least F after 5 steps; after 3 it is 0.014: ...
  * PREDICT 2 first step of a log element, 0.1 m, pressed to F = 1e-8 (m): ...
  * Plot: nodes X u

@@ -13,7 +13,7 @@
  *               u0  u_m   u+                          some state (a, b), by
  *                                                     some step [eq:one-solve]
  *
- * Run       make lesson-14, or with options: -h lists them
+ * Run       make lesson-14; make lesson-14 ARGS=-h lists its options
  * PREDICT 1a part of a mode of 9.17 Hz left by a backward step of 1/30 s: ...
  * PREDICT 1b part of a mode with w dt = 0.5 left by 40 such steps: ...
  * Plot: mode k backward_u
@@ -224,8 +224,10 @@ static void print_frames(int n, enum law law, double reach)
                   status_name(frame.first), frame.attempts, frame.substeps,
                   frame.iterations, frame.factorisations, now.u[user->side],
                   now.u[user->side + 1], body_min_J(user->body, now.u));
+        user_keep(user, now.u);
     }
     table_end();
+    user_table(user);
     state_free(&now);
     user_free(user);
 }
@@ -235,12 +237,10 @@ int main(int argc, char *argv[])
     int n = 8, law = 0;
     double w_dt = 0.5, reach = 1.0;
     const struct option options[] = {
-        {"wdt", .real = &w_dt, .min = 0.01, .max = 20.0,
-         .help = "omega dt of the mode"},
+        {"wdt", .real = &w_dt, .min = 0.01, .max = 20, .help = "omega dt"},
         {"n", .integer = &n, .min = 2, .max = 32, .help = "squares per side"},
         {"law", .choice = &law, .choices = "log cubic", .help = "material"},
-        {"reach", .real = &reach, .min = 0.0, .max = 1.8,
-         .help = "how far the user of the loop goes"},
+        {"reach", .real = &reach, .max = 1.8, .help = "how far the user goes"},
     };
     options_parse("14_time_step", options, COUNT(options), argc, argv);
     print_stages();

@@ -15,13 +15,13 @@
  *
  * Input is a line per frame, "x y down key"; see common/motion/pointer.h.
  *
- * Run       make lesson-24, or with options: -h lists them; make live: a window
+ * Run       make lesson-24 (ARGS=-h lists its options); make live: a window
  * PREDICT 1a frames lost of 60 while a side is pushed in at 3 m/s: ...
  * PREDICT 1b frames that need the second rung: ...
  * Plot: frames k energy
  */
 #include "base/clock.h"
-#include "motion/live.h"
+#include "motion/film.h"
 #include "base/options.h"
 #include "base/table.h"
 #include "motion/window.h"
@@ -223,7 +223,8 @@ static void print_frame(const struct live *live, int knots, struct cell ms,
 
 /* One frame of input: the hand, the solver, a row of the table, a picture. */
 static void play(struct live *live, const struct pointer *pointer, int timed,
-                 struct window *window, const char *shot, struct summary *sum)
+                 int film, struct window *window, const char *shot,
+                 struct summary *sum)
 {
     double to[2];
     const double begin = clock_seconds();
@@ -233,8 +234,11 @@ static void play(struct live *live, const struct pointer *pointer, int timed,
     const struct live_report report =
         live_frame_by(live, elastic_lift, downhill, to);
     const double seconds = clock_seconds() - begin;
-    print_frame(live, count_knots(live->mesh, live->now.u),
-                cell_if(timed, 1e3 * seconds), &report, sum);
+    if (film == 0)
+        print_frame(live, count_knots(live->mesh, live->now.u),
+                    cell_if(timed, 1e3 * seconds), &report, sum);
+    else
+        film_frame(live, film, sum->frames++, pointer);
     if (window) window_draw(window, live, &report, seconds, shot);
 }
 
@@ -242,7 +246,7 @@ int main(int argc, char *argv[])
 {
     struct live_setting set = {8, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
     const char *name = NULL, *record = NULL, *shot = NULL;
-    int seed = 1, law = 0, method = 0, timed = 0;
+    int seed = 1, law = 0, method = 0, timed = 0, film = 0;
     double speed = -3.0;
     const struct option options[] = {
         {"input", .text = &name, .unit = "pull, hard, mad or a file's name",
@@ -257,6 +261,7 @@ int main(int argc, char *argv[])
          .help = "of the first rung"},
         {"time", .choice = &timed, .choices = "no yes",
          .help = "milliseconds per frame in the table"},
+        {"film", .integer = &film, .max = 999, .help = "triangles alone"},
         {"record", .text = &record, .unit = "a file's name",
          .help = "where the input is written to"},
         {"shot", .text = &shot, .unit = "a file's name",
@@ -273,13 +278,14 @@ int main(int argc, char *argv[])
     struct live *live = live_alloc(&set);
     struct summary sum = {0};
 
-    table_begin("frames", "k rung first status systems part min_J knots energy "
-                          "x y ms");
+    table_begin(film ? "motion" : "frames",
+                film ? FILM : "k rung first status systems part min_J "
+                                   "knots energy x y ms");
     for (int k = 0; window_next(window, &input, k, mouse); k++)
-        play(live, &input.frame[k], timed, window,
+        play(live, &input.frame[k], timed, film, window,
              !mouse && k == input.n - 1 ? shot : NULL, &sum);
     table_end();
-    print_summary(live, &sum);
+    if (film == 0) print_summary(live, &sum);
     if (record) pointers_write(&input, record);
     window_close(window);
     live_free(live);

@@ -1,13 +1,11 @@
 /*
- * dense.h - what GSL does for matrix.h: Cholesky of a full matrix, eigenvalues,
- * and a band that need not be positive definite.
+ * dense.h - what GSL does for matrix.h with a full matrix: its Cholesky
+ * factorisation, its eigenvalues.
  */
 #ifndef COMMON_DENSE_H
 #define COMMON_DENSE_H
 
 #include "base/status.h"
-
-#include <stddef.h>
 
 /* a[i*n + j] = A_ij := L, in both triangles; statuses as matrix_factor(). */
 enum status dense_factor(int n, double a[]);
@@ -18,11 +16,5 @@ void dense_solve(int n, double l[], double b[]);
 /* value[0..n-1] := the eigenvalues of a, in ascending order; a is overwritten.
  * NONFINITE: an entry of a is not finite. */
 enum status dense_eigenvalues(int n, double a[], double value[]);
-
-/* As matrix_solve_indefinite(), in the band a[j*stride + d] = A_j+d,j of half
- * bandwidth p. */
-enum status dense_solve_indefinite(int n, int p, size_t stride,
-                                   const double a[], double b[],
-                                   int *negative);
 
 #endif

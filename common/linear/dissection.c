@@ -7,13 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NEIGHBOURS = 8 }; /* of a vertex of a square grid, however it is cut */
+/* Of a vertex of a square grid, however it is cut; with quadratic triangles. */
+enum { NEIGHBOURS = 18 };
 
 /* What the recursion carries along. */
 struct state {
     struct dissection *d;
     const int *held;
     int row, leaf; /* vertices in a row of the mesh; leaf of the caller */
+    int reach;     /* a triangle goes over so many columns or rows, and only
+                    * every such line has no edge across it */
 };
 
 struct box {
@@ -62,11 +65,29 @@ static int dissect(const struct state *s, struct box b, int depth)
             }
     const int k = b.to[0] - b.from[0] < b.to[1] - b.from[1];
     struct box before = b, line = b, after = b;
-    before.to[k] = line.from[k] = (b.from[k] + b.to[k]) / 2;
+    line.from[k] = (b.from[k] + b.to[k]) / 2;
+    line.from[k] -= line.from[k] % s->reach;
+    before.to[k] = line.from[k];
     after.from[k] = line.to[k] = line.from[k] + 1;
     const int child0 = dissect(s, before, depth + 1);
     const int child1 = dissect(s, after, depth + 1);
     return number(s, line, depth, child0, child1);
+}
+
+/* Over how many columns or rows a triangle goes, at most. */
+static int find_reach(int columns, int n_triangle, const int triangle[])
+{
+    int reach = 1;
+    for (int t = 0; t < n_triangle; t++)
+        for (int c = 0; c < 3; c++) {
+            const int a = triangle[3 * t + c];
+            const int b = triangle[3 * t + (c + 1) % 3];
+            const int across = abs(a % columns - b % columns);
+            const int up = abs(a / columns - b / columns);
+            if (across > reach) reach = across;
+            if (up > reach) reach = up;
+        }
+    return reach;
 }
 
 /* The later neighbours of every vertex, by the edges of the triangles. */
@@ -109,7 +130,8 @@ struct dissection *dissection_alloc(int columns, int rows, int n_triangle,
     const struct box all = {{0, 0}, {columns, rows}};
     const int n_vertex = columns * rows;
     struct dissection *d = allocate(1, sizeof *d);
-    const struct state state = {d, held, columns, leaf};
+    const struct state state = {d, held, columns, leaf,
+                                find_reach(columns, n_triangle, triangle)};
     d->place = allocate((size_t)n_vertex, sizeof *d->place);
     for (int a = 0; a < n_vertex; a++) d->place[a] = -1;
     d->piece = allocate((size_t)n_vertex, sizeof *d->piece);

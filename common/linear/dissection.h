@@ -11,7 +11,8 @@
  *     1 1 1 6 4 4 4       n^3 and n^4
  *     1 1 1 6 4 4 4
  *
- * Held vertices are left out.
+ * Held vertices are left out.  Where triangles go over two columns or rows,
+ * every second line may cut.
  *
  * Source: George, SIAM J. Numer. Anal. 10 (1973) 345.
  */

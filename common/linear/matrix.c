@@ -1,15 +1,15 @@
 /* matrix.c - see matrix.h.  dense.h factors what is full, banded.h narrow
- * bands, tiles.h wide ones, sparse.h what is sparse. */
+ * bands, tiles.h wide ones, sparse.h what is sparse, indefinite.h the rest. */
 #include "linear/matrix.h"
 
 #include "base/table.h"
 #include "linear/banded.h"
 #include "linear/dense.h"
+#include "linear/indefinite.h"
 #include "linear/sparse.h"
 #include "linear/tiles.h"
 
 #include <assert.h>
-#include <float.h>
 #include <limits.h>
 #include <math.h>
 #include <stdint.h>
@@ -179,52 +179,13 @@ void matrix_solve(const struct matrix *L, double b[])
         banded_solve(L->n, L->p, L->a, b);
 }
 
-/* A block of a sparse matrix, by columns, whose first entry is (i, j) of the
- * band. */
-static void add_block(const double block[4], int i, int j, struct matrix *band)
-{
-    for (int column = j; column < j + 2; column++)
-        for (int row = i; row < i + 2; row++, block++) {
-            const int low = row > column ? row : column;
-            if (*block != 0.0)
-                matrix_add(band, low, row + column - low, *block);
-        }
-}
-
-/* For a sparse A: its vertices, as the mesh numbers them, make a band. */
-static enum status solve_in_a_band(const struct matrix *A, double b[],
-                                   int *negative)
-{
-    const struct sparse *s = A->pattern;
-    int *rank = allocate((size_t)s->n_vertex, sizeof *rank), next = 0, p = 1;
-    double *x = allocate((size_t)A->n, sizeof *x);
-    for (int a = 0; next < s->n_vertex; a++)
-        if (s->place[a] >= 0) rank[s->place[a]] = next++;
-    for (int v = 0; v < s->n_vertex; v++)
-        for (int k = s->start[v]; k < s->start[v + 1]; k++)
-            if (2 * abs(rank[s->row[k]] - rank[v]) + 1 > p)
-                p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
-    struct matrix *band = matrix_alloc(BANDED, A->n, p);
-    for (int v = 0; v < s->n_vertex; v++)
-        for (int k = s->start[v]; k < s->start[v + 1]; k++)
-            add_block(&A->a[4 * k], 2 * rank[s->row[k]], 2 * rank[v], band);
-    for (int v = 0; v < s->n_vertex; v++)
-        memcpy(&x[2 * rank[v]], &b[2 * v], 2 * sizeof *b);
-    const enum status status = matrix_solve_indefinite(band, x, negative);
-    for (int v = 0; v < s->n_vertex; v++)
-        memcpy(&b[2 * v], &x[2 * rank[v]], 2 * sizeof *b);
-    matrix_free(band);
-    free(rank);
-    free(x);
-    return status;
-}
-
 enum status matrix_solve_indefinite(const struct matrix *A, double b[],
                                     int *negative)
 {
-    if (A->storage == SPARSE) return solve_in_a_band(A, b, negative);
+    if (A->storage == SPARSE)
+        return indefinite_solve_sparse(A->pattern, A->a, b, negative);
     assert(A->storage != DENSE);
-    return dense_solve_indefinite(A->n, A->p, A->stride, A->a, b, negative);
+    return indefinite_solve(A->n, A->p, A->stride, A->a, b, negative);
 }
 
 void matrix_combine(const struct matrix *A, double s, const struct matrix *B,
@@ -260,37 +221,6 @@ void matrix_multiply(const struct matrix *A, const double x[], double y[])
         y[i] = 0.0;
         for (int j = first; j <= last; j++) y[i] += matrix_get(A, i, j) * x[j];
     }
-}
-
-double matrix_residual(const struct matrix *A, const double x[],
-                       const double b[])
-{
-    double *r = allocate((size_t)A->n, sizeof *r);
-    double largest = 0.0;
-    matrix_multiply(A, x, r);
-    for (int i = 0; i < A->n; i++) {
-        const double size = fabs(b[i] - r[i]);
-        if (isnan(size) || size > largest) largest = size; /* NaN stays */
-    }
-    free(r);
-    return largest;
-}
-
-double matrix_backward_error(const struct matrix *A, const double u[],
-                             const double b[])
-{
-    double norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
-    for (int i = 0; i < A->n; i++) {
-        const int last = i + A->p < A->n ? i + A->p : A->n - 1;
-        double sum = 0.0;
-        for (int j = i > A->p ? i - A->p : 0; j <= last; j++)
-            sum += fabs(matrix_get(A, i, j));
-        norm_A = fmax(norm_A, sum);
-        norm_u = fmax(norm_u, fabs(u[i]));
-        norm_b = fmax(norm_b, fabs(b[i]));
-    }
-    return matrix_residual(A, u, b) /
-           (DBL_EPSILON * (norm_A * norm_u + norm_b));
 }
 
 size_t matrix_bytes(const struct matrix *A)

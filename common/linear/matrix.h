@@ -150,19 +150,6 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[]);
 /* y := A x, for an A that is not factored. */
 void matrix_multiply(const struct matrix *A, const double x[], double y[]);
 
-/* max_i |b - A x|_i for an A that is not factored; NaN if any entry is. */
-double matrix_residual(const struct matrix *A, const double x[],
-                       const double b[]);
-
-/*
- * |b - A u| / (|A| |u| + |b|) in units of eps, maximum norms, for an A that is
- * not factored: how far the system that u solves exactly is from A u = b.  NaN
- * if an entry is.  Source: Higham, Accuracy and Stability of Numerical
- * Algorithms, 2nd ed., theorem 7.1.
- */
-double matrix_backward_error(const struct matrix *A, const double u[],
-                             const double b[]);
-
 /* Bytes that the entries occupy; sparse: and the factor, when there is one. */
 size_t matrix_bytes(const struct matrix *A);
 

@@ -17,7 +17,7 @@
 struct sparse_front {
     struct piece piece; /* of the dissection: its vertices are the pivots */
     int rest, at;       /* how many vertices of the rest, where in s->rest */
-    size_t l, u;        /* where in the factor, in the work */
+    size_t l, u;        /* where in the factor, in the room */
 };
 
 static int compare(const void *a, const void *b)
@@ -105,7 +105,7 @@ static void lay_out(struct sparse *s)
     s->vector = most[0] + most[1];
     s->l = s->vector; /* of a front's rows: two parts, filled up */
     s->l += (size_t)(front_row(2 * s->n_vertex, 0) + front_row(1, 0));
-    s->work = s->l + largest;
+    s->room = s->l + largest;
 }
 
 /* Where the blocks of a front are in it; the rows of its rest in its parent. */
@@ -173,7 +173,7 @@ int sparse_block(const struct sparse *s, int i, int j)
 
 size_t sparse_size(const struct sparse *s, int single)
 {
-    return s->work + (single ? (s->factor + 1) / 2 : s->factor);
+    return s->room + (single ? (s->factor + 1) / 2 : s->factor);
 }
 
 /* Front i, with its part of the memory. */
@@ -181,8 +181,8 @@ static struct front front_of(const struct sparse *s, int i, int single,
                              double memory[])
 {
     const struct sparse_front *f = &s->front[i];
-    double *l = single ? &memory[s->l] : &memory[s->work + f->l];
-    float *rounded = single ? (float *)&memory[s->work] + f->l : NULL;
+    double *l = single ? &memory[s->l] : &memory[s->room + f->l];
+    float *rounded = single ? (float *)&memory[s->room] + f->l : NULL;
     return (struct front){2 * f->piece.count, 2 * f->rest, l, &memory[f->u],
                           rounded};
 }

@@ -37,8 +37,8 @@ struct sparse {
     struct sparse_front *front; /* [order->n_piece] */
     int *local;             /* where a block is in the front of its column */
     int *rest, *up;         /* of all fronts: places; rows in the parent */
-    size_t factor, work;    /* numbers of L, and of room to work */
-    size_t vector, l;       /* where in the work a vector, a front begin */
+    size_t factor, room;    /* numbers of L, and of room to work */
+    size_t vector, l;       /* where in the room a vector, a front begin */
     double numbers;         /* entries of L, those of the fronts */
     double flops, solve;    /* as those of matrix_cost() of matrix.h */
 };

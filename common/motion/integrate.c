@@ -120,18 +120,18 @@ struct step_report integrate_solve(struct model *model,
 {
     if (model->solve) return model->solve(model, d, a, b, g, u);
     const size_t n = (size_t)model->n_dof;
-    double *work = allocate(n, sizeof *work);
+    double *room = allocate(n, sizeof *room);
     struct step_report report = {.status = OK};
     if (model->body) {
         memcpy(u, a, n * sizeof *u);
-        memcpy(work, b, n * sizeof *u);
+        memcpy(room, b, n * sizeof *u);
         report = step_backward_euler(model->body, &INTEGRATE_NEWTON, d, g,
-                                     model->f, u, work, NULL);
-    } else { /* work is 0 */
-        report.status = residual(model, d, a, b, work, u);
+                                     model->f, u, room, NULL);
+    } else { /* room is 0 */
+        report.status = residual(model, d, a, b, room, u);
         if (report.status == OK) report = model_newton(model, d, u);
     }
-    free(work);
+    free(room);
     return report;
 }
 

@@ -107,7 +107,7 @@ void live_input(struct live *live, const struct pointer *pointer)
         set->start = set->start == LAST_STATE ? ELASTIC
                                               : (enum start)(set->start + 1);
         break;
-    case 'p': set->ladder = !set->ladder; break;
+    case 'p': set->fallback = !set->fallback; break;
     case 'g': set->grab = set->grab == PATCH ? SIDE : PATCH; break;
     case '+': set->n = set->n <= 32 ? 2 * set->n : 64; break;
     case '-': set->n = set->n >= 4 ? set->n / 2 : 2; break;
@@ -233,8 +233,8 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     }
     if (status == OK) {
         const struct step_report newton =
-            step_solve(live->body, live->set.ladder ? &LIVE_FAST : &LIVE_ALONE,
-                       Phi, u);
+            step_solve(live->body,
+                       live->set.fallback ? &LIVE_FAST : &LIVE_ALONE, Phi, u);
         report->systems += newton.iterations;
         status = newton.indefinite ? NOT_SPD : newton.status;
     }
@@ -258,17 +258,17 @@ enum status live_start(const struct live *live, struct incremental Phi,
     const struct body *body = live->body;
     const int n = live->n_dof;
     double *left = allocate((size_t)n, sizeof *left);
-    double *work = allocate(2 * (size_t)n, sizeof *work);
+    double *room = allocate(2 * (size_t)n, sizeof *room);
     double lifted, phi, noise;
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
-    enum status status = step_potential(body, Phi, u, work, &lifted, &noise);
+    enum status status = step_potential(body, Phi, u, room, &lifted, &noise);
     if (status == OK &&
-        step_potential(body, Phi, left, work, &phi, &noise) == OK &&
+        step_potential(body, Phi, left, room, &phi, &noise) == OK &&
         lifted > phi + 16.0 * DBL_EPSILON * noise)
         status = STALLED;
     free(left);
-    free(work);
+    free(room);
     return status;
 }
 
@@ -324,11 +324,11 @@ struct live_report live_frame_by(struct live *live, live_lifter *lift,
     double *u = allocate((size_t)live->n_dof, sizeof *u);
     double *v = allocate((size_t)live->n_dof, sizeof *v), unused;
     enum status accept = NOT_SPD; /* or anything but OK: untried */
-    if (!(live->trouble && live->set.ladder)) {
+    if (!(live->trouble && live->set.fallback)) {
         accept = report.status = fast(live, lift, u, v, &report);
         report.first = status_name(accept);
     }
-    if (accept != OK && live->set.ladder) {
+    if (accept != OK && live->set.fallback) {
         report.rung = "downhill";
         report.status = downhill(live, u, v, &report);
         accept = body_energy(live->body, u, &unused);

@@ -56,7 +56,7 @@ struct live_setting {
     enum method method; /* BACKWARD_EULER or IMPLICIT_MIDPOINT */
     enum grab grab;
     enum start start;
-    int ladder; /* 0: fast alone; the frame is lost when it fails */
+    int fallback; /* 0: fast alone; the frame is lost when it fails */
 };
 
 struct live {

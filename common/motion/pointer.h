@@ -13,7 +13,7 @@
 #ifndef COMMON_POINTER_H
 #define COMMON_POINTER_H
 
-/* law, integrator, start, ladder, what is grabbed, finer, coarser, reset */
+/* law, integrator, start, fallback, what is grabbed, finer, coarser, reset */
 #define POINTER_KEYS ".lispg+-r"
 
 struct pointer {

@@ -1,9 +1,11 @@
 /* user.c - see user.h. */
 #include "motion/user.h"
+#include "base/table.h"
 
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const struct user_motion USER_SCRIPT[USER_MOTIONS] = {
     {"grab", 0.2, {0.0, 0.0}, 0.0, 1},   {"pull", 0.7, {0.9, 0.0}, 0.0, 1},
@@ -27,6 +29,8 @@ struct user *user_alloc(int n, enum law law, double reach)
     user->side = 2 * (n / 2 * (n + 1) + n);
     user->frames = (int)lround(USER_SCRIPT[USER_MOTIONS - 1].until / user->dt);
     user->g = allocate((size_t)user->n_dof, sizeof *user->g);
+    user->kept = allocate((size_t)(USER_MOTIONS * user->n_dof),
+                          sizeof *user->kept);
     return user;
 }
 
@@ -35,6 +39,7 @@ void user_free(struct user *user)
     if (!user) return;
     for (int held = 0; held <= 1; held++) scene_free(user->scene[held]);
     free(user->g);
+    free(user->kept);
     free(user);
 }
 
@@ -69,4 +74,25 @@ int user_next(struct user *user)
     for (int a = mesh->n; a < mesh->n_vertex; a += mesh->n + 1)
         for (int i = 0; i < 2; i++) user->g[2 * a + i] = place[i];
     return 1;
+}
+
+void user_keep(struct user *user, const double u[])
+{
+    if (user->n_kept == USER_MOTIONS ||
+        user->t < USER_SCRIPT[user->n_kept].until - 1e-9)
+        return;
+    memcpy(&user->kept[user->n_kept++ * user->n_dof], u,
+           (size_t)user->n_dof * sizeof *u);
+}
+
+void user_table(const struct user *user)
+{
+    const double *X = user->scene[0]->mesh->X;
+    table_begin("square", "k motion X Y u_x u_y");
+    for (int m = 0; m < user->n_kept; m++) {
+        const double *u = &user->kept[m * user->n_dof];
+        for (int r = 0; r < user->n_dof; r += 2)
+            table_row(m, USER_SCRIPT[m].word, X[r], X[r + 1], u[r], u[r + 1]);
+    }
+    table_end();
 }

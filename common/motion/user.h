@@ -37,6 +37,8 @@ struct user {
     const char *motion;     /* word of its motion */
     struct body *body;      /* with what is prescribed in it; borrowed */
     double *g;              /* [n_dof] boundary values at its end; owned */
+    double *kept;           /* [motions][n_dof] see user_keep(); owned */
+    int n_kept;
 };
 
 /* n squares per side, consistent mass, the notes' material; LOG or CUBIC. */
@@ -45,5 +47,12 @@ void user_free(struct user *user);
 
 /* Go on to the next frame; false when the script is over. */
 int user_next(struct user *user);
+
+/* Keep the state u [n_dof] of this frame, if it is the last of a motion. */
+void user_keep(struct user *user, const double u[]);
+
+/* Table square: the vertices in the states kept, k being the number of the
+ * motion. */
+void user_table(const struct user *user);
 
 #endif

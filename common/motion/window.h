@@ -21,7 +21,7 @@ void window_close(struct window *window);
 /*
  * Is there a frame k?  In a window its time is waited for (space stops it), and
  * the mouse, where it is the input, adds a line to it.  False: the input is at
- * its end, or the window was closed.
+ * its end, or the window was closed, as it is by q and Esc.
  */
 int window_next(struct window *window, struct pointers *input, int k,
                 int mouse);

@@ -4,7 +4,6 @@
 #include "base/clock.h"
 
 #include <SDL.h>
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +18,7 @@ struct window {
     int wide, high;      /* pixels */
     double scale;        /* pixels per metre */
     double next;         /* when the next frame begins (s) */
-    int stopped, closed, drawn, knots;
+    int mouse, stopped, closed, drawn, knots;
     double took[FRAMES]; /* seconds per frame, in a ring */
 };
 
@@ -33,8 +32,8 @@ static void dot(struct window *w, float x, float y, float size)
     SDL_RenderFillRectF(w->draw, &(SDL_FRect){x, y, size, size});
 }
 
-/* ' ' to 'Z', five columns of seven dots each, 8 bits per column. */
-static const unsigned long long LETTER[59] = {
+/* ' ' to 'z', five columns of seven dots each, 8 bits per column. */
+static const unsigned long long LETTER[91] = {
     0x0, 0x5f0000, 0x7000700, 0x147f147f14, 0x242a7f2a12, 0x2313086462,
     0x3649562050, 0x70000, 0x1c224100, 0x41221c00, 0x2a1c7f1c2a,
     0x8083e0808, 0x40300000, 0x808080808, 0x606000, 0x2010080402,
@@ -46,18 +45,25 @@ static const unsigned long long LETTER[59] = {
     0x2040413f01, 0x7f08142241, 0x7f40404040, 0x7f021c027f, 0x7f0408107f,
     0x3e4141413e, 0x7f09090906, 0x3e4151215e, 0x7f09192946, 0x2649494932,
     0x3017f0103, 0x3f4040403f, 0x1f2040201f, 0x3f4038403f, 0x6314081463,
-    0x304780403, 0x6159494d43};
+    0x304780403, 0x6159494d43,
+    0x7f414100, 0x204081020, 0x41417f00, 0x402010204, 0x4040404040,
+    0x102040000, 0x2054545478, 0x7f48444438, 0x3844444420, 0x384444487f,
+    0x3854545418, 0x87e090102, 0x18a4a4a47c, 0x7f08040478, 0x447d4000,
+    0x2040443d00, 0x7f10284400, 0x417f4000, 0x7c04180478, 0x7c08040478,
+    0x3844444438, 0xfc24242418, 0x18242424fc, 0x7c08040408, 0x4854545420,
+    0x43f444020, 0x3c4040207c, 0x1c2040201c, 0x3c4030403c, 0x4428102844,
+    0x1ca0a0a07c, 0x4464544c44};
 
 /* At most 50 letters are inside the smallest window. */
 static void write_text(struct window *w, int x, int y, const char *text)
 {
     for (int at = x; *text; text++, at += 12) {
-        const int c = toupper((unsigned char)*text);
+        const char c = *text;
         if (c == '\n') {
             at = x - 12;
             y += 22;
         }
-        if (c < ' ' || c > 'Z') continue;
+        if (c < ' ' || c > 'z') continue;
         for (int column = 0; column < 5; column++) /* from the right */
             for (int row = 0; row < 8; row++)
                 if (LETTER[c - ' '] >> (8 * column + row) & 1)
@@ -86,6 +92,7 @@ int window_next(struct window *w, struct pointers *input, int k, int mouse)
 {
     struct pointer p = {.key = '.'};
     int x, y;
+    w->mouse = mouse;
     do {
         SDL_Event event;
         while (SDL_PollEvent(&event)) {
@@ -93,6 +100,7 @@ int window_next(struct window *w, struct pointers *input, int k, int mouse)
             if (event.type != SDL_KEYDOWN || event.key.repeat) continue;
             SDL_Keycode code = event.key.keysym.sym;
             if (code == SDLK_SPACE) w->stopped = !w->stopped;
+            if (code == SDLK_ESCAPE || code == SDLK_q) w->closed = 1;
             if (code == SDLK_EQUALS || code == SDLK_KP_PLUS) code = '+';
             if (code == SDLK_KP_MINUS) code = '-'; /* + is often on = */
             if (code > ' ' && code < 127 && strchr(POINTER_KEYS, code))
@@ -170,7 +178,7 @@ static void draw_times(struct window *w, double seconds)
     }
     ink(w, 200, 0, 0);
     SDL_RenderDrawLine(w->draw, 12, floor - 50, right, floor - 50);
-    write_text(w, right + 6, floor - 56, "33 ms");
+    write_text(w, right + 6, floor - 56, "33 ms, without drawing");
 }
 
 void window_draw(struct window *w, const struct live *live,
@@ -184,17 +192,21 @@ void window_draw(struct window *w, const struct live *live,
     SDL_RenderClear(w->draw);
     draw_body(w, live);
     draw_times(w, seconds);
-    snprintf(text, sizeof text, "%s: %s, %d systems, %.1f ms\n"
-             "law %s (L)  %s (I)  start %s (S)\n"
-             "ladder %s (P)  grab %s (G)  n %d (+ -)\n"
-             "min J %.2f  knots %d  reset (R)  stop (space)", report->rung,
+    snprintf(text, sizeof text, "%s: %s, %d systems in %.1f ms\n"
+             "[l] law: %s   [i] time step: %s\n"
+             "[s] start: %s   [p] if it fails: %s\n"
+             "[g] grab: %s   [+ -] squares: %d   [r] reset\n"
+             "[space] stop   [q] close%s", report->rung,
              status_name(report->status), report->systems, 1e3 * seconds,
              material_law(set->law), method_name(set->method),
-             start[set->start], set->ladder ? "all" : "none",
+             start[set->start], set->fallback ? "downhill" : "nothing",
              set->grab == SIDE ? "side" : "patch", set->n,
-             body_min_J(live->body, live->now.u), w->knots);
+             w->mouse ? "   drag with the mouse" : "");
     ink(w, strcmp(report->rung, "lost") == 0 ? 200 : 20, 20, 20);
     write_text(w, 12, 12, text);
+    snprintf(text, sizeof text, "min J %.2f, %d knots",
+             body_min_J(live->body, live->now.u), w->knots);
+    write_text(w, 18 + FRAMES, w->high - 36, text);
     SDL_Surface *s = shot ? SDL_CreateRGBSurfaceWithFormat(
         0, w->wide, w->high, 32, SDL_PIXELFORMAT_ARGB8888) : NULL;
     if (shot && (!s || SDL_RenderReadPixels(w->draw, NULL, s->format->format,

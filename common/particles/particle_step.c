@@ -215,24 +215,24 @@ double particle_frequency(const struct particle_body *body)
 
 /* ---- Newton -------------------------------------------------------------- */
 
-struct work {
+struct room {
     double *r, *du, *trial, *y;
 };
 
 /* u -= part du with the first part of 1, 1/2, 1/4, ... at which E falls. */
 static enum status search(const struct particle_body *body,
                           const struct particle_step *step,
-                          const struct work *work, struct potential here,
+                          const struct room *room, struct potential here,
                           double u[], double *part)
 {
     const int n_dof = 2 * body->grid->n_node;
     for (*part = 1.0; *part > 1e-12; *part *= 0.5) {
         struct potential there;
         for (int s = 0; s < n_dof; s++)
-            work->trial[s] = u[s] - *part * work->du[s];
-        if (particle_potential(body, step, work->trial, &there, work->r) ==
+            room->trial[s] = u[s] - *part * room->du[s];
+        if (particle_potential(body, step, room->trial, &there, room->r) ==
                 OK && potential_falls(here, there)) {
-            memcpy(u, work->trial, (size_t)n_dof * sizeof *u);
+            memcpy(u, room->trial, (size_t)n_dof * sizeof *u);
             return OK;
         }
     }
@@ -272,7 +272,7 @@ struct particle_report particle_newton(const struct particle_body *body,
                                          body->material, particle_projected};
     struct particle_report report = {.status = OK};
     struct unknowns *map = unknowns_alloc(body->grid);
-    const struct work work = {allocate(n_dof, sizeof(double)),
+    const struct room room = {allocate(n_dof, sizeof(double)),
                               allocate(n_dof, sizeof(double)),
                               allocate(n_dof, sizeof(double)),
                               allocate(n_dof, sizeof(double))};
@@ -282,10 +282,10 @@ struct particle_report particle_newton(const struct particle_body *body,
     unknowns_number(body->grid, step->wall, map);
     struct matrix *A = map->n > 0 ? unknowns_matrix(body, map) : NULL;
     for (int k = 0; A; k = ++report.iterations) {
-        report.status = particle_potential(body, step, u, &report.E, work.r);
+        report.status = particle_potential(body, step, u, &report.E, room.r);
         if (report.status != OK) break;
-        unknowns_gather(map, work.r, work.y);
-        report.residual[k] = unknowns_largest(map, work.y);
+        unknowns_gather(map, room.r, room.y);
+        report.residual[k] = unknowns_largest(map, room.y);
         if (k > 0 && report.increment[k - 1] <= tolerance &&
             report.residual[k] <= tolerance * weight)
             break;
@@ -297,21 +297,21 @@ struct particle_report particle_newton(const struct particle_body *body,
             report.projections++;
         }
         if (report.status != OK) break;
-        matrix_solve(A, work.y);
-        unknowns_scatter(map, work.y, work.du);
-        report.increment[k] = unknowns_largest(map, work.y);
+        matrix_solve(A, room.y);
+        unknowns_scatter(map, room.y, room.du);
+        report.increment[k] = unknowns_largest(map, room.y);
         report.status =
             isfinite(report.increment[k])
-                ? search(body, step, &work, report.E, u, &report.part[k])
+                ? search(body, step, &room, report.E, u, &report.part[k])
                 : NONFINITE;
         if (report.status != OK) break;
     }
     matrix_free(A);
     unknowns_free(map);
-    free(work.r);
-    free(work.du);
-    free(work.trial);
-    free(work.y);
+    free(room.r);
+    free(room.du);
+    free(room.trial);
+    free(room.y);
     return report;
 }
 

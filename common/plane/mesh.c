@@ -4,6 +4,7 @@
 #include "base/status.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,9 +59,29 @@ void mesh_free(struct mesh *mesh)
     free(mesh);
 }
 
+void mesh_grade(struct mesh *mesh, double m, int sides)
+{
+    for (int j = 0; j < 2; j++) {
+        const double half = -mesh->X[j]; /* vertex 0 is a corner */
+        const double L = 0.5 * half;
+        for (int a = 0; a < mesh->n_vertex; a++) {
+            double *x = &mesh->X[2 * a + j];
+            const int side = (*x < 0.0 ? MESH_LEFT : MESH_RIGHT) << 2 * j;
+            const double d = half - fabs(*x);
+            if (sides & side && d < L)
+                *x = copysign(half - L * pow(d / L, m), *x);
+        }
+    }
+}
+
 double mesh_gradients(const struct mesh *mesh, int e, double gradient[6])
 {
-    const int *t = &mesh->triangle[3 * e];
+    return mesh_gradients_of(mesh, &mesh->triangle[3 * e], gradient);
+}
+
+double mesh_gradients_of(const struct mesh *mesh, const int t[3],
+                         double gradient[6])
+{
     const double *X[3] = {&mesh->X[2 * t[0]], &mesh->X[2 * t[1]],
                           &mesh->X[2 * t[2]]};
     const double twice = (X[1][0] - X[0][0]) * (X[2][1] - X[0][1]) -

@@ -28,6 +28,17 @@ struct mesh *mesh_rectangle(int n, int rows, double a, double b);
 struct mesh *mesh_triangle(const double X[6]);
 void mesh_free(struct mesh *mesh);
 
+/*
+ * Grade a rectangle around 0 towards some of its sides: what is nearer to one
+ * than L, a quarter of the way across, goes from the distance d to
+ * L (d / L)^m [eq:graded].  So the sides stay, and the lines at 1/4 and 3/4
+ * and all between them.
+ *
+ * Source: Strang and Fix, An Analysis of the Finite Element Method, chapter 8.
+ */
+enum mesh_side { MESH_LEFT = 1, MESH_RIGHT = 2, MESH_BOTTOM = 4, MESH_TOP = 8 };
+void mesh_grade(struct mesh *mesh, double m, int sides);
+
 /* The first triangle whose area is not > 0 (clockwise or flat), or -1. */
 int mesh_clockwise(const struct mesh *mesh);
 
@@ -37,5 +48,8 @@ int mesh_clockwise(const struct mesh *mesh);
  * [eq:shape-gradient].
  */
 double mesh_gradients(const struct mesh *mesh, int e, double gradient[6]);
+/* The same of the triangle with these vertices, whether the mesh has it. */
+double mesh_gradients_of(const struct mesh *mesh, const int vertex[3],
+                         double gradient[6]);
 
 #endif

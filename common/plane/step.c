@@ -35,11 +35,11 @@ const char *step_reason(const struct step_control *control,
 }
 
 enum status step_potential(const struct body *body, struct incremental Phi,
-                           const double u[], double work[], double *phi,
+                           const double u[], double room[], double *phi,
                            double *noise)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
-    double *move = work, *momentum = work + n_dof, kinetic = 0.0, power = 0.0;
+    double *move = room, *momentum = room + n_dof, kinetic = 0.0, power = 0.0;
     const double dt = Phi.dt;
     double elastic;
     const enum status status = body_energy(body, u, &elastic);
@@ -56,7 +56,7 @@ enum status step_potential(const struct body *body, struct incremental Phi,
 }
 
 /* The memory of one solve, in vectors over all vertices. */
-struct work {
+struct room {
     double *q, *du, *trial, *twice; /* twice: [4 n_vertex] */
 };
 
@@ -64,24 +64,24 @@ struct work {
  * defined and decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search];
  * *halved says whether it is not 1. */
 static enum status line_search(const struct body *body, struct incremental Phi,
-                               struct work work, double u[], int *halved)
+                               struct room room, double u[], int *halved)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     double slope = 0.0, start, noise, phi, unused;
     enum status status =
-        step_potential(body, Phi, u, work.twice, &start, &noise);
+        step_potential(body, Phi, u, room.twice, &start, &noise);
     if (status != OK) return status;
-    for (int r = 0; r < n_dof; r++) slope += work.q[r] * work.du[r];
+    for (int r = 0; r < n_dof; r++) slope += room.q[r] * room.du[r];
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
         for (int r = 0; r < n_dof; r++)
-            work.trial[r] = u[r] + length * work.du[r];
+            room.trial[r] = u[r] + length * room.du[r];
         *halved = length < 1.0;
         status =
-            step_potential(body, Phi, work.trial, work.twice, &phi, &unused);
+            step_potential(body, Phi, room.trial, room.twice, &phi, &unused);
         /* close to the minimum Phi has no digits left to compare */
         if (status == OK && phi <= start + 1e-4 * length * slope +
                                        16.0 * DBL_EPSILON * noise) {
-            memcpy(u, work.trial, (size_t)n_dof * sizeof *u);
+            memcpy(u, room.trial, (size_t)n_dof * sizeof *u);
             return OK;
         }
     }
@@ -92,14 +92,14 @@ enum status step_search(const struct body *body, struct incremental Phi,
                         const double q[], const double du[], double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    /* one block: the scratch of one solve, made and freed as one */
+    /* one block: the room of one solve, made and freed as one */
     double *memory = allocate(5 * n_dof, sizeof *memory);
-    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+    const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
     int halved;
-    memcpy(work.q, q, n_dof * sizeof *q);
-    memcpy(work.du, du, n_dof * sizeof *du);
-    const enum status status = line_search(body, Phi, work, u, &halved);
+    memcpy(room.q, q, n_dof * sizeof *q);
+    memcpy(room.du, du, n_dof * sizeof *du);
+    const enum status status = line_search(body, Phi, room, u, &halved);
     free(memory);
     return status;
 }
@@ -149,7 +149,7 @@ static enum status increment(struct body *body, const double q[], int as_it_is,
 
 static struct step_report newton(struct body *body,
                                  const struct step_control *control,
-                                 struct incremental Phi, struct work work,
+                                 struct incremental Phi, struct room room,
                                  double u[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
@@ -163,10 +163,10 @@ static struct step_report newton(struct body *body,
         const int small = report.increment <= control->tolerance;
         const int with_K = fresh && !small;
         report.status =
-            body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, work.q);
+            body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, room.q);
         if (report.status != OK) break;
         if (with_K) scale = matrix_max_diagonal(body->K);
-        report.residual = body_max_free(body, work.q) / scale;
+        report.residual = body_max_free(body, room.q) / scale;
         if (small && report.residual <= control->tolerance) break;
         /* |du| cannot change u any more, and still q is not small */
         report.status = STALLED;
@@ -175,21 +175,21 @@ static struct step_report newton(struct body *body,
         if (report.iterations == control->max_iterations) break;
 
         if (fresh && small)
-            body_assemble(body, Phi, u, kind, work.q);
-        report.status = fresh ? factor(body, control, Phi, u, work.q, &report,
+            body_assemble(body, Phi, u, kind, room.q);
+        report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
                                        &as_it_is)
                               : OK;
         if (report.status == OK)
             report.status =
-                increment(body, work.q, as_it_is, work.trial, work.du);
+                increment(body, room.q, as_it_is, room.trial, room.du);
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;
-        report.increment = body_max_free(body, work.du);
+        report.increment = body_max_free(body, room.du);
         if (control->line_search)
-            report.status = line_search(body, Phi, work, u, &halved);
+            report.status = line_search(body, Phi, room, u, &halved);
         else
-            for (int r = 0; r < n_dof; r++) u[r] += work.du[r];
+            for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         if (report.status != OK) break;
         fresh = !control->chord || halved || as_it_is ||
                 report.increment > 0.3 * before;
@@ -202,11 +202,11 @@ struct step_report step_solve(struct body *body,
                               struct incremental Phi, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    /* one block: the scratch of one solve, made and freed as one */
+    /* one block: the room of one solve, made and freed as one */
     double *memory = allocate(5 * n_dof, sizeof *memory);
-    const struct work work = {memory, memory + n_dof, memory + 2 * n_dof,
+    const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
-    const struct step_report report = newton(body, control, Phi, work, u);
+    const struct step_report report = newton(body, control, Phi, room, u);
     free(memory);
     return report;
 }

@@ -80,11 +80,11 @@ struct step_report step_solve(struct body *body,
 
 /*
  * *phi := Phi(u) [eq:incremental-potential], *noise := the size of what is
- * added up, on which its round-off depends.  work: [4 n_vertex].  OK; the
+ * added up, on which its round-off depends.  room: [4 n_vertex].  OK; the
  * status of body_energy() where u has no energy; NONFINITE.
  */
 enum status step_potential(const struct body *body, struct incremental Phi,
-                           const double u[], double work[], double *phi,
+                           const double u[], double room[], double *phi,
                            double *noise);
 
 /* u := u + length du, the length by the line search that step_solve() has, for

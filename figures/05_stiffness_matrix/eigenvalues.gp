@@ -1,7 +1,8 @@
 # eigenvalues.gp - the spectrum of A on equal elements: the formula, GSL, and
 # what -u'' has.
 #
-# Reads   data  tables eigenvalues_none, _one, _both (k exact gsl continuum)
+# Reads   data  tables eigenvalues_none, eigenvalues_one,
+#               eigenvalues_both (k exact gsl continuum)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 760,430 enhanced font "Helvetica,13" \

@@ -10,6 +10,7 @@
  */
 #include "base/clock.h"
 #include "bar/poisson.h"
+#include "linear/residual.h"
 #include "base/study.h"
 #include "base/table.h"
 

@@ -6,6 +6,7 @@
  * the factorisation says.
  */
 #include "bar/poisson.h"
+#include "linear/residual.h"
 #include "base/study.h"
 #include "base/table.h"
 

@@ -5,7 +5,7 @@
  * the limit of plain Newton: the error of F when a cure may solve k linear
  * systems and no more.  Load stepping is measured at its last equilibrium.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -36,8 +36,8 @@ int main(void)
         struct newton_control control = {1e-10, k, 0, 0};
         double row[N_CURE + 1] = {k};
         for (int c = 0; c < N_CURE; c++) {
-            const struct stretch_report end =
-                stretch_cured((enum cure)c, m, load.p, 0.0, 1, control);
+            const struct element_report end =
+                element_cured((enum cure)c, m, load.p, 0.0, 1, control);
             error[k][c] = fabs(end.F - exact) / exact;
             row[c + 1] = error[k][c];
             reason[c] = status_name(end.status);

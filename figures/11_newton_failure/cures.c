@@ -6,7 +6,7 @@
  * elements: plain Newton, load stepping, line search, a better start, and the
  * cubic law.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -29,10 +29,10 @@ int main(void)
         for (int i = 0; i < GRID; i++) {
             const double x = pow(10.0, -1.503 + 3.013 * i / (GRID - 1));
             const double p = moved ? 0.0 : -x * material_modulus(&m);
-            struct stretch_report end[N_CURE];
+            struct element_report end[N_CURE];
             struct cell row[2 * N_CURE + 2] = {cell_number(x)};
             for (int c = 0; c < N_CURE; c++) {
-                end[c] = stretch_cured((enum cure)c, m, p, moved ? x : 0.0,
+                end[c] = element_cured((enum cure)c, m, p, moved ? x : 0.0,
                                        ELEMENTS, control);
                 row[2 * c + 1] = cell_word(status_name(end[c].status));
                 row[2 * c + 2] = cell_number(end[c].iterations);

@@ -5,7 +5,7 @@
  * Newton's method started from the state of the step before, until t >= 6.3:
  * only the first of n elements starts away from F = 1, at 1 - dg / dX.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -38,8 +38,8 @@ int main(void)
             too_far |= jump >= 1.0 || jump <= -pull;
             for (int l = 0; l < 2; l++) {
                 if (fails[l] > 0.0) continue;
-                const struct stretch_report end =
-                    stretch_newton(&law[l], 0.0, 1.0 - jump, &control);
+                const struct element_report end =
+                    element_newton(&law[l], 0.0, 1.0 - jump, &control);
                 if (end.iterations > most[l]) most[l] = end.iterations;
                 if (end.status != OK) fails[l] = last;
             }

@@ -15,8 +15,9 @@
 double limit_point(struct material *m);
 double limit_rest(struct material *m);
 
-/* The smallest P' and the smallest P beyond F = 1: 0 where the limit load, and
- * where the other state of rest, disappear. */
+/* The smallest P' beyond F = 1, and the smallest P beyond the limit load, or P
+ * far away where there is none: 0 where the limit load, and where the other
+ * state of rest, disappear. */
 double limit_least_slope(struct material *m);
 double limit_least_stress(struct material *m);
 

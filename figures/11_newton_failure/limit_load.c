@@ -5,7 +5,7 @@
  * more than P = mu = 500, and at nu = 0.05, where beyond 527.25 the next
  * equilibrium is far away: plain Newton, load stepping, line search.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -24,12 +24,12 @@ int main(void)
         for (int k = 0; k <= 3; k++) {
             const struct material m = material_make(CUBIC, 1000.0, 0.05 * i);
             const double p = (0.4637 + 0.0478 * k) * 1000.0;
-            const struct stretch_report a =
-                stretch_newton(&m, p, 1.0, &control);
-            const struct stretch_report b =
-                stretch_stepping(&m, p, 0.0, &control);
-            const struct stretch_report c =
-                stretch_newton(&m, p, 1.0, &searched);
+            const struct element_report a =
+                element_newton(&m, p, 1.0, &control);
+            const struct element_report b =
+                element_stepping(&m, p, 0.0, &control);
+            const struct element_report c =
+                element_newton(&m, p, 1.0, &searched);
             table_row(0.05 * i, p, status_name(a.status), a.iterations,
                       cell_if(a.status == OK, a.F), status_name(b.status),
                       b.iterations, b.F, status_name(c.status), c.iterations);

@@ -5,7 +5,7 @@
  * p = P(F0) - F0 P'(F0) at which the tangent at F0 meets the level p in F = 0
  * [eq:first-step].
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -35,10 +35,10 @@ int main(void)
             const double load = -3.983 + 5.977 * i / (GRID - 1);
             const double start = -0.977 + 5.9431 * j / (GRID - 1);
             const double p = load * modulus;
-            const struct stretch_report a =
-                stretch_newton(&log_law, p, start, &control);
-            const struct stretch_report b =
-                stretch_newton(&cubic, p, start, &control);
+            const struct element_report a =
+                element_newton(&log_law, p, start, &control);
+            const struct element_report b =
+                element_newton(&cubic, p, start, &control);
             table_row(load, start, status_name(a.status), a.iterations,
                       status_name(b.status), b.iterations);
             const int inverts = start <= 0.0 || p <= boundary(&log_law, start);

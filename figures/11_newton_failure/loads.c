@@ -5,7 +5,7 @@
  * -(2 mu + lambda) at which the first step inverts the log law [eq:first-step],
  * of -(3 mu + 11/2 lambda), at which the cubic law has F = 0, and far beyond.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -24,10 +24,10 @@ int main(void)
                          "iterations_cubic F_cubic F_linear");
     for (int k = 0; k < (int)(sizeof load / sizeof load[0]); k++) {
         const double p = load[k];
-        const struct stretch_report a =
-            stretch_newton(&log_law, p, 1.0, &control);
-        const struct stretch_report b =
-            stretch_newton(&cubic, p, 1.0, &control);
+        const struct element_report a =
+            element_newton(&log_law, p, 1.0, &control);
+        const struct element_report b =
+            element_newton(&cubic, p, 1.0, &control);
         table_row(p, status_name(a.status), a.iterations,
                   cell_if(a.status == OK, a.F), status_name(b.status),
                   b.iterations, cell_if(b.status == OK, b.F),

@@ -8,7 +8,7 @@
  * the log law has a limit load; where the runs end.
  */
 #include "limit.h"
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -45,8 +45,8 @@ int main(void)
         for (int j = -20; j <= 120; j += 2) {
             const double nu = 0.005 * i, start = j / 20.0;
             const struct material m = material_make(CUBIC, E, nu);
-            const struct stretch_report end =
-                stretch_newton(&m, 0.0, start, &control);
+            const struct element_report end =
+                element_newton(&m, 0.0, start, &control);
             table_row(nu, start, status_name(end.status), end.iterations,
                       cell_if(end.status == OK, end.F));
             if (nu > rest) above = fmax(above, end.F);

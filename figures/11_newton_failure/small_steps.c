@@ -5,7 +5,7 @@
  * Newton's first step is always a little less than F0, below any tolerance,
  * while the residual is enormous; tested on both, the iteration carries on.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -22,7 +22,7 @@ int main(void)
     for (int k = 1; k <= 3; k++) {
         const double F = pow(10.0, -4.0 * k);
         const double step = -material1_pk1(&m, F) / material1_dpk1(&m, F);
-        const struct stretch_report end = stretch_newton(&m, 0.0, F, &control);
+        const struct element_report end = element_newton(&m, 0.0, F, &control);
         increment = 0.1 * step;
         residual = material1_pk1(&m, F);
         farthest = fmax(farthest, fabs(end.F - 1.0));

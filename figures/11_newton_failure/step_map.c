@@ -7,7 +7,7 @@
  * Predicted [eq:first-step]: the element's stretch may change by less than 1
  * when pushed, by less than exp(1/2 + mu / lambda) - 1 when pulled.
  */
-#include "stretch.h"
+#include "element.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -28,12 +28,12 @@ int main(void)
         for (int k = 1; k <= 14; k++) {
             const int n = (int)lround(pow(2.0, 0.5 * k));
             const double dg = pow(10.0, -2.486 + 3.477 * i / (GRID - 1));
-            struct stretch_report plain[2], lift[2], cubic[2];
+            struct element_report plain[2], lift[2], cubic[2];
             for (int s = PUSH; s <= PULL; s++) {
                 const double jump = (s == PULL ? -1.0 : 1.0) * dg * n;
-                plain[s] = stretch_cured(CURE_PLAIN, m, 0.0, jump, n, control);
-                lift[s] = stretch_cured(CURE_START, m, 0.0, jump, n, control);
-                cubic[s] = stretch_cured(CURE_CUBIC, m, 0.0, jump, n, control);
+                plain[s] = element_cured(CURE_PLAIN, m, 0.0, jump, n, control);
+                lift[s] = element_cured(CURE_START, m, 0.0, jump, n, control);
+                cubic[s] = element_cured(CURE_CUBIC, m, 0.0, jump, n, control);
                 wrong += (plain[s].status == OK) != (dg * n < limit[s]);
                 wrong += (lift[s].status == OK) != (dg < limit[s]);
                 failed += cubic[s].status != OK;

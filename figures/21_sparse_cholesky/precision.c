@@ -8,6 +8,7 @@
  * how many systems, and how far apart they end.  Megabytes: entries of K and L.
  */
 #include "linear/refine.h"
+#include "linear/residual.h"
 #include "linear/sparse.h"
 #include "base/study.h"
 #include "plane/system.h"

@@ -1,5 +1,5 @@
 /*
- * budget.c - a budget of systems against the ladder of lesson 14.
+ * budget.c - a budget of systems against the fallback of lesson 14.
  *
  * The script `hard`, n = 16, a patch in the hand, backward Euler, the same
  * bounded hand.  One body takes live_frame(), the other live_frame_in_parts(),
@@ -53,7 +53,7 @@ int main(void)
 {
     struct count count[2][2];
     gsl_set_error_handler_off();
-    table_begin("systems", "law ladder p50 p99 most unfinished lost");
+    table_begin("systems", "law fallback p50 p99 most unfinished lost");
     for (int l = 0; l < 2; l++)
         for (int substeps = 0; substeps < 2; substeps++)
             count[l][substeps] = play(l ? CUBIC : LOG, substeps);

@@ -1,5 +1,5 @@
 /*
- * hard.c - what each rung of the ladder is for: one is taken away at a time.
+ * hard.c - what each rung of the fallback is for: one is taken away at a time.
  *
  * The square, n = 8, a patch in the hand.  Tables: rungs (the script `hard`,
  * 300 frames, backward Euler, every rung and both laws), rare (what `hard` does
@@ -97,7 +97,7 @@ int main(void)
     for (int l = 0; l < 2; l++) {
         const struct without_result *a = all[l];
         claim(a[NOTHING].lost == 0 && a[SECOND_RUNG].freeze >= 40,
-              "the whole ladder loses no frame (%d); without the second rung "
+              "the whole fallback loses no frame (%d); without the second rung "
               "the picture freezes for 40 frames or more (%d)",
               a[NOTHING].lost, a[SECOND_RUNG].freeze);
         claim(a[ACCEPTING].lost > a[NOTHING].unfinished, "an unfinished frame "

@@ -4,7 +4,7 @@
  * The script `hard`, n = 8, the cubic law, backward Euler.  Table: the
  * triangles after every third frame, their J, and where the pointer is.
  */
-#include "motion/live.h"
+#include "motion/film.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -20,24 +20,15 @@ int main(void)
     struct pointers hard = pointers_hard();
     int lost = 0;
     gsl_set_error_handler_off();
-    table_begin("motion", "k J x0 y0 x1 y1 x2 y2 pointer_x pointer_y down");
+    table_begin("motion", FILM);
     for (int k = 0; k < 240; k++) {
         const struct pointer *p = &hard.frame[k];
-        double to[2], x[6];
+        double to[2];
         live_input(live, p);
         live_hand(live->hand, p, to);
         live_carry(live, to);
         lost += strcmp(live_frame(live, to).rung, "lost") == 0;
-        if (k % 3 != 0) continue;
-        for (int e = 0; e < live->mesh->n_triangle; e++) {
-            for (int a = 0; a < 3; a++)
-                for (int i = 0; i < 2; i++) {
-                    const int r = 2 * live->mesh->triangle[3 * e + a] + i;
-                    x[2 * a + i] = live->mesh->X[r] + live->now.u[r];
-                }
-            table_row(k, mat2_det(body_deformation(live->body, live->now.u, e)),
-                      x[0], x[1], x[2], x[3], x[4], x[5], p->x, p->y, p->down);
-        }
+        film_frame(live, 3, k, p);
     }
     table_end();
     pointers_free(&hard);

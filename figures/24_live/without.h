@@ -1,13 +1,14 @@
 /*
- * without.h - the ladder of live.h with one rung taken away: what each is for.
+ * without.h - the fallback of live.h with one rung taken away: what each is
+ * for.
  */
-#ifndef COMMON_WITHOUT_H
-#define COMMON_WITHOUT_H
+#ifndef FIGURES_WITHOUT_H
+#define FIGURES_WITHOUT_H
 
 #include "motion/live.h"
 
 enum without {
-    NOTHING,     /* the whole ladder */
+    NOTHING,     /* the whole fallback */
     FIRST_RUNG,  /* each frame begins downhill */
     LIFT,        /* the first rung starts from the last state */
     SECOND_RUNG, /* the first rung alone; a frame is lost when it fails */

@@ -12,6 +12,7 @@
  */
 #include "base/clock.h"
 #include "machine.h"
+#include "linear/residual.h"
 #include "base/study.h"
 #include "base/table.h"
 

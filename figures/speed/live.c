@@ -3,7 +3,7 @@
  *
  * The square of live.h, a patch in the hand, backward Euler.  A frame's time is
  * from its input to the new state.  Tables: systems (linear systems per frame
- * and milliseconds by the ladder of live.h and by that of lesson 14, for the
+ * and milliseconds by the fallback of live.h and by that of lesson 14, for the
  * same input and the same bounded hand, which waits when a frame is lost; of
  * `mad` several seeds), frames (milliseconds of live_frame() on `hard`, log
  * law, by the storage of K), reached (the largest n for which, and for all
@@ -92,8 +92,8 @@ int main(void)
     int reached[2][2] = {{0}};
     gsl_set_error_handler_off();
     study_machine();
-    table_begin("systems", "n input law ladder frames lost p50 p99 most p50_ms "
-                           "p99_ms most_ms");
+    table_begin("systems", "n input law fallback frames lost p50 p99 most "
+                           "p50_ms p99_ms most_ms");
     for (int l = 0; l < 2; l++)
         for (int n = 16; n <= 64; n *= 2) {
             compare(n, l ? CUBIC : LOG, 0);

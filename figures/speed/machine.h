@@ -6,8 +6,8 @@
  * that includes it: NATIVE_FLAGS names those for this machine, and LAPACK, when
  * defined, the library that was found.
  */
-#ifndef COMMON_MACHINE_H
-#define COMMON_MACHINE_H
+#ifndef FIGURES_MACHINE_H
+#define FIGURES_MACHINE_H
 
 #include "base/clock.h"
 #include "linear/matrix.h"

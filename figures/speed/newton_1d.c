@@ -13,6 +13,7 @@
 #include "bar/bar_gsl.h"
 #include "base/clock.h"
 #include "linear/matrix.h"
+#include "linear/residual.h"
 #include "base/study.h"
 #include "base/table.h"
 

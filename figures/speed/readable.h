@@ -6,8 +6,8 @@
  * held ones are corrected; GSL's banded Cholesky solves.  The same u as that of
  * step.h, which is measured against it.
  */
-#ifndef COMMON_READABLE_H
-#define COMMON_READABLE_H
+#ifndef FIGURES_READABLE_H
+#define FIGURES_READABLE_H
 
 #include "plane/step.h"
 

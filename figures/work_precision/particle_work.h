@@ -9,8 +9,8 @@
  * The wall at x1 = 0 is a mirror.  A particle says where a place X near its own
  * is, x_p + F_p (X - X_p); of the bar's end, where no stress is, F = 1 as well.
  */
-#ifndef COMMON_PARTICLE_WORK_H
-#define COMMON_PARTICLE_WORK_H
+#ifndef FIGURES_PARTICLE_WORK_H
+#define FIGURES_PARTICLE_WORK_H
 
 #include "particles/particle_bodies.h"
 #include "work.h"

@@ -7,8 +7,8 @@
  * method of integrate.h.  Newton's tolerance is 1e-2 or 1e-5 m.  Errors are
  * relative to the size of the limit of LOG, dynamic.
  */
-#ifndef COMMON_SWEEP_H
-#define COMMON_SWEEP_H
+#ifndef FIGURES_TRIALS_H
+#define FIGURES_TRIALS_H
 
 #include "work.h"
 

@@ -1,4 +1,5 @@
-/* history.c - laws of common/plane/history.h. */
+/* history.c - laws of common/plane/history.h and common/motion/film.h. */
+#include "motion/film.h"
 #include "plane/history.h"
 
 #include "unit.h"
@@ -60,9 +61,39 @@ static void vertices_are_printed_with_what_belongs_to_them(void)
                      "1\t1\t1.5\t1.75\t16\t17\tfree\n\n\n");
 }
 
+/* One square of which a corner has moved, four frames, every third. */
+static void print_film(void)
+{
+    const struct live_setting set = {1, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
+                                     1};
+    struct live *live = live_alloc(&set);
+    const struct pointer pointer = {0.5, 0.25, 1, '.'};
+    live->now.u[7] = 1.0;
+    table_begin("motion", FILM);
+    for (int k = 0; k < 4; k++) film_frame(live, 3, k, &pointer);
+    table_end();
+    live_free(live);
+    exit(table_finish());
+}
+
+static void a_film_shows_the_triangles_of_its_frames(void)
+{
+    const struct outcome end = outcome_of(print_film);
+    ck_assert_int_eq(end.status, 0);
+    ck_assert_str_eq(end.out, "# motion\nk\tJ\tx0\ty0\tx1\ty1\tx2\ty2\t"
+                              "pointer_x\tpointer_y\tdown\n"
+                              "0\t1.5\t-1\t-1\t1\t-1\t1\t2\t0.5\t0.25\t1\n"
+                              "0\t1\t-1\t-1\t1\t2\t-1\t1\t0.5\t0.25\t1\n"
+                              "3\t1.5\t-1\t-1\t1\t-1\t1\t2\t0.5\t0.25\t1\n"
+                              "3\t1\t-1\t-1\t1\t2\t-1\t1\t0.5\t0.25\t1\n"
+                              "\n\n");
+}
+
 static const struct unit_law laws[] = {
     {"a_history_ends_with_its_reason", a_history_ends_with_its_reason},
     {"vertices_are_printed_with_what_belongs_to_them",
      vertices_are_printed_with_what_belongs_to_them},
+    {"a_film_shows_the_triangles_of_its_frames",
+     a_film_shows_the_triangles_of_its_frames},
 };
 UNIT_MAIN("history", laws)

@@ -416,7 +416,7 @@ static void starts_are_at_rest_where_it_is_held(void)
         for (int i = 0; i < start[k].n; i++) {
             ck_assert(start[k].v[i] == 0.0);
             if (body->equation[i] < 0) ck_assert(start[k].u[i] == 0.0);
-            if (body->equation[i] >= 0 && k == 0)
+            if (body->equation[i] >= 0 && (k == 0 || i % 2))
                 ck_assert(start[k].u[i] != 0.0);
         }
     close_to(start[1].u[2 * 12 + 1], 0.3, 1e-15);   /* the middle */
@@ -571,6 +571,24 @@ static void the_script_is_gone_through(void)
     user_free(other);
 }
 
+/* States that say of which frame and unknown they are. */
+static void the_end_of_each_motion_is_kept(void)
+{
+    struct user *user = user_alloc(2, LOG, 1.0);
+    double *u = allocate((size_t)user->n_dof, sizeof *u);
+    while (user_next(user)) {
+        for (int r = 0; r < user->n_dof; r++) u[r] = user->k + 1e-3 * r;
+        user_keep(user, u);
+    }
+    ck_assert_int_eq(user->n_kept, USER_MOTIONS);
+    for (int m = 0; m < USER_MOTIONS; m++)
+        for (int r = 0; r < user->n_dof; r++)
+            close_to(user->kept[m * user->n_dof + r],
+                     30.0 * USER_SCRIPT[m].until + 1e-3 * r, 1e-9);
+    free(u);
+    user_free(user);
+}
+
 static const struct unit_law laws[] = {
     {"fastest_frequencies_are_the_oracles",
      fastest_frequencies_are_the_oracles},
@@ -594,6 +612,7 @@ static const struct unit_law laws[] = {
     {"every_method_has_its_word", every_method_has_its_word},
     {"frames_fall_back_or_keep_the_state", frames_fall_back_or_keep_the_state},
     {"the_script_is_gone_through", the_script_is_gone_through},
+    {"the_end_of_each_motion_is_kept", the_end_of_each_motion_is_kept},
 };
 
 UNIT_MAIN("integrate", laws)

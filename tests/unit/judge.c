@@ -20,7 +20,11 @@
 
 #include "../checks/compare.c"
 
+#include "../checks/cells.c"
+
 #include "../checks/verdict.c"
+
+#include "../checks/report.c"
 
 #include "../checks/diagnose.c"
 

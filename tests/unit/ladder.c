@@ -251,6 +251,19 @@ static void the_mesh_estimate_meets_a_beam(void)
     ladder_free(t);
 }
 
+/* Of a shift by c: f.u = 20 N/m of a side of 0.5 m, times c, and u.M u = c^2 of
+ * the mass, 1 kg. */
+static void inertia_is_that_of_rayleighs_quotient(void)
+{
+    struct ladder_scene scene = ladder_scene[FAST];
+    scene.T = 0.7;
+    struct ladder_state *s =
+        ladder_alloc(&scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
+    for (int a = 0; a < s->mesh->n_vertex; a++) s->u[2 * a] = 0.1;
+    close_to(estimate_inertia(s), 1.0 / (10.0 * 0.7), 1e-14);
+    ladder_free(s);
+}
+
 /* Where nothing is loaded nothing is left out; what does not move says nothing
  * about its inertia. */
 static void what_rests_has_its_parts(void)
@@ -304,6 +317,8 @@ static const struct unit_law laws[] = {
     {"linear_work_is_counted", linear_work_is_counted},
     {"a_logarithm_is_counted", a_logarithm_is_counted},
     {"inertia_overshoots", inertia_overshoots},
+    {"inertia_is_that_of_rayleighs_quotient",
+     inertia_is_that_of_rayleighs_quotient},
     {"what_rests_has_its_parts", what_rests_has_its_parts},
     {"buckling_shows_in_the_eigenvalue", buckling_shows_in_the_eigenvalue},
     {"adding_makes_a_model_richer", adding_makes_a_model_richer},

@@ -1,6 +1,6 @@
 /* linear.c - laws of bar_scene.h for the linear bar, and how wrong it is. */
 #include "bar/bar_scene.h"
-#include "figures/11_newton_failure/stretch.h"
+#include "figures/11_newton_failure/element.h"
 
 #include "unit.h"
 
@@ -106,7 +106,7 @@ static void linear_law_is_wrong_by_the_oracles(void)
         for (int c = 0; c < 4; c++) {
             const double e =
                 c < 2 ? number[c]
-                      : stretch_newton(&m, number[c], 1.0, &control).F - 1.0;
+                      : element_newton(&m, number[c], 1.0, &control).F - 1.0;
             const double P = material1_pk1(&m, 1.0 + e);
             const double ratio = c < 2 ? modulus * e / P : P / (modulus * e);
             close_to(100.0 * fabs(ratio - 1.0), percent, 1e-8);

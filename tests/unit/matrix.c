@@ -1,4 +1,5 @@
 /* matrix.c - laws of common/linear/matrix.h; GSL's LU is the judge. */
+#include "linear/residual.h"
 #include "linear/tiles.h"
 #include "linear/matrix.h"
 
@@ -190,6 +191,23 @@ static void not_spd_is_reported(void)
             matrix_free(A);
         }
     }
+}
+
+/* A pivot of 1, 3 eps in (1, 1; 1, 1 + d) is round-off of the second diagonal
+ * entry, or is not, in any unit, a power of 2. */
+static void a_pivot_is_measured_by_its_own_diagonal(void)
+{
+    for (int s = DENSE; s <= BANDED; s++)
+        for (int k = 0; k < 4; k++) {
+            const double unit = k < 2 ? 1.0 : 0x1p-80;
+            struct matrix *A = matrix_alloc((enum storage)s, 2, 1);
+            matrix_add(A, 0, 0, unit);
+            matrix_add(A, 1, 0, unit);
+            matrix_add(A, 0, 1, unit);
+            matrix_add(A, 1, 1, unit * (1.0 + (k % 2 ? 3 : 1) * DBL_EPSILON));
+            ck_assert_int_eq(matrix_factor(A), k % 2 ? OK : NOT_SPD);
+            matrix_free(A);
+        }
 }
 
 /* One end held: condition number 16 n^2 / pi^2, 1.6e10 here; still SPD. */
@@ -539,7 +557,9 @@ static void a_solve_stays_within_its_vector(void)
 static void backward_error_is_that_of_a_nearby_system(void)
 {
     enum { n = 23 };
-    struct matrix *A = random_band(n, 4), *near = matrix_copy(A);
+    struct matrix *A = random_band(n, 4);
+    matrix_add(A, n - 1, n - 1, 50.0); /* the last row has the largest sum */
+    struct matrix *near = matrix_copy(A);
     double u[n], b[n], norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
     const double e = 1e-6 * matrix_get(A, 0, 0);
     for (int i = 0; i < n; i++) u[i] = sin(2.385 * i + 0.7);
@@ -562,6 +582,8 @@ static void backward_error_is_that_of_a_nearby_system(void)
     matrix_combine(near, 0x1p-30, A, near);
     for (int i = 0; i < n; i++) u[i] *= 0x1p-20, b[i] *= 0x1p-50;
     ck_assert_double_eq(matrix_backward_error(near, u, b), error);
+    for (int i = 0; i < n; i++) u[i] *= -1.0, b[i] *= -1.0;
+    ck_assert_double_eq(matrix_backward_error(near, u, b), error);
     u[3] = NAN;
     ck_assert(isnan(matrix_backward_error(A, u, b)));
     matrix_free(A), matrix_free(near);
@@ -577,6 +599,8 @@ static const struct unit_law laws[] = {
     {"dirichlet_keeps_symmetry_and_solution",
      dirichlet_keeps_symmetry_and_solution},
     {"not_spd_is_reported", not_spd_is_reported},
+    {"a_pivot_is_measured_by_its_own_diagonal",
+     a_pivot_is_measured_by_its_own_diagonal},
     {"ill_conditioned_is_still_spd", ill_conditioned_is_still_spd},
     {"a_band_of_any_width_equals_gsl", a_band_of_any_width_equals_gsl},
     {"a_plain_band_adds_in_the_textbooks_order",

@@ -255,6 +255,59 @@ static void a_search_goes_down_the_line(void)
     scene_free(scene);
 }
 
+/* Along du Phi falls, and rises again: a du that ends where it has fallen by
+ * half of what is asked for, 1e-4 of the slope, is halved.  Of the first
+ * unknown alone, or of the last. */
+static void a_step_that_hardly_falls_is_halved(void)
+{
+    const struct scene_setting set = scene_notes(SPIN, CUBIC, 2);
+    struct scene *s = scene_alloc(&set);
+    for (int r = 0; r < s->n_dof; r += s->n_dof - 1) {
+        double q[100], du[100] = {0.0}, u[100] = {0.0}, before, after;
+        double low = 0.0, high = 3.0;
+        u[r] = 1e-2;
+        body_energy(s->body, u, &before);
+        body_assemble(s->body, at_rest(NULL), u, NO_TANGENT, q);
+        while (high - low > 1e-12) {
+            const double length = 0.5 * (low + high);
+            u[r] = 1e-2 * (1.0 - length);
+            body_energy(s->body, u, &after);
+            if (after - before < -0.5e-4 * length * 1e-2 * q[r]) low = length;
+            else high = length;
+        }
+        u[r] = 1e-2;
+        du[r] = -1e-2 * low;
+        ck_assert_int_eq(step_search(s->body, at_rest(NULL), q, du, u), OK);
+        close_to(u[r], 1e-2 + 0.5 * du[r], 1e-15);
+    }
+    scene_free(s);
+}
+
+/* A column that is bent by less than a millimetre is pushed, to the other side
+ * here; any other goes as if nobody pushed. */
+static void what_is_straight_is_pushed(void)
+{
+    static const double bent[] = {0.6e-3, 0.9e-3, 1.1e-3, 1.9e-3};
+    for (int k = 0; k < COUNT(bent); k++) {
+        struct scene *scene[2];
+        for (int pushed = 0; pushed < 2; pushed++) {
+            const struct scene_setting set = scene_column(CUBIC, 20, 0.15);
+            scene[pushed] = scene_alloc(&set);
+            scene_hold(scene[pushed], acos(0.0));
+            scene_press(scene[pushed], 0.0, bent[k]);
+            close_to(*scene_middle(scene[pushed]), bent[k], 1e-15);
+            scene_walk(scene[pushed], "demand+search", 0.15,
+                       pushed ? -0.2 : 0.0);
+        }
+        const double free_ = *scene_middle(scene[0]);
+        const double pushed = *scene_middle(scene[1]);
+        if (bent[k] > 1e-3) ck_assert_double_eq(pushed, free_);
+        else ck_assert(free_ > 0.01 && pushed < -0.01);
+        scene_free(scene[0]);
+        scene_free(scene[1]);
+    }
+}
+
 static void converged_is_not_stable(void)
 {
     const struct {
@@ -319,6 +372,9 @@ static const struct unit_law laws[] = {
     {"a_column_is_pressed_and_pushed", a_column_is_pressed_and_pushed},
     {"traction_pulls_a_column_by_its_end", traction_pulls_a_column_by_its_end},
     {"a_search_goes_down_the_line", a_search_goes_down_the_line},
+    {"a_step_that_hardly_falls_is_halved",
+     a_step_that_hardly_falls_is_halved},
+    {"what_is_straight_is_pushed", what_is_straight_is_pushed},
     {"converged_is_not_stable", converged_is_not_stable},
     {"a_column_walks_on", a_column_walks_on},
 };

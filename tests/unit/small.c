@@ -5,6 +5,7 @@
 #include "plane/mesh.h"
 #include "plane/scene.h"
 #include "material/tensor.h"
+#include "motion/window.h"
 #include "unit.h"
 
 #include <math.h>
@@ -126,6 +127,16 @@ static void corners_are_williams(void)
     }
 }
 
+/* Without SDL there is no window, and the input has its frames and no more. */
+static void without_a_window_the_input_is_followed(void)
+{
+    struct pointers hard = pointers_hard();
+    ck_assert(!window_open());
+    for (int k = 0; k <= hard.n; k++)
+        ck_assert_int_eq(window_next(NULL, &hard, k, 0), k < hard.n);
+    pointers_free(&hard);
+}
+
 static const struct unit_law laws[] = {
     {"a_norm_is_the_root_of_the_squares", a_norm_is_the_root_of_the_squares},
     {"seconds_are_those_of_the_system", seconds_are_those_of_the_system},
@@ -137,5 +148,7 @@ static const struct unit_law laws[] = {
     {"corners_are_williams", corners_are_williams},
     {"a_tolerance_has_the_size_of_the_answer",
      a_tolerance_has_the_size_of_the_answer},
+    {"without_a_window_the_input_is_followed",
+     without_a_window_the_input_is_followed},
 };
 UNIT_MAIN("small", laws)

@@ -2,6 +2,7 @@
  * body.h and step.h; dense storage and the band are the judges. */
 #include "linear/matrix.h"
 #include "linear/refine.h"
+#include "linear/residual.h"
 #include "plane/scene.h"
 #include "linear/sparse.h"
 
@@ -387,7 +388,7 @@ static void the_verbs_are_those_of_dense_storage(void)
             ck_assert(matrix_get(C, i, 0) == 0.5 * matrix_get(B, i, 0));
         ck_assert_int_eq(matrix_factor(A), OK);
         ck_assert_uint_eq(matrix_bytes(A), 8 * (entries + p.sparse->factor +
-                                                p.sparse->work));
+                                                p.sparse->room));
         matrix_zero(A);
         ck_assert(matrix_get(A, 3, 3) == 0.0 && matrix_get(C, 3, 3) > 2.0);
         matrix_free(A);
@@ -457,8 +458,8 @@ static void rounded_factors_have_seven_digits(void)
                     matrix_keep_single(A, single); /* nothing is lost */
                     ck_assert(residual_of(A, b, x) == residual);
                 }
-                ck_assert_uint_eq(sparse_size(s, 0), s->work + s->factor);
-                ck_assert_uint_eq(sparse_size(s, 1) - s->work,
+                ck_assert_uint_eq(sparse_size(s, 0), s->room + s->factor);
+                ck_assert_uint_eq(sparse_size(s, 1) - s->room,
                                   (s->factor + 1) / 2);
                 matrix_free(A);
                 matrix_free(B);
@@ -497,6 +498,28 @@ static void rounded_factors_are_refined(void)
         same(body->n_equation, x, exact, 1e-11);
         scene_free(s);
     }
+}
+
+/* The factors of A for the matrix c A: each turn leaves |1 - c| of the
+ * residual. */
+static void a_turn_must_halve_the_residual(void)
+{
+    static const double c[] = {0.55, 1.4, 0.45, 1.55};
+    struct pattern p = pattern_alloc(7, ENDS, 3, 5);
+    for (int k = 0; k < COUNT(c); k++) {
+        struct matrix *A, *B;
+        double b[200], x[200];
+        random_pair(p, 3, &A, &B);
+        ck_assert_int_eq(matrix_factor(A), OK);
+        for (size_t i = 0; i < A->size; i++) A->a[i] *= c[k];
+        fill(p.n, b);
+        memcpy(x, b, sizeof x);
+        ck_assert_int_eq(refine_solve(A, 1e-12, x, NULL), k < 2 ? OK : STALLED);
+        if (k < 2) ck_assert_double_le(matrix_residual(A, x, b), 1e-10);
+        matrix_free(A);
+        matrix_free(B);
+    }
+    pattern_free(p);
 }
 
 static void refinement_ends_and_says_how(void)
@@ -670,6 +693,7 @@ static const struct unit_law laws[] = {
      what_is_indefinite_is_solved_in_a_band},
     {"rounded_factors_have_seven_digits", rounded_factors_have_seven_digits},
     {"rounded_factors_are_refined", rounded_factors_are_refined},
+    {"a_turn_must_halve_the_residual", a_turn_must_halve_the_residual},
     {"refinement_ends_and_says_how", refinement_ends_and_says_how},
     {"a_body_in_either_storage_has_the_same_matrix",
      a_body_in_either_storage_has_the_same_matrix},

@@ -118,8 +118,8 @@ static void seconds_are_sorted_and_need_a_valid_answer(void)
 static double moment(int power, int hits, int runs)
 {
     double sum = 0.0, all = 0.0;
-    for (int k = 0; k < 20000; k++) {
-        const double p = (k + 0.5) / 20000;
+    for (int k = 0; k < 5000; k++) {
+        const double p = (k + 0.5) / 5000;
         const double weight = pow(p, hits) * pow(1.0 - p, runs - hits);
         sum += weight * pow(p, power);
         all += weight;

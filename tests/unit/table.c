@@ -240,6 +240,21 @@ static void a_full_disk_is_an_error(void)
     ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
 }
 
+/* What cannot be written is an error where nothing is left to write as well. */
+static void print_to_what_is_read(void)
+{
+    if (!freopen("/dev/null", "r", stdout)) exit(77);
+    setvbuf(stdout, NULL, _IONBF, 0);
+    print_tables();
+}
+
+static void an_error_is_not_forgotten(void)
+{
+    const struct outcome end = outcome_of(print_to_what_is_read);
+    ck_assert_int_eq(end.status, 1);
+    ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
+}
+
 static const struct unit_law laws[] = {
     {"tables_have_their_format", tables_have_their_format},
     {"numbers_come_back_exactly", numbers_come_back_exactly},
@@ -252,5 +267,6 @@ static const struct unit_law laws[] = {
     {"a_row_is_as_long_as_its_header", a_row_is_as_long_as_its_header},
     {"a_matrix_prints_its_band", a_matrix_prints_its_band},
     {"a_full_disk_is_an_error", a_full_disk_is_an_error},
+    {"an_error_is_not_forgotten", an_error_is_not_forgotten},
 };
 UNIT_MAIN("table", laws)

@@ -77,7 +77,7 @@ static void a_rung_is_missed(void)
     ck_assert(less.energy < 3e3 && log.energy > 5e3);
     ck_assert(less.stands > log.stands && log.stands > 0);
     static const enum without halved[] = {PROJECTION, SEARCH, LEAPING};
-    for (int k = 0; k < 3; k++) /* these halve the ways as the ladder does */
+    for (int k = 0; k < 3; k++) /* these halve the ways as the fallback does */
         ck_assert(hard(halved[k], LOG).energy > 5e3);
     less = hard(LIFT, CUBIC);
     ck_assert(less.p50 > cubic.p50 && less.lost == 0);
@@ -110,6 +110,23 @@ static void a_rung_is_missed_rarely(void)
     ck_assert(swings.last > 0.1 && rests.last < 1e-3);
 }
 
+/* Nothing that one play leaves behind is read by the next.  A small square, so
+ * that each ladder is seen by valgrind, too. */
+static void a_play_repeats_itself(void)
+{
+    gsl_set_error_handler_off();
+    struct pointers script = pointers_hard();
+    for (int k = 0; k < 2 * N_WITHOUT; k++) {
+        const enum without without = (enum without)(k / 2);
+        const enum law law = k % 2 ? LOG : CUBIC;
+        const struct without_result
+            once = without_play(without, 2, law, BACKWARD_EULER, &script),
+            again = without_play(without, 2, law, BACKWARD_EULER, &script);
+        ck_assert(same(once, again) && once.p99 <= once.most);
+    }
+    pointers_free(&script);
+}
+
 static void rungs_have_words(void)
 {
     for (int k = 0; k < N_WITHOUT; k++)
@@ -127,6 +144,7 @@ static const struct unit_law laws[] = {
     LAW(nothing_is_the_ladder_of_live),
     LAW(a_rung_is_missed),
     LAW(a_rung_is_missed_rarely),
+    LAW(a_play_repeats_itself),
     LAW(rungs_have_words),
 };
 UNIT_MAIN("without", laws)

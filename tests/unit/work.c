@@ -1,10 +1,14 @@
 /* work.c - laws of figures/work_precision/work.h and trials.h. */
 #include "base/study.h"
+#include "base/table.h"
 #include "figures/work_precision/trials.h"
 
 #include "unit.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static struct work_setting setting(enum work_scene scene, enum law law,
                                    int dynamic, int n, int steps,
@@ -266,6 +270,38 @@ static void parts_are_what_they_should_be(const struct trials *s)
     ck_assert(part[MODEL] > 0.2 && part[TIME] == 0.0 && part[SOLVER] == 0.0);
 }
 
+static const struct trials *asked;
+static int row;
+
+static void print_the_row(void)
+{
+    table_begin("row", "scene asked law method n steps tolerance error flops "
+                       "status systems");
+    trials_row(asked, row, 0.25);
+    exit(table_finish());
+}
+
+static void rows_say_what_was_tried(const struct trials *s)
+{
+    asked = s;
+    for (row = 0; row < s->count; row += 25) {
+        const struct work_setting *set = &s->set[row];
+        const struct work *work = &s->work[row];
+        char want[200];
+        snprintf(want, sizeof want, "\n%s\t0.25\t%s\t%s\t%d\t%d\t%.17g\t",
+                 work_scene_name(s->scene), material_law(set->law),
+                 set->dynamic ? method_name(set->method) : "static", set->n,
+                 set->steps, set->tolerance);
+        const struct outcome end = outcome_of(print_the_row);
+        ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
+                      want);
+        snprintf(want, sizeof want, "\t%s\t%d\n", status_name(work->status),
+                 work->systems);
+        ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
+                      want);
+    }
+}
+
 static void sweeps_know_parts_and_the_cheapest(void)
 {
     struct trials *s = trials_alloc(BUCKLE);
@@ -290,6 +326,7 @@ static void sweeps_know_parts_and_the_cheapest(void)
     ck_assert_int_eq(trials_cheapest(s, 0.0), -1);
     ck_assert(s->floor > 0.0 && s->floor < 0.1 && s->size > 0.1);
     parts_are_what_they_should_be(s);
+    rows_say_what_was_tried(s);
     trials_free(s);
 }
 

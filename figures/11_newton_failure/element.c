@@ -1,5 +1,5 @@
-/* stretch.c - see stretch.h. */
-#include "stretch.h"
+/* element.c - see element.h. */
+#include "element.h"
 
 #include <float.h>
 #include <math.h>
@@ -39,11 +39,11 @@ static enum status search_length(const struct material *material, double p,
     return STALLED;
 }
 
-struct stretch_report stretch_newton(const struct material *material, double p,
+struct element_report element_newton(const struct material *material, double p,
                                      double F,
                                      const struct newton_control *control)
 {
-    struct stretch_report report = {MAX_ITERATIONS, 0, F};
+    struct element_report report = {MAX_ITERATIONS, 0, F};
     double increment = INFINITY;
     for (;;) {
         double step, length = 1.0;
@@ -61,19 +61,19 @@ struct stretch_report stretch_newton(const struct material *material, double p,
     }
 }
 
-struct stretch_report stretch_stepping(const struct material *material,
+struct element_report element_stepping(const struct material *material,
                                        double p, double jump,
                                        const struct newton_control *control)
 {
     struct newton_control attempt = *control;
-    struct stretch_report report = {OK, 0, 1.0};
+    struct element_report report = {OK, 0, 1.0};
     double s = 0.0, ds = 1.0;
 
     while (s < 1.0 && report.status == OK) {
         const int left = control->max_iterations - report.iterations;
         attempt.max_iterations = left < 25 ? left : 25;
         ds = fmin(ds, 1.0 - s);
-        const struct stretch_report trial = stretch_newton(
+        const struct element_report trial = element_newton(
             material, (s + ds) * p, report.F - ds * jump, &attempt);
         report.iterations += trial.iterations;
         if (trial.status == OK) {
@@ -90,16 +90,16 @@ struct stretch_report stretch_stepping(const struct material *material,
     return report;
 }
 
-struct stretch_report stretch_cured(enum cure cure, struct material material,
+struct element_report element_cured(enum cure cure, struct material material,
                                     double p, double jump, int n,
                                     struct newton_control control)
 {
     double F = 1.0 - jump;
     if (cure == CURE_STEPPING)
-        return stretch_stepping(&material, p, jump, &control);
+        return element_stepping(&material, p, jump, &control);
     if (cure == CURE_SEARCH) control.line_search = 1;
     if (cure == CURE_CUBIC) material.law = CUBIC;
     if (cure == CURE_START)
         F = p == 0.0 ? 1.0 - jump / n : exp(p / material_modulus(&material));
-    return stretch_newton(&material, p, F, &control);
+    return element_newton(&material, p, F, &control);
 }

@@ -1,7 +1,7 @@
-# ladder.gp - six ways to solve one system: counted work, and seconds.
+# complexity.gp - six ways to solve one system: counted work, and seconds.
 # Expected slopes of the work: 6 full, 4 band, 3 dissection and CG without a
 # coarser grid, 2 with.
-# Reads   data  tables ladder (solver n flops milliseconds), exponents, machine;
+# Reads   data  tables solvers (solver n flops milliseconds), exponents, machine;
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
@@ -28,12 +28,12 @@ set xrange [7:300]
 set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
-plot for [k = 1:6] data index "ladder" using (of(k)):"flops" with linespoints \
+plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k] \
          title sprintf("%s (slope %.2f)", Text[k], slope(k, 3))
 unset label 1
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
-plot for [k = 1:6] data index "ladder" using (of(k)):"milliseconds" \
+plot for [k = 1:6] data index "solvers" using (of(k)):"milliseconds" \
          with linespoints ls Style[k] notitle
 unset multiplot

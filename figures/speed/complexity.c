@@ -1,5 +1,6 @@
 /*
- * ladder.c - six ways to solve one system, from the full matrix to multigrid.
+ * complexity.c - six ways to solve one system, from the full matrix to
+ * multigrid.
  *
  * K x = b of system.h, n = 8 to 256, from the assembled K to x; CG to |r| <=
  * 1e-12 |b|.  An x whose backward error is above 1e-12 has no time.  What is
@@ -8,7 +9,7 @@
  *
  * Flops are counted: for Cholesky by its columns; for CG two per entry in each
  * product, sweep and triangle, 10 per unknown in each iteration, and what makes
- * the preconditioner.  Tables: ladder, exponents (of the last doubling of n).
+ * the preconditioner.  Tables: solvers, exponents (of the last doubling of n).
  */
 #include "linear/cg.h"
 #include "base/clock.h"
@@ -150,7 +151,7 @@ int main(void)
         csr_free(K);
         system_free(s);
     }
-    table_begin("ladder", "solver n iterations flops numbers milliseconds");
+    table_begin("solvers", "solver n iterations flops numbers milliseconds");
     for (int k = 0; k < RUNGS; k++)
         for (int i = 0; i < SIZES && 8 << i <= largest[k]; i++) {
             const double t = times_median(&m[k][i].seconds);

@@ -1,5 +1,5 @@
 /*
- * stretch.h - Newton's method on one element: the stretch F with P(F) = p.
+ * element.h - Newton's method on one element: the stretch F with P(F) = p.
  *
  * In a bar with a free end every element carries a known stress p, and Newton
  * on the bar [alg:newton] is, for each element by itself,
@@ -13,12 +13,12 @@
  * Source: J. Teran's lecture notes, Lecture 2, 2.5.5 and 2.5.6; Nocedal &
  * Wright, Numerical Optimization, 2nd ed., sec. 3.1 for the line search.
  */
-#ifndef COMMON_STRETCH_H
-#define COMMON_STRETCH_H
+#ifndef FIGURES_ELEMENT_H
+#define FIGURES_ELEMENT_H
 
 #include "bar/bar.h"
 
-struct stretch_report {
+struct element_report {
     enum status status; /* OK, INVERTED, NONFINITE, NOT_SPD, STALLED,
                          * MAX_ITERATIONS */
     int iterations;     /* linear systems solved */
@@ -35,7 +35,7 @@ struct stretch_report {
  * STALLED    the increment is at round-off while the residual is not small, or
  *            no length of the step decreases the energy
  */
-struct stretch_report stretch_newton(const struct material *material, double p,
+struct element_report element_newton(const struct material *material, double p,
                                      double F,
                                      const struct newton_control *control);
 
@@ -47,7 +47,7 @@ struct stretch_report stretch_newton(const struct material *material, double p,
  *
  * STALLED    a step of less than 2^-10 of the way would be needed
  */
-struct stretch_report stretch_stepping(const struct material *material,
+struct element_report element_stepping(const struct material *material,
                                        double p, double jump,
                                        const struct newton_control *control);
 
@@ -62,7 +62,7 @@ enum cure {
  * exp(p / (2 mu + lambda)) or, for p = 0, at the linear lift, where n elements
  * share the jump.
  */
-struct stretch_report stretch_cured(enum cure cure, struct material material,
+struct element_report element_cured(enum cure cure, struct material material,
                                     double p, double jump, int n,
                                     struct newton_control control);
 

@@ -1,5 +1,5 @@
-/* stretch.c - laws of figures/11_newton_failure/stretch.h. */
-#include "figures/11_newton_failure/stretch.h"
+/* element.c - laws of figures/11_newton_failure/element.h. */
+#include "figures/11_newton_failure/element.h"
 
 #include "base/study.h"
 #include "unit.h"
@@ -17,7 +17,7 @@ static struct material of(enum law law, double nu)
 }
 
 /* The whole bar, one element with a free end, and the scalar: the same. */
-static void stretch_is_a_bar_of_one_element(void)
+static void an_element_is_a_bar_of_one(void)
 {
     static const double p[] = {-1347.0, -1000.0, -37140.0, 238.5, 1000.0};
     for (int l = LOG; l <= CUBIC; l++)
@@ -30,8 +30,8 @@ static void stretch_is_a_bar_of_one_element(void)
                 double u[] = {0.0, 0.0};
                 const struct newton_report want =
                     bar_newton(&bar, &control, u, NULL);
-                const struct stretch_report got =
-                    stretch_newton(&m, p[k], 1.0, &control);
+                const struct element_report got =
+                    element_newton(&m, p[k], 1.0, &control);
                 ck_assert_int_eq(got.status, want.status);
                 ck_assert_int_le(abs(got.iterations - want.iterations), 2);
                 if (got.status == OK) close_to(got.F, 1.0 + u[1], 1e-9);
@@ -42,8 +42,8 @@ static void newton_from_a_start_is_the_oracles(void)
 {
     for (int k = 0; k < COUNT(oracle_newton); k++) {
         const struct material m = of(oracle_newton[k].cubic ? CUBIC : LOG, 0.3);
-        const struct stretch_report got =
-            stretch_newton(&m, oracle_newton[k].p, oracle_newton[k].start,
+        const struct element_report got =
+            element_newton(&m, oracle_newton[k].p, oracle_newton[k].start,
                            &plain);
         if (oracle_newton[k].iterations < 0) {
             ck_assert_int_eq(got.status, INVERTED);
@@ -55,7 +55,7 @@ static void newton_from_a_start_is_the_oracles(void)
     }
     for (int k = 0; k < COUNT(oracle_rest); k++) {
         const struct material m = of(CUBIC, oracle_rest[k].nu);
-        close_to(stretch_newton(&m, 0.0, oracle_rest[k].start, &plain).F,
+        close_to(element_newton(&m, 0.0, oracle_rest[k].start, &plain).F,
                  oracle_rest[k].F, 1e-9);
     }
 }
@@ -63,14 +63,14 @@ static void newton_from_a_start_is_the_oracles(void)
 static void what_is_no_number_ends_with_a_reason(void)
 {
     const struct material cubic = of(CUBIC, 0.0), log_ = of(LOG, 0.3);
-    const struct stretch_report flat = stretch_newton(&cubic, 0.0, 2.0, &plain);
+    const struct element_report flat = element_newton(&cubic, 0.0, 2.0, &plain);
     ck_assert_int_eq(flat.status, NONFINITE); /* P' = 0 */
     ck_assert(flat.iterations == 0 && flat.F == 2.0);
-    ck_assert_int_eq(stretch_newton(&log_, NAN, 1.0, &plain).status, NONFINITE);
-    ck_assert_int_eq(stretch_newton(&log_, 0.0, NAN, &plain).status, INVERTED);
-    ck_assert_int_eq(stretch_newton(&log_, 0.0, 1e-200, &plain).status,
+    ck_assert_int_eq(element_newton(&log_, NAN, 1.0, &plain).status, NONFINITE);
+    ck_assert_int_eq(element_newton(&log_, 0.0, NAN, &plain).status, INVERTED);
+    ck_assert_int_eq(element_newton(&log_, 0.0, 1e-200, &plain).status,
                      STALLED);
-    ck_assert_int_eq(stretch_newton(&cubic, 613.7, 1.0, &plain).status,
+    ck_assert_int_eq(element_newton(&cubic, 613.7, 1.0, &plain).status,
                      MAX_ITERATIONS);
 }
 
@@ -82,8 +82,8 @@ static void cures_arrive(void)
     for (int k = 0; k < COUNT(scene); k++) {
         const double p = scene[k].p, jump = scene[k].jump;
         for (int c = 0; c < N_CURE; c++) {
-            const struct stretch_report got =
-                stretch_cured((enum cure)c, of(LOG, 0.3), p, jump, 10, plain);
+            const struct element_report got =
+                element_cured((enum cure)c, of(LOG, 0.3), p, jump, 10, plain);
             const int fails =
                 c == CURE_PLAIN || (c == CURE_SEARCH && jump > 0.0);
             ck_assert_int_eq(got.status, fails ? INVERTED : OK);
@@ -98,21 +98,37 @@ static void cures_arrive(void)
 static void stepping_stops_at_the_limit_load(void)
 {
     const struct material m = of(CUBIC, 0.0);
-    const struct stretch_report got = stretch_stepping(&m, 613.7, 0.0, &plain);
+    const struct element_report got = element_stepping(&m, 613.7, 0.0, &plain);
     ck_assert_int_eq(got.status, STALLED);
     close_to(material1_pk1(&m, got.F), 500.0, 1.0);
     ck_assert(got.F < 2.0);
     for (double p = 503.7; p < 1000.0; p += 37.1) { /* to 2^-10 of the way */
-        const struct stretch_report end =
-            stretch_stepping(&m, p, 0.0, &plain);
+        const struct element_report end =
+            element_stepping(&m, p, 0.0, &plain);
         ck_assert_int_eq(end.status, STALLED);
         close_to(material1_pk1(&m, end.F), 500.0, p / 1024.0);
     }
     const struct newton_control short_of = {1e-10, 7, 0, 0};
-    const struct stretch_report cut =
-        stretch_stepping(&m, 613.7, 0.0, &short_of);
+    const struct element_report cut =
+        element_stepping(&m, 613.7, 0.0, &short_of);
     ck_assert_int_eq(cut.status, MAX_ITERATIONS);
     ck_assert_int_le(cut.iterations, 7);
+}
+
+/* Pushed on without a load, the element is inverted by a step of more than
+ * 1/|jump| of the way: 2^-10 will do for the one, and not for the other. */
+static void steps_are_as_short_as_they_may_be(void)
+{
+    const struct newton_control long_way = {1e-10, 100000, 0, 0};
+    const struct material m = of(LOG, 0.3);
+    const struct element_report at_last =
+        element_stepping(&m, 0.0, 700.0, &long_way);
+    ck_assert_int_eq(at_last.status, OK);
+    ck_assert_int_gt(at_last.iterations, 1024);
+    const struct element_report too_far =
+        element_stepping(&m, 0.0, 1500.0, &long_way);
+    ck_assert_int_eq(too_far.status, STALLED);
+    close_to(too_far.F, 1.0, 1e-15);
 }
 
 /* The boundary of a bar of 7 elements, free at the other end, moves by dg. */
@@ -125,7 +141,7 @@ static void boundary_step_is_one_stretch(void)
         const struct bar bar = {n, 1.0 / n, {1, 0}, b, of(LOG, 0.3)};
         double u[n + 1] = {jump / n};
         ck_assert_int_eq(
-            stretch_newton(&bar.material, 0.0, 1.0 - jump, &plain).status,
+            element_newton(&bar.material, 0.0, 1.0 - jump, &plain).status,
             bar_newton(&bar, &plain, u, NULL).status);
     }
 }
@@ -143,8 +159,8 @@ static void moving_end_is_the_oracles(void)
                 const double dg = (sin(i * dt) - sin((i - 1) * dt)) * n;
                 largest = fmax(largest, fabs(dg));
                 if (law == LOG && fails > 0.0) continue;
-                const struct stretch_report end =
-                    stretch_newton(&m, 0.0, 1.0 - dg, &plain);
+                const struct element_report end =
+                    element_newton(&m, 0.0, 1.0 - dg, &plain);
                 if (end.status != OK) fails = i * dt;
                 if (end.iterations > most[law]) most[law] = end.iterations;
             }
@@ -177,8 +193,8 @@ static void takes_the_length(double e, double length)
     const struct bar bar = {1, 1.0, {1, 0}, b, of(CUBIC, 0.0)};
     struct newton_step history[2];
     double u[] = {0.0, e};
-    const struct stretch_report got =
-        stretch_newton(&bar.material, 0.0, 1.0 + e, &once);
+    const struct element_report got =
+        element_newton(&bar.material, 0.0, 1.0 + e, &once);
     ck_assert_int_eq(got.status, MAX_ITERATIONS);
     close_to(got.F, 1.0 + e + length * newton_step(e), 1e-12);
     ck_assert_int_eq(bar_newton(&bar, &once, u, history).status,
@@ -202,8 +218,8 @@ static void line_search_does_not_go_uphill(void)
 {
     const struct newton_control search = {1e-10, 60, 1, 0};
     const struct material m = of(CUBIC, 0.0);
-    ck_assert_int_eq(stretch_newton(&m, 0.0, 2.5, &search).status, NOT_SPD);
-    ck_assert_int_eq(stretch_newton(&m, 0.0, 2.99, &search).status, NOT_SPD);
+    ck_assert_int_eq(element_newton(&m, 0.0, 2.5, &search).status, NOT_SPD);
+    ck_assert_int_eq(element_newton(&m, 0.0, 2.99, &search).status, NOT_SPD);
 }
 
 /* As in bars.c: P is flat at e = 1, and steep for the log law at F = 0. */
@@ -212,12 +228,12 @@ static void neither_test_is_enough_alone(void)
     const struct newton_control coarse = {1e-8, 60, 0, 0};
     const struct material m = of(CUBIC, 0.0), log_ = of(LOG, 0.3);
     const double d = 1e-5;
-    const struct stretch_report flat =
-        stretch_newton(&m, m.mu * (1.0 - d * d), 2.0 - 2.0 * d, &coarse);
+    const struct element_report flat =
+        element_newton(&m, m.mu * (1.0 - d * d), 2.0 - 2.0 * d, &coarse);
     ck_assert_int_eq(flat.status, OK);
     close_to(flat.F, 2.0 - d, 1e-9);
-    const struct stretch_report steep =
-        stretch_newton(&log_, 0.0, 1e-10, &coarse);
+    const struct element_report steep =
+        element_newton(&log_, 0.0, 1e-10, &coarse);
     ck_assert_int_eq(steep.status, OK);
     close_to(steep.F, 1.0, 1e-8);
 }
@@ -231,19 +247,19 @@ static void cures_start_where_they_say(void)
         const struct material log_ = of(LOG, 0.3), cubic = of(CUBIC, 0.3);
         const double good = k < 2 ? 1.0 - jump / 7.0
                                   : exp(p / material_modulus(&log_));
-        const struct stretch_report want[] = {
-            [CURE_PLAIN] = stretch_newton(&log_, p, 1.0 - jump, &plain),
-            [CURE_STEPPING] = stretch_stepping(&log_, p, jump, &plain),
-            [CURE_SEARCH] = stretch_newton(&log_, p, 1.0 - jump, &search),
-            [CURE_START] = stretch_newton(&log_, p, good, &plain),
-            [CURE_CUBIC] = stretch_newton(&cubic, p, 1.0 - jump, &plain)};
+        const struct element_report want[] = {
+            [CURE_PLAIN] = element_newton(&log_, p, 1.0 - jump, &plain),
+            [CURE_STEPPING] = element_stepping(&log_, p, jump, &plain),
+            [CURE_SEARCH] = element_newton(&log_, p, 1.0 - jump, &search),
+            [CURE_START] = element_newton(&log_, p, good, &plain),
+            [CURE_CUBIC] = element_newton(&cubic, p, 1.0 - jump, &plain)};
         /* where plain Newton arrives one step of the load will do */
         ck_assert_int_eq(want[CURE_PLAIN].status, OK);
         ck_assert_int_eq(want[CURE_STEPPING].iterations,
                          want[CURE_PLAIN].iterations);
         for (int c = 0; c < N_CURE; c++) {
-            const struct stretch_report got =
-                stretch_cured((enum cure)c, log_, p, jump, 7, plain);
+            const struct element_report got =
+                element_cured((enum cure)c, log_, p, jump, 7, plain);
             ck_assert_int_eq(got.status, want[c].status);
             ck_assert_int_eq(got.iterations, want[c].iterations);
             ck_assert_double_eq(got.F, want[c].F);
@@ -255,15 +271,15 @@ static void cures_start_where_they_say(void)
 static void stepping_counts_all_iterations(void)
 {
     const struct material m = of(LOG, 0.3);
-    const int all = stretch_stepping(&m, -37140.0, 0.0, &plain).iterations;
+    const int all = element_stepping(&m, -37140.0, 0.0, &plain).iterations;
     struct newton_control control = plain;
     ck_assert_int_gt(all, 25); /* more than one attempt may take */
     control.max_iterations = all;
-    ck_assert_int_eq(stretch_stepping(&m, -37140.0, 0.0, &control).status, OK);
+    ck_assert_int_eq(element_stepping(&m, -37140.0, 0.0, &control).status, OK);
     for (int less = 1; less < all; less++) {
         control.max_iterations = all - less;
-        const struct stretch_report cut =
-            stretch_stepping(&m, -37140.0, 0.0, &control);
+        const struct element_report cut =
+            element_stepping(&m, -37140.0, 0.0, &control);
         ck_assert_int_eq(cut.status, MAX_ITERATIONS);
         ck_assert_int_eq(cut.iterations, all - less);
     }
@@ -305,12 +321,13 @@ static void bar_localises_as_the_oracles(void)
 }
 
 static const struct unit_law laws[] = {
-    {"stretch_is_a_bar_of_one_element", stretch_is_a_bar_of_one_element},
+    {"an_element_is_a_bar_of_one", an_element_is_a_bar_of_one},
     {"newton_from_a_start_is_the_oracles", newton_from_a_start_is_the_oracles},
     {"what_is_no_number_ends_with_a_reason",
      what_is_no_number_ends_with_a_reason},
     {"cures_arrive", cures_arrive},
     {"stepping_stops_at_the_limit_load", stepping_stops_at_the_limit_load},
+    {"steps_are_as_short_as_they_may_be", steps_are_as_short_as_they_may_be},
     {"boundary_step_is_one_stretch", boundary_step_is_one_stretch},
     {"moving_end_is_the_oracles", moving_end_is_the_oracles},
     {"line_search_is_armijos", line_search_is_armijos},
@@ -321,4 +338,4 @@ static const struct unit_law laws[] = {
     {"limit_loads_are_the_oracles", limit_loads_are_the_oracles},
     {"bar_localises_as_the_oracles", bar_localises_as_the_oracles},
 };
-UNIT_MAIN("stretch", laws)
+UNIT_MAIN("element", laws)

@@ -1,0 +1,13 @@
+# square.gp - the square that is pushed inside, put together from F of its
+# triangles and coloured by their J: the lesson's own numbers.
+# Reads   data  table triangles (F11 F21 J)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 560,430
+set output out
+table = "triangles"
+load "figures/square.gp"
+eval reach(1.1)
+set xtics 1
+set ytics 1
+plot @SQUARE

@@ -1,0 +1,16 @@
+# laws.gp - the stress of a bar over F, three laws: the lesson's own numbers.
+# Reads   data  tables curve_linear, curve_log, curve_cubic (F P)
+# Writes  out   SVG
+load "figures/style.gp"
+if (!exists("reference")) reference = data
+set terminal svg size 620,400
+set output out
+array Law[3] = ["linear", "log", "cubic"]
+array Style[3] = [8, 1, 2]
+set xlabel "F"
+set ylabel "P (kN/m^2)"
+set yrange [-8:8]
+plot for [i = 1:3] reference index "curve_".Law[i] using "F":(column("P") / 1000) \
+         with lines lw 7 lc rgb "#DDDDDD" notitle, \
+     for [i = 1:3] data index "curve_".Law[i] using "F":(column("P") / 1000) \
+         with lines ls Style[i] lw 2 title Law[i]
