@@ -65,6 +65,7 @@ static void pass_on(const struct output *output)
     fprintf(stderr, "%s\n", output->stderr_);
     fflush(NULL);
     if (output->status == 3) _exit(3);
+    while (output->limit == LIMIT_IDLE) pause(); /* until the judge ends it */
     const int number = output->limit == LIMIT_STOPPED ? SIGSTOP
                        : output->limit == LIMIT_CPU   ? SIGXCPU
                                                       : -output->status;
