@@ -61,6 +61,7 @@ void mesh_free(struct mesh *mesh)
 
 void mesh_grade(struct mesh *mesh, double m, int sides)
 {
+    mesh->graded = 1;
     for (int j = 0; j < 2; j++) {
         const double half = -mesh->X[j]; /* vertex 0 is a corner */
         const double L = 0.5 * half;

@@ -14,6 +14,7 @@ struct mesh {
     int n;    /* cells per row, along X1 */
     int rows; /* of cells, along X2 */
     int n_vertex, n_triangle;
+    int graded;    /* by mesh_grade(): the cells are not all alike */
     double *X;     /* [2 n_vertex] (m): vertex a at X[2a], X[2a+1]; owned */
     int *triangle; /* [3 n_triangle] vertices; owned */
 };
