@@ -1,0 +1,121 @@
+/*
+ * certificate.c - how much of the stable does the bound [eq:compression] find,
+ * and does it ever call stable what is not?
+ *
+ * Columns that are pressed more and more: the largest load that the bound
+ * passes, over the largest at which K is positive definite, both by bisection,
+ * on the coarsest mesh and on cells of a quarter of the size.  Then random
+ * scenes, loads along the axis and across, two at once, up to twice a column's
+ * buckling load, on three meshes.  Tables: reach, scatter.
+ */
+#include "compression.h"
+#include "base/study.h"
+#include "base/table.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_rng.h>
+#include <math.h>
+
+enum { SCENES = 1000, LEVELS = 3 };
+
+/* What presses a column of length 2 until it buckles, as a beam (N/m^2). */
+static double euler(const struct ladder_scene *scene)
+{
+    const double pi = 2.0 * acos(0.0), height = 2.0 / scene->slender;
+    return pi * pi * 1000.0 / (1.0 - scene->nu * scene->nu) * height * height /
+           192.0;
+}
+
+/* Of the bar's answer on a mesh: the bound's verdict, and that of K. */
+static void ask(const struct ladder_scene *scene, int level, int *bound,
+                int *stable)
+{
+    struct ladder_state *s =
+        ladder_solve(scene, (struct ladder_model){BAR, 0, level});
+    double flops;
+    *bound = compression_certifies(s, &flops);
+    *stable = ladder_stable(s);
+    ladder_free(s);
+}
+
+/* The largest load that passes: by the bound, or by K on a mesh. */
+static double largest(struct ladder_scene scene, int level, int by_bound)
+{
+    double low = 0.0, high = 3.0 * euler(&scene);
+    for (int k = 0; k < 30; k++) {
+        int bound, stable;
+        scene.pull[0] = -0.5 * (low + high);
+        ask(&scene, level, &bound, &stable);
+        if (by_bound ? bound : stable)
+            low = -scene.pull[0];
+        else
+            high = -scene.pull[0];
+    }
+    return low;
+}
+
+/* A scene of the seed: what it has of each load is within (-1, 1), or none. */
+static struct ladder_scene scene_of(gsl_rng *random)
+{
+    struct ladder_scene scene = {.name = "random", .finest = LEVELS};
+    scene.slender = 1 << gsl_rng_uniform_int(random, 4);
+    scene.nu = 0.49 * gsl_rng_uniform(random);
+    const double size = 2.0 * euler(&scene);
+    for (int i = 0; i < 2; i++) {
+        const double pull = 2.0 * gsl_rng_uniform(random) - 1.0;
+        const double weight = 2.0 * gsl_rng_uniform(random) - 1.0;
+        if (gsl_rng_uniform(random) < 0.7) scene.pull[i] = size * pull;
+        if (gsl_rng_uniform(random) < 0.5) scene.weight[i] = size * weight;
+    }
+    return scene;
+}
+
+int main(void)
+{
+    double least = INFINITY, most = 0.0;
+    int wrong = 0, passed = 0, sound = 0;
+    gsl_set_error_handler_off();
+    table_begin("reach", "slender nu bound coarse fine part part_fine");
+    for (int slender = 1; slender <= 8; slender *= 2)
+        for (int k = 0; k < 3; k++) {
+            const struct ladder_scene scene = {
+                .name = "pressed", .slender = slender,
+                .nu = (const double[]){0.0, 0.3, 0.45}[k], .finest = 2};
+            const double bound = largest(scene, 0, 1);
+            const double coarse = largest(scene, 0, 0);
+            const double fine = largest(scene, 2, 0);
+            table_row(slender, scene.nu, cell_rounded(6, bound),
+                      cell_rounded(6, coarse), cell_rounded(6, fine),
+                      cell_rounded(4, bound / coarse),
+                      cell_rounded(4, bound / fine));
+            least = fmin(least, bound / fine);
+            most = fmax(most, bound / fine);
+        }
+    table_end();
+    table_begin("scatter", "level scenes stable bound wrong");
+    for (int level = 0; level < LEVELS; level++) {
+        gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+        int n_stable = 0, n_bound = 0, n_wrong = 0;
+        gsl_rng_set(random, 23);
+        for (int k = 0; k < SCENES; k++) {
+            const struct ladder_scene scene = scene_of(random);
+            int bound, stable;
+            ask(&scene, level, &bound, &stable);
+            n_stable += stable;
+            n_bound += bound;
+            n_wrong += bound && !stable;
+        }
+        gsl_rng_free(random);
+        table_row(level, SCENES, n_stable, n_bound, n_wrong);
+        wrong += n_wrong;
+        passed += n_bound;
+        sound += n_stable;
+    }
+    table_end();
+    claim(wrong == 0 && most < 1.0, "the bound passes nothing unstable (%d "
+          "scenes, at most %g of the load)", wrong, most);
+    claim(least > 0.04 && 3 * passed > 2 * sound, "and it passes %g of a "
+          "column's load or more, %d of %d stable scenes", least, passed,
+          sound);
+    return table_finish();
+}
