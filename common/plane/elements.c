@@ -28,7 +28,7 @@ void elements_free(struct elements *elements)
 void elements_cell(const struct mesh *mesh, int cell, int corner[4])
 {
     const int *below = &mesh->triangle[6 * cell], *above = below + 3;
-    for (int a = 0; a < 3; a++) corner[a] = below[a];
+    memcpy(corner, below, 3 * sizeof *corner);
     corner[3] = above[2];
 }
 

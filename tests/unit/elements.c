@@ -22,11 +22,11 @@ static struct mesh *skew(void)
     return mesh;
 }
 
-/* Some vertices, and not the first ones. */
+/* Some vertices, of them the first one. */
 static void hold(int held[N_VERTEX])
 {
     for (int a = 0; a < N_VERTEX; a++)
-        held[a] = a % (N + 1) == N || a == 2 * N + 4;
+        held[a] = a % (N + 1) == N || a == 0 || a == 2 * N + 4;
 }
 
 static void linear_triangles_are_those_of_the_body(void)
