@@ -24,11 +24,12 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for tiles.c, front.c, readable.c and body.c, where they count: of the
-# list that the compiler takes; body.c goes without the last, so that its
-# digits are the same everywhere, and without pairs made of lines that stand one
-# after the other, which gcc 12 contracts all the same.  They make the build one
-# for this machine; `make clean` and NATIVE= give one for any.
+# Flags for tiles.c, front.c, readable.c, body.c and triangles.c, where they
+# count: of the list that the compiler takes; the last two go without the last
+# flag, so that their digits are the same everywhere, and without pairs made of
+# lines that stand one after the other, which gcc 12 contracts all the same.
+# They make the build one for this machine; `make clean` and NATIVE= give one for
+# any.
 ALL_NATIVE = $(shell takes() { \
                  $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
                  2>/dev/null && echo "$$@"; }; \
@@ -205,8 +206,8 @@ native_for = $(if $(filter front readable,$1),$(NATIVE)) \
              $(if $(filter tiles,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
-             $(if $(filter body,$1),$(filter-out -ffp-contract=fast,$(NATIVE)) \
-                 -fno-tree-slp-vectorize)
+             $(if $(filter body triangles,$1),$(filter-out \
+                 -ffp-contract=fast,$(NATIVE)) -fno-tree-slp-vectorize)
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \

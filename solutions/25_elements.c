@@ -21,6 +21,7 @@
  * PREDICT 3 order of quadratic triangles with --m 2, nu = 0.3: ...
  * Plot: axis X u_y
  */
+#include "plane/body.h"
 #include "plane/elements.h"
 #include "plane/quadratic.h"
 #include "base/options.h"

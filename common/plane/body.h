@@ -1,13 +1,16 @@
 /*
  * body.h - a two-dimensional elastic body: energy, residual, tangent, fast.
  *
- * Linear triangles on a rectangle of mesh.h; u and v are flat, component i of
- * vertex a at [2a + i].  With f the nodal forces (body force and tractions
- * integrated against N_a), rho the density, F_e = I + sum_a u_a (x) grad N_a:
+ * Triangles on a rectangle of mesh.h, linear ones, or the quadratic ones of
+ * quadratic.h; u and v are flat, component i of vertex a at [2a + i].  With f
+ * the nodal forces (body force and tractions integrated against N_a), rho the
+ * density, F_p = I + sum_a u_a (x) grad N_a at a point p, of which a linear
+ * triangle has one and a quadratic one three, with its part of the area:
  *
- *     Psi(u) = sum_e area_e psi(F_e)                          [eq:body-energy]
+ *     Psi(u) = sum_p area_p psi(F_p)        [eq:body-energy] [eq:three-points]
  *     M_ab   = int rho N_a N_b (CONSISTENT), or its row sums on the diagonal
- *              (LUMPED)                                              [eq:mass]
+ *              (LUMPED) [eq:mass]; of quadratic triangles, whose row sums are 0
+ *              at the vertices, always the diagonal of [eq:scaled-mass]
  *     Phi(u) = 1/2 (u - w).M(u - w) + dt^2 (Psi(u) - f.u)
  *                                                  [eq:incremental-potential]
  *     q      = dPhi/du = M (u - w) + dt^2 (dPsi/du - f)          [eq:body-q]
@@ -16,13 +19,9 @@
  * q(u) = 0 with w = u0 + dt v0 is a step of backward Euler; at_rest(f) is
  * quasistatics: Phi = Psi(u) - f.u alone.
  *
- * Only free vertices have equations.  In a band they are numbered row by row
- * from right to left, so that the diagonals of the mesh do not widen the band:
- * half bandwidth 2 n - 1 with both ends prescribed.  Where the rows are longer
- * than the columns it is by columns from the top down: 2 rows + 3.  In sparse
- * storage they are numbered as sparse.h eliminates them.
+ * Only free vertices have equations, numbering.h.
  *
- * Closed form of an element.  With g_a = grad N_a, c_a = cof(F) g_a and
+ * Closed form at a point.  With g_a = grad N_a, c_a = cof(F) g_a and
  * dpsi = mu (F:dF) + G' (cof F:dF), G', G'' of
  * material_volume()
  *
@@ -39,6 +38,7 @@
 #include "linear/matrix.h"
 #include "plane/mesh.h"
 
+enum element { LINEAR_TRIANGLE, QUADRATIC_TRIANGLE };
 enum mass { CONSISTENT, LUMPED };
 enum tangent { NO_TANGENT, EXACT, PROJECTED };
 
@@ -56,7 +56,8 @@ struct incremental at_rest(const double f[]);
 /*
  * What a body has besides its material, fibres for example (fibre.h), adds its
  * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
- * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.
+ * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.  Only
+ * linear triangles take one (asserted).
  */
 struct body;
 typedef void body_addition(const struct body *body, double dt,
@@ -68,14 +69,19 @@ struct body {
     struct material material; /* not LINEAR */
     double rho;               /* density (kg/m^2) */
     enum mass mass;
+    enum element element;
+    int n_element;            /* triangles: those of the mesh, or a fourth */
+    int nodes, points;        /* of a triangle: 3 and 1, or 6 and 3 */
     int n_equation;
     int *equation;    /* [2 n_vertex] number of the unknown, -1: prescribed */
-    int *vertex;      /* [3 n_triangle] vertices of a triangle, by equation */
-    double *area;     /* [n_triangle] (m^2) */
-    double *gradient; /* [6 n_triangle] dN_a / dX_j of these vertices */
-    int *place;       /* [6 n_triangle] scatter map: where in K->a the 2x2
-                       * blocks (0,0) (1,0) (1,1) (2,0) (2,1) (2,2) of an
-                       * element begin; -1: a vertex is prescribed */
+    int *vertex;      /* [nodes n_element] of a triangle, by equation */
+    double *area;     /* [n_element] of a point (m^2): the triangle's, or a
+                       * third of it */
+    double *gradient; /* [2 nodes n_element] dN_a / dX_j of these vertices, of a
+                       * linear triangle at [6 e + 2 a + j]; of a quadratic one
+                       * for each of its points p at [36 e + 12 p + 2 a + j] */
+    int *place;       /* scatter map of numbering.h, for each triangle */
+    double *diagonal; /* [n_vertex] mass of quadratic triangles (kg); or NULL */
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
@@ -87,11 +93,18 @@ struct body {
 enum { BODY_SPARSE_FROM = 36 };
 
 /*
- * held[a] != 0: both components of vertex a are prescribed; not all may be.
- * Every triangle must be counter-clockwise (asserted: see mesh_clockwise()).
+ * A body of linear triangles.  held[a] != 0: both components of vertex a are
+ * prescribed; not all may be.  Every triangle must be counter-clockwise
+ * (asserted: see mesh_clockwise()).
  */
 struct body *body_alloc(const struct mesh *mesh, struct material material,
                         double rho, enum mass mass, const int held[]);
+
+/* The same of this element.  Quadratic triangles: the mesh has an even number
+ * of cells and of rows, and its edges are straight (quadratic_straighten()). */
+struct body *body_alloc_of(enum element element, const struct mesh *mesh,
+                           struct material material, double rho,
+                           enum mass mass, const int held[]);
 void body_free(struct body *body);
 
 /* Number the equations anew, for a zero K in this storage: not DENSE.
@@ -102,10 +115,14 @@ void body_store(struct body *body, enum storage storage);
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
 
+/* int N_a N_b / area of a linear triangle, or its row sums [eq:mass]. */
+double body_mass_share(enum mass mass, int a, int b);
+
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);
 
-/* F of triangle e; the least det F of all triangles. */
+/* F of triangle e of the mesh, of which a quadratic triangle has four: F is
+ * then that of its corners alone.  The least det F of all points. */
 mat2 body_deformation(const struct body *body, const double u[], int e);
 double body_min_J(const struct body *body, const double u[]);
 

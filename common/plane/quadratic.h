@@ -17,9 +17,10 @@
  *                                                       [eq:quadratic-shape]
  *
  * grad u is linear on a triangle, so that the energy is summed up at three
- * points, a third of the area each [eq:three-points].  Phi, q and K are those
- * of body.h, but for the mass, which is diagonal: of a triangle 3/57 at each
- * vertex and 16/57 at each middle [eq:scaled-mass].
+ * points, a third of the area each [eq:three-points].  The mass is diagonal: of
+ * a triangle 3/57 at each vertex and 16/57 at each middle [eq:scaled-mass].
+ *
+ * The body of such triangles is that of body.h.
  *
  * Source: Hinton, Rock and Zienkiewicz, Earthquake Engineering and Structural
  *         Dynamics 4 (1976) 245 (the mass).
@@ -27,23 +28,9 @@
 #ifndef COMMON_QUADRATIC_H
 #define COMMON_QUADRATIC_H
 
-#include "plane/body.h"
+#include "plane/mesh.h"
 
-struct quadratic {
-    const struct mesh *mesh;  /* borrowed */
-    struct material material; /* not LINEAR */
-    int n_element;
-    int *node;        /* [6 n_element] of a triangle, by equation */
-    double *weight;   /* [n_element] a third of the area (m^2) */
-    double *gradient; /* [36 n_element] dN_a / dX_j of these nodes at point k:
-                       * [12 k + 2 a + j] */
-    double *mass;     /* [n_vertex] (kg) */
-    int n_equation;
-    int *equation;    /* [2 n_vertex] as in body.h */
-    int *place;       /* [21 n_element] as in body.h, blocks (a, b), a >= b */
-    struct sparse *pattern; /* of K when it is sparse, NULL when banded */
-    struct matrix *K; /* tangent of the free unknowns */
-};
+enum { QUADRATIC_NODES = 6, QUADRATIC_POINTS = 3 };
 
 /* The six functions at l, and their gradients (1/m), by those of l:
  * gradient[2 a + j] = dN_a / dX_j, of_l[2 v + j] = dl_v / dX_j. */
@@ -58,26 +45,24 @@ void quadratic_nodes(const struct mesh *mesh, int e, int node[6]);
  * edge: after mesh_grade(), or whatever else has moved vertices. */
 void quadratic_straighten(struct mesh *mesh);
 
-/* As body_alloc(), straight edges asserted; K BANDED or SPARSE. */
-struct quadratic *quadratic_alloc(const struct mesh *mesh,
-                                  struct material material, double rho,
-                                  const int held[], enum storage storage);
-void quadratic_free(struct quadratic *body);
+/* The gradients (1/m) of the six functions of triangle e at the three points:
+ * gradient[p][2 a + j] = dN_a / dX_j.  Returns its area (m^2); straight edges
+ * are asserted. */
+double quadratic_gradients(const struct mesh *mesh, int e,
+                           double gradient[QUADRATIC_POINTS]
+                                          [2 * QUADRATIC_NODES]);
+
+/* mass[a] := of vertex a (kg), for the density rho [eq:scaled-mass]. */
+void quadratic_masses(const struct mesh *mesh, double rho, double mass[]);
 
 /* f += the nodal forces of a constant body force (N/m^2): of a triangle
  * nothing at its vertices, and a third of it in each middle. */
-void quadratic_load(const struct quadratic *body, const double density[2],
+void quadratic_load(const struct mesh *mesh, const double density[2],
                     double f[]);
 
-/* As body_energy(), body_min_J() (the least of all points), body_assemble()
- * (EXACT or NO_TANGENT), and body_increment() with K. */
-enum status quadratic_energy(const struct quadratic *body, const double u[],
-                             double *energy);
-double quadratic_min_J(const struct quadratic *body, const double u[]);
-enum status quadratic_assemble(struct quadratic *body, struct incremental Phi,
-                               const double u[], enum tangent tangent,
-                               double q[]);
-enum status quadratic_increment(struct quadratic *body, const double q[],
-                                double du[]);
+/* Each two nodes of a triangle are neighbours: so says this list of *n_list
+ * triangles, three vertices each, that has each pair of the six in it, for
+ * sparse_alloc().  The caller frees it. */
+int *quadratic_pairs(const struct mesh *mesh, int *n_list);
 
 #endif

@@ -12,6 +12,7 @@
 #include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
+#include "plane/body.h"
 #include "plane/quadratic.h"
 
 #include <math.h>
@@ -23,8 +24,7 @@ enum { CAP = 12 }; /* systems */
 /* The column of squares of side 2/n, on whose vertices one body lives. */
 struct column {
     struct mesh *mesh;
-    struct body *linear;
-    struct quadratic *quadratic;
+    struct body *body;
     int *held;
 };
 
@@ -34,14 +34,9 @@ static int stands(const struct column *c, double u[], double q[], double du[])
 {
     for (int k = 0; k < CAP; k++) {
         double largest = 0.0;
-        enum status status =
-            c->linear ? body_assemble(c->linear, at_rest(NULL), u, EXACT, q)
-                      : quadratic_assemble(c->quadratic, at_rest(NULL), u,
-                                           EXACT, q);
-        if (status != OK) return 0;
-        status = c->linear ? body_increment(c->linear, c->linear->K, q, du)
-                           : quadratic_increment(c->quadratic, q, du);
-        if (status != OK) return 0;
+        if (body_assemble(c->body, at_rest(NULL), u, EXACT, q) != OK ||
+            body_increment(c->body, c->body->K, q, du) != OK)
+            return 0;
         for (int r = 0; r < 2 * c->mesh->n_vertex; r++) {
             u[r] += du[r];
             largest = fmax(largest, fabs(du[r]));
@@ -66,13 +61,9 @@ static double limit(int quadratic, int n, double m)
     c.held = allocate(n_dof, sizeof *c.held);
     for (int j = 0; j <= c.mesh->rows; j++)
         c.held[j * (cells + 1)] = c.held[j * (cells + 1) + cells] = 1;
-    if (quadratic) {
-        quadratic_straighten(c.mesh);
-        c.quadratic =
-            quadratic_alloc(c.mesh, material, 0.0, c.held, BANDED);
-    } else {
-        c.linear = body_alloc(c.mesh, material, 0.0, CONSISTENT, c.held);
-    }
+    if (quadratic) quadratic_straighten(c.mesh);
+    c.body = body_alloc_of(quadratic ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE,
+                           c.mesh, material, 0.0, CONSISTENT, c.held);
     while (step > 1e-7) {
         for (int a = 0; a < c.mesh->n_vertex; a++) { /* carried on evenly */
             trial[2 * a] = u[2 * a] - step * c.mesh->X[2 * a];
@@ -85,8 +76,7 @@ static double limit(int quadratic, int n, double m)
             step *= 0.5;
         }
     }
-    body_free(c.linear);
-    quadratic_free(c.quadratic);
+    body_free(c.body);
     mesh_free(c.mesh);
     free(c.held), free(u), free(q), free(du), free(trial);
     return low;

@@ -11,6 +11,7 @@
 #include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
+#include "plane/body.h"
 #include "plane/quadratic.h"
 #include "plane/step.h"
 
@@ -33,14 +34,16 @@ static double longest_step(int n, double m)
     for (int j = 0; j <= 2 * n; j++) held[j * (2 * n + 1)] = 1;
     mesh_grade(mesh, m, held_left);
     quadratic_straighten(mesh);
-    struct quadratic *body = quadratic_alloc(mesh, material_notes(CUBIC), 1.0,
-                                             held, SPARSE);
+    struct body *body =
+        body_alloc_of(QUADRATIC_TRIANGLE, mesh, material_notes(CUBIC), 1.0,
+                      CONSISTENT, held);
+    body_store(body, SPARSE);
     double *mass = allocate((size_t)n_dof, sizeof *mass);
-    if (quadratic_assemble(body, at_rest(NULL), u, EXACT, y) != OK) return 0.0;
+    if (body_assemble(body, at_rest(NULL), u, EXACT, y) != OK) return 0.0;
     for (int r = 0; r < n_dof; r++) {
         const int k = body->equation[r];
         if (k < 0) continue;
-        mass[k] = body->mass[r / 2];
+        mass[k] = body->diagonal[r / 2];
         x[k] = sin(1.0 + 2.3 * k * k);
     }
     for (int power = 0; power < POWERS; power++) {
@@ -55,7 +58,7 @@ static double longest_step(int n, double m)
         omega2 = top / below;
         for (int k = 0; k < body->n_equation; k++) x[k] = y[k] / largest;
     }
-    quadratic_free(body);
+    body_free(body);
     mesh_free(mesh);
     free(held), free(u), free(x), free(y), free(mass);
     return 2.0 / sqrt(omega2);

@@ -2,6 +2,7 @@
 #include "hang.h"
 
 #include "base/status.h"
+#include "plane/body.h"
 #include "plane/elements.h"
 #include "plane/quadratic.h"
 
@@ -72,22 +73,23 @@ static double solve_quadratic(const struct mesh *mesh, struct material material,
     const size_t n_dof = 2 * (size_t)mesh->n_vertex;
     double *f = allocate(n_dof, sizeof *f), *q = allocate(n_dof, sizeof *q);
     double sum = 0.0;
-    struct quadratic *body =
-        quadratic_alloc(mesh, material, 0.0, held, SPARSE);
-    quadratic_load(body, density, f);
-    if (quadratic_assemble(body, at_rest(f), u, EXACT, q) != OK ||
-        quadratic_increment(body, q, u) != OK)
+    struct body *body = body_alloc_of(QUADRATIC_TRIANGLE, mesh, material, 0.0,
+                                      CONSISTENT, held);
+    body_store(body, SPARSE);
+    quadratic_load(mesh, density, f);
+    if (body_assemble(body, at_rest(f), u, EXACT, q) != OK ||
+        body_increment(body, body->K, q, u) != OK)
         die("quadratic triangles, n = %d", mesh->n / 2);
     for (int e = 0; e < body->n_element; e++)
         for (int p = 0; p < 3; p++) {
             double div = 0.0;
             for (int a = 0; a < 6; a++)
                 for (int k = 0; k < 2; k++)
-                    div += u[2 * body->node[6 * e + a] + k] *
+                    div += u[2 * body->vertex[6 * e + a] + k] *
                            body->gradient[36 * e + 12 * p + 2 * a + k];
-            sum += body->weight[e] * div * div;
+            sum += body->area[e] * div * div;
         }
-    quadratic_free(body);
+    body_free(body);
     free(f);
     free(q);
     return sqrt(sum / 4.0);

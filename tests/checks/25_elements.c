@@ -459,15 +459,16 @@ static void agrees_with_the_library(void)
     int held[13 * 13];
     double f[2 * 13 * 13] = {0.0}, u[2 * 13 * 13] = {0.0}, q[2 * 13 * 13];
     for (int a = 0; a < 13 * 13; a++) held[a] = a % 13 == 0;
-    struct quadratic *body = quadratic_alloc(
-        mesh, material_make(CUBIC, 1000.0, 0.4), 0.0, held, BANDED);
-    quadratic_load(body, (const double[2]){0.0, -1.0}, f);
-    expect(quadratic_assemble(body, at_rest(f), u, EXACT, q) == OK &&
-           quadratic_increment(body, q, u) == OK, "the library fails");
+    struct body *body = body_alloc_of(
+        QUADRATIC_TRIANGLE, mesh, material_make(CUBIC, 1000.0, 0.4), 0.0,
+        CONSISTENT, held);
+    quadratic_load(mesh, (const double[2]){0.0, -1.0}, f);
+    expect(body_assemble(body, at_rest(f), u, EXACT, q) == OK &&
+           body_increment(body, body->K, q, u) == OK, "the library fails");
     /* two ways to assemble one system: its condition is 1e4 */
     expect_close(sag_of("--n 12 --m 2 --nu 0.4", 2), u[2 * (6 * 13 + 12) + 1],
                  1e-9, 0.01, "sag, quadratic triangles, n = 12, m = 2");
-    quadratic_free(body);
+    body_free(body);
     mesh_free(mesh);
 }
 
