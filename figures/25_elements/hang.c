@@ -8,8 +8,17 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double density[2] = {0.0, -1.0};
+
+/* f += the weight of a linear triangle, a third at each vertex. */
+static void add_weight(double area, const int vertex[3], double f[])
+{
+    for (int a = 0; a < 3; a++)
+        for (int k = 0; k < 2; k++)
+            f[2 * vertex[a] + k] += area / 3.0 * density[k];
+}
 
 /* f, and u: one increment from rest. */
 static void solve_linear(const struct mesh *mesh, struct material material,
@@ -17,11 +26,8 @@ static void solve_linear(const struct mesh *mesh, struct material material,
 {
     double *f = allocate(2 * (size_t)mesh->n_vertex, sizeof *f), g[6];
     struct body *body = body_alloc(mesh, material, 0.0, CONSISTENT, held);
-    for (int e = 0; e < mesh->n_triangle; e++) {
-        const double area = mesh_gradients(mesh, e, g);
-        for (int a = 0; a < 3; a++)
-            f[2 * mesh->triangle[3 * e + a] + 1] -= area / 3.0 * density[1];
-    }
+    for (int e = 0; e < mesh->n_triangle; e++)
+        add_weight(-mesh_gradients(mesh, e, g), &mesh->triangle[3 * e], f);
     struct matrix *K = body_matrix(body);
     if (body_stiffness(body, u, EXACT, K) != OK ||
         body_increment(body, K, f, u) != OK)
@@ -36,31 +42,27 @@ static void solve_linear(const struct mesh *mesh, struct material material,
 static void solve_averaged(const struct mesh *mesh, struct material material,
                            const int held[], double u[])
 {
-    const int n = mesh->n;
+    const int n_cell = mesh->n * mesh->rows;
     struct elements *s = elements_alloc(mesh, 1);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) {
-            const int low = j * (n + 1) + i, up = low + n + 1;
-            const int corner[4] = {low, low + 1, up + 1, up};
-            double D[8] = {0.0}, E[64], area = 0.0, g[6];
-            for (int e = 0; e < 2; e++) {
-                const int at[3] = {0, 1 + e, 2 + e};
-                const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
-                const double part = mesh_gradients_of(mesh, t, g);
-                elements_linear(s, t, material.mu, 0.0);
-                area += part;
-                for (int a = 0; a < 3; a++)
-                    for (int k = 0; k < 2; k++) {
-                        D[2 * at[a] + k] += part * g[2 * a + k];
-                        s->f[2 * t[a] + k] += part / 3.0 * density[k];
-                    }
-            }
-            for (int r = 0; r < 8; r++)
-                for (int c = 0; c < 8; c++)
-                    E[8 * r + c] = material.lambda / area * D[r] * D[c];
-            elements_add(s, 4, corner, E);
+    for (int cell = 0; cell < n_cell; cell++) {
+        int corner[4];
+        double D[8] = {0.0}, area = 0.0, g[6];
+        elements_cell(mesh, cell, corner);
+        for (int e = 0; e < 2; e++) {
+            const int at[3] = {0, 1 + e, 2 + e};
+            const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
+            const double part = mesh_gradients_of(mesh, t, g);
+            elements_linear(s, t, material.mu, 0.0);
+            add_weight(part, t, s->f);
+            area += part;
+            for (int a = 0; a < 3; a++)
+                for (int k = 0; k < 2; k++)
+                    D[2 * at[a] + k] += part * g[2 * a + k];
         }
-    if (elements_solve(s, held, u) != OK) die("averaged triangles, n = %d", n);
+        elements_square(s, 4, corner, material.lambda / area, D);
+    }
+    memcpy(s->held, held, (size_t)mesh->n_vertex * sizeof *held);
+    if (elements_solve(s, u) != OK) die("averaged, n = %d", mesh->n);
     elements_free(s);
 }
 
