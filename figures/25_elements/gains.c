@@ -23,7 +23,7 @@
 #include <math.h>
 
 enum { PLAIN_LINEAR, GRADED, QUADRATIC, BOTH, KINDS };
-enum { MESHES = 6, TARGETS = 3 };
+enum { SCENES = EXPLICIT + 1, MESHES = 6, TARGETS = 3 };
 static const double target[TARGETS] = {0.01, 0.003, 0.001};
 static const struct {
     const char *name;
@@ -39,7 +39,7 @@ static const struct {
 static const struct {
     int linear, quadratic, limit_n;
     double limit_m;
-} extent[TRIAL_SCENES] = {
+} extent[SCENES] = {
     [WEIGHT] = {6, 4, 64, 2.0}, [PULL] = {4, 3, 32, 2.0},
     [COLUMN] = {6, 3, 64, 2.0}, [SHAKE] = {5, 3, 32, 1.5},
     [SWING] = {5, 3, 64, 1.0},  [EXPLICIT] = {4, 3, 48, 1.0},
@@ -83,10 +83,10 @@ static double flops_for(double wanted, int count, const double error[],
 
 int main(void)
 {
-    double floor[TRIAL_SCENES], flops[TRIAL_SCENES][TARGETS][KINDS];
+    double floor[SCENES], flops[SCENES][TARGETS][KINDS];
 
     table_begin("runs", "scene element m n unknowns error flops");
-    for (int s = 0; s < TRIAL_SCENES; s++) {
+    for (int s = 0; s < SCENES; s++) {
         const struct trial limit = limit_of(s, &floor[s]);
         for (int k = 0; k < KINDS; k++) {
             const int count = kind[k].element == LINEAR_TRIANGLE
@@ -111,12 +111,12 @@ int main(void)
     }
     table_end();
     table_begin("limits", "scene n m unknown");
-    for (int s = 0; s < TRIAL_SCENES; s++)
+    for (int s = 0; s < SCENES; s++)
         table_row(trial_name(s), extent[s].limit_n, extent[s].limit_m,
                   cell_rounded(2, floor[s]));
     table_end();
     table_begin("gains", "scene error linear graded quadratic both");
-    for (int s = 0; s < TRIAL_SCENES; s++)
+    for (int s = 0; s < SCENES; s++)
         for (int t = 0; t < TARGETS; t++) {
             const double *of = flops[s][t];
             if (!isfinite(of[PLAIN_LINEAR]) || floor[s] > 0.2 * target[t])
@@ -131,7 +131,7 @@ int main(void)
             table_row_of(6, row);
         }
     table_end();
-    for (int s = 0; s < TRIAL_SCENES; s++) {
+    for (int s = 0; s < SCENES; s++) {
         const double *of = flops[s][s < SWING]; /* 0.3 %, or 1 % */
         if (s == PULL) continue;                /* 4 times, with n = 4 */
         if (s < SWING)

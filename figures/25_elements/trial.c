@@ -18,6 +18,7 @@ static const struct {
 } scenes[TRIAL_SCENES] = {
     {"weight", 1, 0, 0.0}, {"pull", 1, 1, 0.0}, {"column", 8, 1, 0.0},
     {"shake", 1, 0, 0.4}, {"swing", 1, 1, 0.03}, {"explicit", 1, 1, 0.03},
+    {"push", 1, 1, 0.08},
 };
 
 const char *trial_name(enum trial_scene scene) { return scenes[scene].name; }
@@ -89,6 +90,8 @@ static void hold(struct body_at_work *w, double s)
         if (!w->held[a]) continue;
         if (w->scene == PULL) at[0] = 0.42 * s * X[0];
         if (w->scene == COLUMN) at[0] = -X[0] * (0.1 + 0.1 * X[1]) * s;
+        if (w->scene == PUSH && X[0] > 0.0)
+            at[0] = -0.6 * (s - sin(2.0 * M_PI * s) / (2.0 * M_PI));
         if (w->scene == SHAKE) at[1] = 0.15 * (1.0 - cos(2.0 * M_PI * s));
     }
 }
@@ -141,12 +144,28 @@ static void half_a_step_back(const struct model *model, double dt,
     free(r);
 }
 
+/* What goes downhill from a state that exists: that of a body is not lost
+ * because a guess was bad. */
+static struct step_report downhill(struct model *model, double d,
+                                   const double a[], const double b[],
+                                   const double g[], double u[])
+{
+    double *v = allocate((size_t)model->n_dof, sizeof *v);
+    memcpy(u, a, (size_t)model->n_dof * sizeof *u);
+    memcpy(v, b, (size_t)model->n_dof * sizeof *v);
+    const struct step_report report = step_backward_euler(
+        model->body, &ROBUST, d, g, model->f, u, v, NULL);
+    free(v);
+    return report;
+}
+
 static void move(struct body_at_work *w, struct trial *trial)
 {
     struct model *model = model_body(w->body);
     const double last = scenes[w->scene].end;
     int steps = MOTION_STEPS;
-    if (w->scene != SHAKE) pluck(w);
+    if (w->scene == PUSH) model->solve = downhill;
+    if (w->scene == SWING || w->scene == EXPLICIT) pluck(w);
     if (w->scene == EXPLICIT) {
         steps = (int)ceil(last / (0.75 * 2.0 / model_frequency(model)));
         half_a_step_back(model, last / steps, &w->now);
@@ -159,6 +178,8 @@ static void move(struct body_at_work *w, struct trial *trial)
         trial->status = report.status;
         trial->systems += report.iterations;
         trial->steps += report.status == OK;
+        trial->min_J = fmin(trial->min_J, body_min_J(w->body, w->now.u));
+        if (!(trial->min_J > 0.0)) trial->status = INVERTED;
     }
     model_free(model);
 }
@@ -166,7 +187,7 @@ static void move(struct body_at_work *w, struct trial *trial)
 struct trial trial_of(enum trial_scene scene, enum element element, int n,
                       double m)
 {
-    struct trial trial = {.status = OK};
+    struct trial trial = {.status = OK, .min_J = 1.0};
     struct body_at_work w = make(scene, element, n, m);
     const int quadratic = element == QUADRATIC_TRIANGLE;
     const int along = w.mesh->n / 4;
@@ -189,6 +210,16 @@ struct trial trial_of(enum trial_scene scene, enum element element, int n,
                     w.now.u[2 * (j * (w.mesh->n + 1) + i) + k];
     end(&w);
     return trial;
+}
+
+double trial_longest_step(enum element element, int n, double m)
+{
+    struct body_at_work w = make(EXPLICIT, element, n, m);
+    struct model *model = model_body(w.body);
+    const double longest = 2.0 / model_frequency(model);
+    model_free(model);
+    end(&w);
+    return longest;
 }
 
 double trial_apart(const struct trial *a, const struct trial *b)
