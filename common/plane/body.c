@@ -168,10 +168,10 @@ double body_min_J(const struct body *body, const double u[])
 
 void body_mass(const struct body *body, const double v[], double out[])
 {
-    const int n_dof = 2 * body->mesh->n_vertex;
-    for (int r = 0; r < n_dof; r++)
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
         out[r] = body->diagonal ? body->diagonal[r / 2] * v[r] : 0.0;
-    for (int e = 0; !body->diagonal && e < body->n_element; e++) {
+    if (body->diagonal) return;
+    for (int e = 0; e < body->n_element; e++) {
         const int *t = &body->vertex[3 * e];
         for (int a = 0; a < 3; a++)
             for (int b = 0; b < 3; b++)

@@ -14,6 +14,7 @@ struct mesh {
     int n;    /* cells per row, along X1 */
     int rows; /* of cells, along X2 */
     int n_vertex, n_triangle;
+    int graded;    /* by mesh_grade(): the cells are not all alike */
     double *X;     /* [2 n_vertex] (m): vertex a at X[2a], X[2a+1]; owned */
     int *triangle; /* [3 n_triangle] vertices; owned */
 };
@@ -41,6 +42,11 @@ void mesh_grade(struct mesh *mesh, double m, int sides);
 
 /* The first triangle whose area is not > 0 (clockwise or flat), or -1. */
 int mesh_clockwise(const struct mesh *mesh);
+
+/* angle[a] := the angles added up that the triangles have at vertex a, which is
+ * at X + u (NULL: at X), each between -pi and pi, those of an inverted triangle
+ * negative [eq:winding]. */
+void mesh_angles(const struct mesh *mesh, const double u[], double angle[]);
 
 /*
  * Area (m^2) and shape-function gradients (1/m) of triangle e:

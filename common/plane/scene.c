@@ -1,6 +1,8 @@
 /* scene.c - see scene.h. */
 #include "plane/scene.h"
 
+#include "plane/quadratic.h"
+
 #include <assert.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_rng.h>
@@ -21,7 +23,8 @@ struct scene_setting scene_notes(enum reading reading, enum law law, int n)
     return (struct scene_setting){.reading = reading, .n = n, .law = law,
                                   .mass = CONSISTENT, .E = 1000.0, .nu = 0.3,
                                   .rho = 1.0, .dt = 1.0 / 30.0, .reach = 1.0,
-                                  .force = 50.0, .spin = 6.0, .slender = 1};
+                                  .force = 50.0, .spin = 6.0, .slender = 1,
+                                  .element = LINEAR_TRIANGLE, .grade = 1.0};
 }
 
 struct scene_setting scene_column(enum law law, int n, double e)
@@ -34,12 +37,10 @@ struct scene_setting scene_column(enum law law, int n, double e)
     return set;
 }
 
-/* f_a = int density N_a + int over the right end of traction N_a: a third of
- * each triangle's force, half of each edge's. */
-static void nodal_forces(struct scene *scene)
+/* int density N_a of linear triangles: a third of the force of each. */
+static void linear_load(struct scene *scene)
 {
     const struct mesh *mesh = scene->mesh;
-    const int n = mesh->n;
     for (int e = 0; e < mesh->n_triangle; e++) {
         double unused[6];
         const double area = mesh_gradients(mesh, e, unused);
@@ -48,19 +49,48 @@ static void nodal_forces(struct scene *scene)
                 scene->f[2 * mesh->triangle[3 * e + a] + i] +=
                     area / 3.0 * scene->density[i];
     }
-    for (int j = 0; j < mesh->rows; j++) /* edges of length 2/n */
-        for (int end = 0; end < 2; end++)
+}
+
+/* f_a = int density N_a + int over the right end of traction N_a: of the force
+ * of an edge half at each end, of a quadratic one 1/6, in its middle 4/6. */
+static void nodal_forces(struct scene *scene)
+{
+    static const double part[2][3] = {{0.5, 0.5}, {1.0 / 6, 4.0 / 6, 1.0 / 6}};
+    const struct mesh *mesh = scene->mesh;
+    const int quadratic = scene->set.element == QUADRATIC_TRIANGLE;
+    const int n = mesh->n, cells = quadratic ? 2 : 1; /* along an edge */
+    if (quadratic)
+        quadratic_load(mesh, scene->density, scene->f);
+    else
+        linear_load(scene);
+    for (int j = 0; j < mesh->rows; j += cells) {
+        const int low = j * (n + 1) + n, up = low + cells * (n + 1);
+        const double length = mesh->X[2 * up + 1] - mesh->X[2 * low + 1];
+        for (int k = 0; k <= cells; k++)
             for (int i = 0; i < 2; i++)
-                scene->f[2 * ((j + end) * (n + 1) + n) + i] +=
-                    scene->traction[i] / n;
+                scene->f[2 * (low + k * (n + 1)) + i] +=
+                    length * part[quadratic][k] * scene->traction[i];
+    }
+}
+
+/* The mesh of a setting. */
+static struct mesh *make_mesh(const struct scene_setting *set)
+{
+    struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,
+                                       1.0 / set->slender);
+    assert(set->n % set->slender == 0 && set->grade >= 1.0);
+    const int ends = set->reading < GRAVITY ? MESH_LEFT | MESH_RIGHT
+                                            : MESH_LEFT;
+    if (set->grade > 1.0 && set->reading != SPIN)
+        mesh_grade(mesh, set->grade, ends | MESH_BOTTOM | MESH_TOP);
+    if (set->element == QUADRATIC_TRIANGLE) quadratic_straighten(mesh);
+    return mesh;
 }
 
 struct scene *scene_alloc(const struct scene_setting *set)
 {
     struct scene *scene = allocate(1, sizeof *scene);
-    assert(set->n % set->slender == 0);
-    struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,
-                                       1.0 / set->slender);
+    struct mesh *mesh = make_mesh(set);
     const size_t n_dof = 2 * (size_t)mesh->n_vertex;
     const int n = set->n;
 
@@ -86,8 +116,9 @@ struct scene *scene_alloc(const struct scene_setting *set)
         scene->traction[1] = -0.6 * set->force;
     }
     nodal_forces(scene);
-    scene->body = body_alloc(mesh, material_make(set->law, set->E, set->nu),
-                             set->rho, set->mass, scene->held);
+    scene->body = body_alloc_of(set->element, mesh,
+                                material_make(set->law, set->E, set->nu),
+                                set->rho, set->mass, scene->held);
     return scene;
 }
 
@@ -211,11 +242,12 @@ struct scene_measures scene_measure(const struct scene *scene)
 
 double scene_triangle(const struct scene *scene, int e, double x[6])
 {
+    double unused[6];
     for (int a = 0; a < 3; a++)
         for (int i = 0; i < 2; i++) {
             const int k = 2 * scene->mesh->triangle[3 * e + a] + i;
             x[2 * a + i] = scene->mesh->X[k] + scene->u[k];
         }
     return ((x[2] - x[0]) * (x[5] - x[1]) - (x[4] - x[0]) * (x[3] - x[1])) /
-           (2.0 * scene->body->area[e]);
+           (2.0 * mesh_gradients(scene->mesh, e, unused));
 }

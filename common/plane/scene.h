@@ -35,6 +35,9 @@ struct scene_setting {
                   * square.  A divisor of n, for the cells are squares. */
     enum law law;
     enum mass mass;
+    enum element element; /* QUADRATIC_TRIANGLE: n and the rows are even */
+    double grade; /* exponent of mesh_grade() towards what is held and the free
+                   * sides that meet it; 1: the cells are squares */
     double E, nu;   /* (N/m^2), - */
     double rho, dt; /* density (kg/m^2), time step (s) */
     double reach;   /* of the moving ends (m) */
@@ -43,7 +46,7 @@ struct scene_setting {
 };
 
 /* The notes' numbers: E = 1000, nu = 0.3, rho = 1, dt = 1/30, reach 1,
- * consistent mass; force 50, spin 6. */
+ * consistent mass, linear triangles, grade 1; force 50, spin 6. */
 struct scene_setting scene_notes(enum reading reading, enum law law, int n);
 
 /* The column of Lecture 3, (-1, 1) x (-0.1, 0.1), both ends moved inwards by e:

@@ -224,7 +224,9 @@ enum status step_certify(struct body *body, struct incremental Phi,
 void step_boundary(const struct body *body, const double g[], int lift,
                    double u[])
 {
+    const double *X = body->mesh->X;
     const int n = body->mesh->n;
+    const double width = X[2 * n] - X[0];
     for (int j = 0; j <= body->mesh->rows; j++)
         for (int k = 0; k < 2; k++) {
             const int left = 2 * j * (n + 1) + k, right = left + 2 * n;
@@ -234,8 +236,10 @@ void step_boundary(const struct body *body, const double g[], int lift,
                                     held[1] ? g[right] - u[right] : 0.0};
             for (int i = 0; i <= n; i++) {
                 const int r = left + 2 * i;
-                const double s =
-                    held[0] && held[1] ? (double)i / n : (double)held[1];
+                const double across = body->mesh->graded
+                                          ? (X[r - k] - X[0]) / width
+                                          : (double)i / n;
+                const double s = held[0] && held[1] ? across : held[1];
                 if (body->equation[r] < 0)
                     u[r] = g[r];
                 else if (lift)

@@ -77,6 +77,82 @@ static void nodal_forces_add_up_to_the_loads(void)
         }
 }
 
+/* ... of both elements, graded or not: the traction has the lengths that the
+ * edges have then. */
+static void elements_and_grading_keep_the_loads(void)
+{
+    for (int k = 0; k < 4; k++)
+        for (int reading = GRAVITY; reading <= TRACTION; reading++) {
+            struct scene_setting set =
+                scene_notes((enum reading)reading, LOG, 16);
+            set.element = k % 2 ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE;
+            set.grade = k / 2 ? 2.0 : 1.0;
+            struct scene *scene = scene_alloc(&set);
+            const int corner = 16, middle = 17 + 16; /* of the right end */
+            double sum[2] = {0.0, 0.0}, bent = 0.0;
+            for (int r = 0; r < scene->n_dof; r++) {
+                const double Y = scene->mesh->X[r / 2 * 2 + 1];
+                sum[r % 2] += scene->f[r];
+                if (r % 2 == 0) bent += Y * Y * scene->f[r];
+            }
+            const int pulled = reading == TRACTION;
+            close_to(sum[0], pulled ? 80.0 : 0.0, 1e-12);
+            close_to(sum[1], pulled ? -60.0 : -200.0, 1e-12);
+            /* 40 int Y^2 dY: exact by Simpson's rule */
+            if (pulled && k % 2) close_to(bent, 40.0 * 2.0 / 3.0, 1e-12);
+            /* the first edge: 1/8, graded (1/4)^2 / 2; or two cells of it */
+            const double first[4] = {0.125, 0.25, 0.03125, 0.125};
+            const double share[4] = {0.5, 1.0 / 6, 0.5, 1.0 / 6};
+            if (pulled)
+                close_to(scene->f[2 * corner], 40.0 * first[k] * share[k],
+                         1e-13);
+            if (!pulled && k % 2) ck_assert(scene->f[2 * corner + 1] == 0.0);
+            if (k == 3) /* the middle of a straight edge */
+                close_to(scene->mesh->X[2 * middle + 1], -0.9375, 1e-15);
+            scene_free(scene);
+        }
+}
+
+/* Steps of every scene with quadratic triangles, graded: OK, and near those of
+ * linear ones at the middle of the right side. */
+static void every_scene_runs_with_quadratic_triangles(void)
+{
+    for (int reading = RIGID; reading <= SPIN; reading++) {
+        double u[2][2];
+        for (int k = 0; k < 2; k++) {
+            struct scene_setting set =
+                scene_notes((enum reading)reading, CUBIC, k ? 8 : 16);
+            set.reach = 0.3;
+            set.element = k ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE;
+            set.grade = k ? 1.5 : 1.0;
+            struct scene *scene = scene_alloc(&set);
+            const struct step_control control = {1e-10, 20, FROM_VELOCITY, 1, 0,
+                                                 1, ON_DEMAND};
+            ck_assert_int_eq(scene->body->element, set.element);
+            for (int step = 0; step < 6; step++)
+                ck_assert_int_eq(scene_step(scene, &control).status, OK);
+            const double *middle = scene_middle(scene) - 1;
+            for (int i = 0; i < 2; i++) u[k][i] = middle[i];
+            ck_assert(scene_measure(scene).min_J > 0.0);
+            scene_free(scene);
+        }
+        for (int i = 0; i < 2; i++) close_to(u[1][i], u[0][i], 0.01);
+    }
+}
+
+/* A jump of the ends carried on linearly in X1, whatever the cells are. */
+static void the_lift_goes_by_place(void)
+{
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
+    set.grade = 2.0;
+    struct scene *scene = scene_alloc(&set);
+    scene_hold(scene, 0.3);
+    step_boundary(scene->body, scene->g, 1, scene->u);
+    for (int a = 0; a < scene->mesh->n_vertex; a++)
+        close_to(scene->u[2 * a], sin(0.3) * scene->mesh->X[2 * a], 1e-14);
+    scene_free(scene);
+}
+
 /* The mass matrix integrates a linear velocity exactly: M v.v = int |v|^2. */
 static void a_spin_starts_with_its_energy_and_momenta(void)
 {
@@ -438,6 +514,11 @@ static void the_readable_step_stops_at_an_indefinite_K(void)
 static const struct unit_law laws[] = {
     {"ends_move_as_the_words_say", ends_move_as_the_words_say},
     {"nodal_forces_add_up_to_the_loads", nodal_forces_add_up_to_the_loads},
+    {"elements_and_grading_keep_the_loads",
+     elements_and_grading_keep_the_loads},
+    {"every_scene_runs_with_quadratic_triangles",
+     every_scene_runs_with_quadratic_triangles},
+    {"the_lift_goes_by_place", the_lift_goes_by_place},
     {"a_spin_starts_with_its_energy_and_momenta",
      a_spin_starts_with_its_energy_and_momenta},
     {"measures_are_the_integrals", measures_are_the_integrals},
