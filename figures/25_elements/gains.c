@@ -9,10 +9,10 @@
  * is good enough.  The limit is extrapolated from three meshes of quadratic
  * triangles, as each halving of h leaves the same fraction.
  *
- * Tables: all runs, `-` for an error where the body inverts; how well limits are
- * known; and the gains, for the errors that linear triangles reach and that are
- * five times what is not known of the limit, `-` where an element does not get
- * there.
+ * Tables: all runs, `-` for an error where the body inverts; how well the limit
+ * is known; and the gains, for the errors that linear triangles reach and that
+ * are five times what is not known of the limit, `-` where an element does not
+ * get there.
  */
 #include "trial.h"
 
@@ -86,7 +86,7 @@ int main(void)
     double floor[SCENES], flops[SCENES][TARGETS][KINDS];
 
     table_begin("runs", "scene element m n unknowns error flops");
-    for (int s = 0; s < SCENES; s++) {
+    for (enum trial_scene s = WEIGHT; s < SCENES; s++) {
         const struct trial limit = limit_of(s, &floor[s]);
         for (int k = 0; k < KINDS; k++) {
             const int count = kind[k].element == LINEAR_TRIANGLE
@@ -111,12 +111,12 @@ int main(void)
     }
     table_end();
     table_begin("limits", "scene n m unknown");
-    for (int s = 0; s < SCENES; s++)
+    for (enum trial_scene s = WEIGHT; s < SCENES; s++)
         table_row(trial_name(s), extent[s].limit_n, extent[s].limit_m,
                   cell_rounded(2, floor[s]));
     table_end();
     table_begin("gains", "scene error linear graded quadratic both");
-    for (int s = 0; s < SCENES; s++)
+    for (enum trial_scene s = WEIGHT; s < SCENES; s++)
         for (int t = 0; t < TARGETS; t++) {
             const double *of = flops[s][t];
             if (!isfinite(of[PLAIN_LINEAR]) || floor[s] > 0.2 * target[t])
@@ -131,7 +131,7 @@ int main(void)
             table_row_of(6, row);
         }
     table_end();
-    for (int s = 0; s < SCENES; s++) {
+    for (enum trial_scene s = WEIGHT; s < SCENES; s++) {
         const double *of = flops[s][s < SWING]; /* 0.3 %, or 1 % */
         if (s == PULL) continue;                /* 4 times, with n = 4 */
         if (s < SWING)
