@@ -81,42 +81,49 @@ static double flops_for(double wanted, int count, const double error[],
     return INFINITY;
 }
 
+/* Rows of all runs of a scene; flops of each element for each target. */
+static void run(enum trial_scene scene, const struct trial *limit,
+                double flops[TARGETS][KINDS])
+{
+    for (int k = 0; k < KINDS; k++) {
+        const int linear = kind[k].element == LINEAR_TRIANGLE;
+        const int count =
+            linear ? extent[scene].linear : extent[scene].quadratic;
+        double error[MESHES], cost[MESHES];
+        for (int j = 0; j < count; j++) {
+            const int n = trial_coarsest(scene) << j;
+            const struct trial trial =
+                trial_of(scene, kind[k].element, n, kind[k].m);
+            error[j] = trial_apart(&trial, limit);
+            cost[j] = trial.flops;
+            table_row(trial_name(scene), kind[k].name, kind[k].m, n,
+                      trial.unknowns,
+                      isfinite(error[j]) ? cell_rounded(3, error[j])
+                                         : cell_word(MISSING),
+                      cost[j]);
+        }
+        for (int t = 0; t < TARGETS; t++)
+            flops[t][k] = flops_for(target[t], count, error, cost);
+    }
+}
+
 int main(void)
 {
     double floor[SCENES], flops[SCENES][TARGETS][KINDS];
 
     table_begin("runs", "scene element m n unknowns error flops");
-    for (enum trial_scene s = WEIGHT; s < SCENES; s++) {
+    for (enum trial_scene s = WEIGHT; s <= EXPLICIT; s++) {
         const struct trial limit = limit_of(s, &floor[s]);
-        for (int k = 0; k < KINDS; k++) {
-            const int count = kind[k].element == LINEAR_TRIANGLE
-                                  ? extent[s].linear
-                                  : extent[s].quadratic;
-            double error[MESHES], cost[MESHES];
-            for (int j = 0; j < count; j++) {
-                const int n = trial_coarsest(s) << j;
-                const struct trial run =
-                    trial_of(s, kind[k].element, n, kind[k].m);
-                error[j] = trial_apart(&run, &limit);
-                cost[j] = run.flops;
-                table_row(trial_name(s), kind[k].name, kind[k].m, n,
-                          run.unknowns,
-                          isfinite(error[j]) ? cell_rounded(3, error[j])
-                                             : cell_word(MISSING),
-                          cost[j]);
-            }
-            for (int t = 0; t < TARGETS; t++)
-                flops[s][t][k] = flops_for(target[t], count, error, cost);
-        }
+        run(s, &limit, flops[s]);
     }
     table_end();
     table_begin("limits", "scene n m unknown");
-    for (enum trial_scene s = WEIGHT; s < SCENES; s++)
+    for (enum trial_scene s = WEIGHT; s <= EXPLICIT; s++)
         table_row(trial_name(s), extent[s].limit_n, extent[s].limit_m,
                   cell_rounded(2, floor[s]));
     table_end();
     table_begin("gains", "scene error linear graded quadratic both");
-    for (enum trial_scene s = WEIGHT; s < SCENES; s++)
+    for (enum trial_scene s = WEIGHT; s <= EXPLICIT; s++)
         for (int t = 0; t < TARGETS; t++) {
             const double *of = flops[s][t];
             if (!isfinite(of[PLAIN_LINEAR]) || floor[s] > 0.2 * target[t])
@@ -131,7 +138,7 @@ int main(void)
             table_row_of(6, row);
         }
     table_end();
-    for (enum trial_scene s = WEIGHT; s < SCENES; s++) {
+    for (enum trial_scene s = WEIGHT; s <= EXPLICIT; s++) {
         const double *of = flops[s][s < SWING]; /* 0.3 %, or 1 % */
         if (s == PULL) continue;                /* 4 times, with n = 4 */
         if (s < SWING)

@@ -85,7 +85,7 @@ static int *cross(const struct mesh *mesh)
     return list;
 }
 
-/* What lies on an edge of a square is no vertex: it is held, with a diagonal. */
+/* What lies on an edge of a square is no vertex: held, and with a diagonal. */
 static void solve_crossed(const struct mesh *mesh, struct material material,
                           const int held[], const int triangle[], double u[])
 {

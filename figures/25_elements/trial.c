@@ -39,12 +39,26 @@ struct body_at_work {
     struct state now;
 };
 
+/* f := the nodal forces of 1 N/m^2 downwards. */
+static void weigh(struct body_at_work *w)
+{
+    const struct body *body = w->body;
+    const double density[2] = {0.0, -1.0};
+    if (body->element == QUADRATIC_TRIANGLE) {
+        quadratic_load(w->mesh, density, w->f);
+        return;
+    }
+    for (int e = 0; e < body->n_element; e++)
+        for (int a = 0; a < 3; a++)
+            w->f[2 * body->vertex[3 * e + a] + 1] +=
+                body->area[e] / 3.0 * density[1];
+}
+
 static struct body_at_work make(enum trial_scene scene, enum element element,
                                 int n, double m)
 {
     const int quadratic = element == QUADRATIC_TRIANGLE;
     const int cells = quadratic ? 2 * n : n, slender = scenes[scene].slender;
-    const double density[2] = {0.0, -1.0};
     struct body_at_work w = {.scene = scene};
     w.mesh = mesh_rectangle(cells, cells / slender, 1.0, 1.0 / slender);
     w.n_dof = 2 * (size_t)w.mesh->n_vertex;
@@ -63,12 +77,7 @@ static struct body_at_work make(enum trial_scene scene, enum element element,
                            scenes[scene].end > 0.0 ? 1.0 : 0.0, LUMPED,
                            w.held);
     body_store(w.body, SPARSE);
-    if (scene == WEIGHT && quadratic) quadratic_load(w.mesh, density, w.f);
-    for (int e = 0; scene == WEIGHT && !quadratic && e < w.mesh->n_triangle;
-         e++)
-        for (int a = 0; a < 3; a++)
-            w.f[2 * w.mesh->triangle[3 * e + a] + 1] +=
-                w.body->area[e] / 3.0 * density[1];
+    if (scene == WEIGHT) weigh(&w);
     w.now = state_make((int)w.n_dof);
     return w;
 }
