@@ -66,9 +66,8 @@ static int count_knots(const struct mesh *mesh, const double u[])
  * u := u0 with the held values g, and what that does to the rest: the first
  * iteration of Newton's method, in which the jump enters linearly
  * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are those of Phi, by body_assemble().
- * OK, or the status of an assembly or of the factorisation, or NONFINITE:
- * something would move by more than LIVE_LEAP.
+ * `tangent` and q are those of Phi, by body_assemble().  OK, or the status of
+ * assembly or factorisation, or NONFINITE: a move by more than LIVE_LEAP.
  */
 static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],

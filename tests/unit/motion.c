@@ -232,6 +232,21 @@ static void no_frame_is_lost(void)
         }
 }
 
+/* The push of a side under LOG: linear triangles stay upright and have no
+ * knots; quadratic ones are upright at their points, and between them not. */
+static void log_protects_the_points_alone(void)
+{
+    for (int k = 0; k < 2; k++) {
+        struct live *live = live_of(8, LOG, BACKWARD_EULER, (enum element)k);
+        struct pointers input = pointers_pull(-3.0);
+        for (int j = 0; j < input.n; j++) play(live, input.frame[j]);
+        ck_assert_double_gt(body_min_J(live->body, live->now.u), 0.0);
+        ck_assert_int_eq(live_knots(live->mesh, live->now.u, NULL) > 0, k);
+        pointers_free(&input);
+        live_free(live);
+    }
+}
+
 static const struct unit_law laws[] = {
     {"the_fastest_mode_is_that_of_the_matrices",
      the_fastest_mode_is_that_of_the_matrices},
@@ -243,6 +258,7 @@ static const struct unit_law laws[] = {
     {"log_does_not_take_over_what_is_inverted",
      log_does_not_take_over_what_is_inverted},
     {"no_frame_is_lost", no_frame_is_lost},
+    {"log_protects_the_points_alone", log_protects_the_points_alone},
 };
 
 UNIT_MAIN("motion", laws)
