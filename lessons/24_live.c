@@ -66,9 +66,8 @@ static int count_knots(const struct mesh *mesh, const double u[])
  * u := u0 with the held values g, and what that does to the rest: the first
  * iteration of Newton's method, in which the jump enters linearly
  * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are those of Phi, by body_assemble().
- * OK, or the status of an assembly or of the factorisation, or NONFINITE:
- * something would move by more than LIVE_LEAP.
+ * `tangent` and q are those of Phi, by body_assemble().  OK, or the status of
+ * assembly or factorisation, or NONFINITE: a move by more than LIVE_LEAP.
  */
 static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],
@@ -145,6 +144,13 @@ static void print_summary(const struct live *live, const struct summary *sum)
     table_end();
 }
 
+static void begin_table(int film)
+{
+    table_begin(film ? "motion" : "frames",
+                film ? FILM : "k rung first status systems part min_J knots "
+                              "energy x y ms");
+}
+
 /* A row of the table, and what is counted. */
 static void print_frame(const struct live *live, int knots, struct cell ms,
                         const struct live_report *report, struct summary *sum)
@@ -183,9 +189,8 @@ static void play(struct live *live, const struct pointer *pointer, int timed,
 
 int main(int argc, char *argv[])
 {
-    struct live_setting set = {8, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1};
     const char *name = NULL, *record = NULL, *shot = NULL;
-    int seed = 1, law = 0, method = 0, timed = 0, film = 0;
+    int n = 8, law = 0, method = 0, element = 0, seed = 1, timed = 0, film = 0;
     double speed = -3.0;
     const struct option options[] = {
         {"input", .text = &name, .unit = "pull, hard, mad or a file's name",
@@ -193,11 +198,13 @@ int main(int argc, char *argv[])
         {"speed", .real = &speed, .min = -100.0, .max = 100.0, .unit = "m/s",
          .help = "of pull; < 0 is a push"},
         {"seed", .integer = &seed, .min = 1, .max = 1000000, .help = "of mad"},
-        {"n", .integer = &set.n, .min = 2, .max = 64,
+        {"n", .integer = &n, .min = 2, .max = 64,
          .help = "squares per side"},
         {"law", .choice = &law, .choices = "log cubic", .help = "material"},
         {"integrator", .choice = &method, .choices = "backward midpoint",
          .help = "of the first rung"},
+        {"element", .choice = &element, .choices = "linear quadratic",
+         .help = "triangles; quadratic: n is made even"},
         {"time", .choice = &timed, .choices = "no yes",
          .help = "milliseconds per frame in the table"},
         {"film", .integer = &film, .max = 999, .help = "triangles alone"},
@@ -208,8 +215,9 @@ int main(int argc, char *argv[])
     };
     options_parse("24_live", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
-    set.law = law ? CUBIC : LOG;
-    set.method = method ? IMPLICIT_MIDPOINT : BACKWARD_EULER;
+    const struct live_setting set = {
+        n, law ? CUBIC : LOG, method ? IMPLICIT_MIDPOINT : BACKWARD_EULER,
+        PATCH, ELASTIC, 1, element ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE};
     struct window *window = window_open(); /* NULL: not by make live */
     const int mouse = window && !name;
     struct pointers input = {0, NULL};
@@ -217,9 +225,7 @@ int main(int argc, char *argv[])
     struct live *live = live_alloc(&set);
     struct summary sum = {0};
 
-    table_begin(film ? "motion" : "frames",
-                film ? FILM : "k rung first status systems part min_J "
-                                   "knots energy x y ms");
+    begin_table(film);
     for (int k = 0; window_next(window, &input, k, mouse); k++)
         play(live, &input.frame[k], timed, film, window,
              !mouse && k == input.n - 1 ? shot : NULL, &sum);

@@ -22,10 +22,27 @@ static void hold(struct live *live, const int take[])
     for (int a = 0; a < mesh->n_vertex; a++)
         held[a] = on_left_side(mesh, a) || (take && take[a]);
     body_free(live->body);
-    live->body = body_alloc(mesh, material_notes(live->set.law), 1.0,
-                            CONSISTENT, held);
+    live->body = body_alloc_of(live->set.element, mesh,
+                               material_notes(live->set.law), 1.0, CONSISTENT,
+                               held);
     if (plain) body_store(live->body, PLAIN);
     free(held);
+}
+
+/* The same vertices are held by another element. */
+static void change_element(struct live *live)
+{
+    const int n_vertex = live->mesh->n_vertex;
+    int *take = allocate((size_t)n_vertex, sizeof *take);
+    for (int a = 0; a < n_vertex; a++)
+        take[a] = live->body->equation[2 * a] < 0;
+    hold(live, take);
+    free(take);
+}
+
+static void make_even(struct live_setting *set)
+{
+    if (set->element == QUADRATIC_TRIANGLE) set->n += set->n % 2;
 }
 
 static void begin(struct live *live)
@@ -52,6 +69,7 @@ struct live *live_alloc(const struct live_setting *set)
 {
     struct live *live = allocate(1, sizeof *live);
     live->set = *set;
+    make_even(&live->set);
     live->dt = 1.0 / 30.0;
     begin(live);
     return live;
@@ -109,10 +127,17 @@ void live_input(struct live *live, const struct pointer *pointer)
         break;
     case 'p': set->fallback = !set->fallback; break;
     case 'g': set->grab = set->grab == PATCH ? SIDE : PATCH; break;
+    case 'e':
+        set->element = set->element == LINEAR_TRIANGLE ? QUADRATIC_TRIANGLE
+                                                       : LINEAR_TRIANGLE;
+        break;
     case '+': set->n = set->n <= 32 ? 2 * set->n : 64; break;
     case '-': set->n = set->n >= 4 ? set->n / 2 : 2; break;
     default: break;
     }
+    make_even(set);
+    if (set->element != before.element && set->n == before.n)
+        change_element(live);
     if (set->law == LOG && body_min_J(live->body, live->now.u) <= 0.0)
         set->law = CUBIC; /* LOG cannot take over what is inverted */
     live->body->material = material_notes(set->law);
@@ -361,38 +386,14 @@ struct live_report live_frame_in_parts(struct live *live, const double to[2])
 
 /* ---- what is looked at --------------------------------------------------- */
 
-/* The angles that the triangles have at each vertex, added up; of an inverted
- * triangle they are negative. */
-static void add_angles(const struct mesh *mesh, const double u[],
-                       double angle[])
-{
-    for (int e = 0; e < mesh->n_triangle; e++) {
-        const int *t = &mesh->triangle[3 * e];
-        for (int k = 0; k < 3; k++) {
-            double side[2][2];
-            for (int s = 0; s < 2; s++)
-                for (int i = 0; i < 2; i++) {
-                    const int to = 2 * t[(k + 1 + s) % 3] + i;
-                    const int from = 2 * t[k] + i;
-                    side[s][i] = mesh->X[to] + (u ? u[to] : 0.0) -
-                                 mesh->X[from] - (u ? u[from] : 0.0);
-                }
-            angle[t[k]] += atan2(side[0][0] * side[1][1] -
-                                     side[0][1] * side[1][0],
-                                 side[0][0] * side[1][0] +
-                                     side[0][1] * side[1][1]);
-        }
-    }
-}
-
 int live_knots(const struct mesh *mesh, const double u[], int knot[])
 {
     const size_t n = (size_t)mesh->n_vertex;
     double *rest = allocate(n, sizeof *rest);
     double *angle = allocate(n, sizeof *angle);
     int knots = 0;
-    add_angles(mesh, NULL, rest);
-    add_angles(mesh, u, angle);
+    mesh_angles(mesh, NULL, rest);
+    mesh_angles(mesh, u, angle);
     for (size_t a = 0; a < n; a++) {
         const int is_one = fabs(rest[a] - 2.0 * M_PI) < 1e-6 &&
                            fabs(angle[a] - 2.0 * M_PI) > M_PI;

@@ -2,9 +2,10 @@
  * live.h - the square in somebody's hand: thirty frames per second, and none
  * may be lost.
  *
- * The square of mesh.h, its left side held, consistent mass, the notes'
- * material.  A hand takes all vertices that are near it, or the right side, and
- * carries them wherever it goes.
+ * The square of mesh.h, its left side held, the notes' material; linear
+ * triangles with their consistent mass, or quadratic ones on the same vertices.
+ * A hand takes all vertices that are near it, or the right side, and carries
+ * them wherever it goes.
  *
  *     while there is input
  *         live_input(live, pointer);        keys; the hand grabs or lets go
@@ -57,6 +58,7 @@ struct live_setting {
     enum grab grab;
     enum start start;
     int fallback; /* 0: fast alone; the frame is lost when it fails */
+    enum element element; /* QUADRATIC_TRIANGLE: n is made even */
 };
 
 struct live {
@@ -76,10 +78,10 @@ struct live {
 struct live *live_alloc(const struct live_setting *set);
 void live_free(struct live *live);
 
-/* The frame's key; grabbing and letting go, which make a new body.  The state
- * is kept, but for a reset and another mesh.  body_store(live->body, PLAIN)
- * holds for the bodies that follow: a script then has the same frames, to the
- * last digit, on every machine. */
+/* The frame's key; grabbing, letting go and another element make a new body.
+ * The state is kept, but for a reset and another mesh.  body_store(live->body,
+ * PLAIN) holds for the bodies that follow: a script then has the same frames,
+ * to the last digit, on every machine. */
 void live_input(struct live *live, const struct pointer *pointer);
 
 /* to := where a hand at `from` is after a frame, on its way to the pointer
@@ -167,7 +169,8 @@ struct live_report live_frame_in_parts(struct live *live, const double to[2]);
 
 /* Vertices inside the body round which the angles of their triangles do not add
  * up to 2 pi: it is wound twice there, or inside out [eq:winding].  knot[a] :=
- * is vertex a one?  NULL: do not say. */
+ * is vertex a one?  NULL: do not say.  The triangles are those of the mesh: a
+ * quadratic one is four of them, with straight sides between its six nodes. */
 int live_knots(const struct mesh *mesh, const double u[], int knot[]);
 
 /* v.M v / 2 + Psi(u) */

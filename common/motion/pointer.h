@@ -13,8 +13,9 @@
 #ifndef COMMON_POINTER_H
 #define COMMON_POINTER_H
 
-/* law, integrator, start, fallback, what is grabbed, finer, coarser, reset */
-#define POINTER_KEYS ".lispg+-r"
+/* law, integrator, start, fallback, what is grabbed, element, finer, coarser,
+ * reset */
+#define POINTER_KEYS ".lispge+-r"
 
 struct pointer {
     double x, y;

@@ -187,7 +187,7 @@ void window_draw(struct window *w, const struct live *live,
 {
     static const char *const start[] = {"elastic", "rows", "last state"};
     const struct live_setting *set = &live->set;
-    char text[300];
+    char text[360];
     ink(w, 255, 255, 255);
     SDL_RenderClear(w->draw);
     draw_body(w, live);
@@ -195,12 +195,14 @@ void window_draw(struct window *w, const struct live *live,
     snprintf(text, sizeof text, "%s: %s, %d systems in %.1f ms\n"
              "[l] law: %s   [i] time step: %s\n"
              "[s] start: %s   [p] if it fails: %s\n"
-             "[g] grab: %s   [+ -] squares: %d   [r] reset\n"
+             "[g] grab: %s   [e] element: %s\n"
+             "[+ -] squares: %d   [r] reset\n"
              "[space] stop   [q] close%s", report->rung,
              status_name(report->status), report->systems, 1e3 * seconds,
              material_law(set->law), method_name(set->method),
              start[set->start], set->fallback ? "downhill" : "nothing",
-             set->grab == SIDE ? "side" : "patch", set->n,
+             set->grab == SIDE ? "side" : "patch",
+             set->element == LINEAR_TRIANGLE ? "linear" : "quadratic", set->n,
              w->mouse ? "   drag with the mouse" : "");
     ink(w, strcmp(report->rung, "lost") == 0 ? 200 : 20, 20, 20);
     write_text(w, 12, 12, text);

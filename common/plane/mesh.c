@@ -102,3 +102,25 @@ int mesh_clockwise(const struct mesh *mesh)
         if (!(mesh_gradients(mesh, e, gradient) > 0.0)) return e;
     return -1;
 }
+
+void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
+{
+    memset(angle, 0, (size_t)mesh->n_vertex * sizeof *angle);
+    for (int e = 0; e < mesh->n_triangle; e++) {
+        const int *t = &mesh->triangle[3 * e];
+        for (int k = 0; k < 3; k++) {
+            double side[2][2];
+            for (int s = 0; s < 2; s++)
+                for (int i = 0; i < 2; i++) {
+                    const int to = 2 * t[(k + 1 + s) % 3] + i;
+                    const int from = 2 * t[k] + i;
+                    side[s][i] = mesh->X[to] + (u ? u[to] : 0.0) -
+                                 mesh->X[from] - (u ? u[from] : 0.0);
+                }
+            angle[t[k]] += atan2(side[0][0] * side[1][1] -
+                                     side[0][1] * side[1][0],
+                                 side[0][0] * side[1][0] +
+                                     side[0][1] * side[1][1]);
+        }
+    }
+}

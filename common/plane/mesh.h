@@ -43,6 +43,11 @@ void mesh_grade(struct mesh *mesh, double m, int sides);
 /* The first triangle whose area is not > 0 (clockwise or flat), or -1. */
 int mesh_clockwise(const struct mesh *mesh);
 
+/* angle[a] := the angles added up that the triangles have at vertex a, which is
+ * at X + u (NULL: at X), each between -pi and pi, those of an inverted triangle
+ * negative [eq:winding]. */
+void mesh_angles(const struct mesh *mesh, const double u[], double angle[]);
+
 /*
  * Area (m^2) and shape-function gradients (1/m) of triangle e:
  * gradient[2a + j] = dN_a / dX_j for its vertices a = 0, 1, 2

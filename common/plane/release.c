@@ -15,7 +15,8 @@ enum status release_search(const struct body *body, const double q[],
     double start, energy, slope = 0.0, area = 0.0;
     enum status status = body_energy(body, u, &start);
     for (size_t r = 0; r < n_dof; r++) slope += q[r] * du[r];
-    for (int e = 0; e < body->mesh->n_triangle; e++) area += body->area[e];
+    for (int e = 0; e < body->n_element; e++)
+        area += body->points * body->area[e];
     /* round-off of Psi, whose terms have the size of the modulus */
     const double noise = 16.0 * DBL_EPSILON *
                          (start + area * material_modulus(&body->material));
@@ -37,20 +38,7 @@ double release_winding(const struct body *body, const double u[])
 {
     const struct mesh *mesh = body->mesh;
     double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle), most = 0.0;
-    for (int e = 0; e < mesh->n_triangle; e++)
-        for (int a = 0; a < 3; a++) {
-            const int *t = &mesh->triangle[3 * e];
-            double next[2], last[2]; /* the edges to the other corners */
-            for (int i = 0; i < 2; i++) {
-                const int from = 2 * t[a] + i;
-                const int b = 2 * t[(a + 1) % 3] + i;
-                const int c = 2 * t[(a + 2) % 3] + i;
-                next[i] = mesh->X[b] + u[b] - mesh->X[from] - u[from];
-                last[i] = mesh->X[c] + u[c] - mesh->X[from] - u[from];
-            }
-            angle[t[a]] += atan2(next[0] * last[1] - next[1] * last[0],
-                                 next[0] * last[0] + next[1] * last[1]);
-        }
+    mesh_angles(mesh, u, angle);
     for (int a = 0; a < mesh->n_vertex; a++)
         most = fmax(most, angle[a] / (2.0 * M_PI));
     free(angle);

@@ -21,7 +21,7 @@ struct count {
 static struct count play(enum law law, int substeps)
 {
     const struct live_setting set = {16, law, BACKWARD_EULER, PATCH, ELASTIC,
-                                     1};
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* trouble is chaotic */
     struct pointers hard = pointers_hard();

@@ -22,7 +22,8 @@ enum { TIMES = 60, HELD = 60, FRAMES = 300 };
 /* The body after it was let go. */
 static struct live *drag(enum law law, unsigned long seed)
 {
-    const struct live_setting set = {8, law, BACKWARD_EULER, PATCH, ELASTIC, 1};
+    const struct live_setting set = {8, law, BACKWARD_EULER, PATCH, ELASTIC,
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* what is dragged about is chaotic */
     struct pointer pointer = {1.0, 1.0, 1, '.'};

@@ -14,7 +14,7 @@
 int main(void)
 {
     const struct live_setting set = {8, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
-                                     1};
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* trouble is chaotic */
     struct pointers hard = pointers_hard();

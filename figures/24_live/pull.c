@@ -29,7 +29,8 @@ struct losses {
 static struct losses pull(int n, enum law law, enum start start, double speed,
                           int frames)
 {
-    const struct live_setting set = {n, law, BACKWARD_EULER, SIDE, start, 0};
+    const struct live_setting set = {n, law, BACKWARD_EULER, SIDE, start,
+                                     0, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     struct pointers script = pointers_pull(speed);
     struct losses sum = {0, 0};

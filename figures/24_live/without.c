@@ -89,7 +89,7 @@ struct without_result without_play(enum without without, int n, enum law law,
     live_lifter *const lift = without == LEAPING ? leap : live_lift;
     const struct live_setting set = {n, law, method, PATCH,
                                      without == LIFT ? LAST_STATE : ELASTIC,
-                                     without != SECOND_RUNG};
+                                     without != SECOND_RUNG, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* trouble is chaotic */
     struct without_result sum = {0};

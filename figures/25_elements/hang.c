@@ -66,6 +66,63 @@ static void solve_averaged(const struct mesh *mesh, struct material material,
     elements_free(s);
 }
 
+/* Two by two cells of the mesh are a square: its four triangles around the
+ * middle.  Returns the list of all, [3 n_triangle], for the caller to free. */
+static int *cross(const struct mesh *mesh)
+{
+    const int row = mesh->n + 1;
+    const int corner[5] = {0, 2, 2 * row + 2, 2 * row, 0};
+    int *list = allocate(3 * (size_t)mesh->n_triangle / 2, sizeof *list);
+    int *t = list;
+    for (int j = 0; j < mesh->rows; j += 2)
+        for (int i = 0; i < mesh->n; i += 2)
+            for (int k = 0; k < 4; k++) {
+                const int low = j * row + i;
+                *t++ = low + corner[k];
+                *t++ = low + corner[k + 1];
+                *t++ = low + row + 1;
+            }
+    return list;
+}
+
+/* What lies on an edge of a square is no vertex: held, and with a diagonal. */
+static void solve_crossed(const struct mesh *mesh, struct material material,
+                          const int held[], const int triangle[], double u[])
+{
+    const double diagonal[4] = {1.0, 0.0, 0.0, 1.0};
+    struct elements *s = elements_alloc(mesh, 2);
+    for (int e = 0; e < mesh->n_triangle / 2; e++) {
+        const int *t = &triangle[3 * e];
+        add_weight(elements_linear(s, t, material.mu, material.lambda), t,
+                   s->f);
+    }
+    memcpy(s->held, held, (size_t)mesh->n_vertex * sizeof *held);
+    for (int j = 0; j <= mesh->rows; j++)
+        for (int i = 1 - j % 2; i <= mesh->n; i += 2) {
+            const int a = j * (mesh->n + 1) + i;
+            elements_add(s, 1, &a, diagonal);
+            s->held[a] = 1;
+        }
+    if (elements_solve(s, u) != OK) die("criss-cross, n = %d", mesh->n / 2);
+    elements_free(s);
+}
+
+/* Root of the mean of (div u)^2 over linear triangles. */
+static double size_of_div(const struct mesh *mesh, int n_triangle,
+                          const int triangle[], const double u[])
+{
+    double sum = 0.0, g[6];
+    for (int e = 0; e < n_triangle; e++) {
+        const int *t = &triangle[3 * e];
+        const double area = mesh_gradients_of(mesh, t, g);
+        double div = 0.0;
+        for (int a = 0; a < 3; a++)
+            for (int k = 0; k < 2; k++) div += u[2 * t[a] + k] * g[2 * a + k];
+        sum += area / 4.0 * div * div;
+    }
+    return sqrt(sum);
+}
+
 /* Returns div, see hang.h. */
 static double solve_quadratic(const struct mesh *mesh, struct material material,
                               const int held[], double u[])
@@ -97,29 +154,27 @@ static double solve_quadratic(const struct mesh *mesh, struct material material,
 
 struct hang hang_of(enum hang_element element, int n, double m, double nu)
 {
-    const int cells = element == HANG_QUADRATIC ? 2 * n : n;
+    const int twice = element == HANG_QUADRATIC || element == HANG_CROSSED;
+    const int cells = twice ? 2 * n : n;
     const struct material material = material_make(CUBIC, 1000.0, nu);
     struct mesh *mesh = mesh_square(cells);
     struct hang hang = {.div = 0.0};
-    double *u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u), g[6];
+    double *u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u);
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
     for (int j = 0; j <= cells; j++) held[j * (cells + 1)] = 1;
     mesh_grade(mesh, m, MESH_LEFT | MESH_BOTTOM | MESH_TOP);
+    if (twice) quadratic_straighten(mesh);
     if (element == HANG_QUADRATIC) {
-        quadratic_straighten(mesh);
         hang.div = solve_quadratic(mesh, material, held, u);
+    } else if (element == HANG_CROSSED) {
+        int *triangle = cross(mesh);
+        solve_crossed(mesh, material, held, triangle, u);
+        hang.div = size_of_div(mesh, mesh->n_triangle / 2, triangle, u);
+        free(triangle);
     } else {
         if (element == HANG_LINEAR) solve_linear(mesh, material, held, u);
         else solve_averaged(mesh, material, held, u);
-        for (int e = 0; e < mesh->n_triangle; e++) {
-            const double area = mesh_gradients(mesh, e, g);
-            double div = 0.0;
-            for (int a = 0; a < 3; a++)
-                for (int k = 0; k < 2; k++)
-                    div += u[2 * mesh->triangle[3 * e + a] + k] * g[2 * a + k];
-            hang.div += area / 4.0 * div * div;
-        }
-        hang.div = sqrt(hang.div);
+        hang.div = size_of_div(mesh, mesh->n_triangle, mesh->triangle, u);
     }
     double *to = hang.u;
     for (int j = 0; j <= 4; j++)

@@ -32,7 +32,8 @@ struct count {
 static void play(int n, enum law law, struct pointers script, int storage,
                  int substeps, struct count *count)
 {
-    const struct live_setting set = {n, law, BACKWARD_EULER, PATCH, ELASTIC, 1};
+    const struct live_setting set = {n, law, BACKWARD_EULER, PATCH, ELASTIC,
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     for (int k = 0; k < script.n && count->frames < MOST_FRAMES; k++) {
         double to[2];

@@ -20,7 +20,8 @@
 static const double ROUND_OFF = 1e-12;
 
 static const struct live_setting SQUARE = {8,     LOG,     BACKWARD_EULER,
-                                           PATCH, ELASTIC, 1};
+                                           PATCH, ELASTIC, 1,
+                                           LINEAR_TRIANGLE};
 
 /* A frame begins: what is held, live->g and the hand's `to`. */
 static void begin_frame(struct live *live, const struct pointer *pointer,

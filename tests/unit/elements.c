@@ -1,4 +1,5 @@
 /* elements.c - laws of common/plane/elements.h. */
+#include "plane/body.h"
 #include "plane/elements.h"
 #include "plane/quadratic.h"
 

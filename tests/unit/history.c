@@ -65,7 +65,7 @@ static void vertices_are_printed_with_what_belongs_to_them(void)
 static void print_film(void)
 {
     const struct live_setting set = {1, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
-                                     1};
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     const struct pointer pointer = {0.5, 0.25, 1, '.'};
     live->now.u[7] = 1.0;

@@ -18,7 +18,8 @@ static struct live *live_of(int n, enum law law, enum method method)
 {
     gsl_set_error_handler_off();
     return live_alloc(
-        &(struct live_setting){n, law, method, PATCH, ELASTIC, 1});
+        &(struct live_setting){n, law, method, PATCH, ELASTIC, 1,
+                               LINEAR_TRIANGLE});
 }
 
 /* A frame begins: what is held, live->g and the hand's `to`. */

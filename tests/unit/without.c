@@ -35,7 +35,7 @@ static void nothing_is_the_ladder_of_live(void)
 {
     const struct without_result all = hard(NOTHING, CUBIC);
     const struct live_setting set = {8, CUBIC, BACKWARD_EULER, PATCH, ELASTIC,
-                                     1};
+                                     1, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN);
     struct pointers script = pointers_hard();
