@@ -155,7 +155,7 @@ mv moved $mine
 # ---- what is missing ----------------------------------------------------------------
 mkdir tools hide hide/gsl
 echo "$PATH" | tr : '\n' | while IFS= read -r folder; do
-    for file in "$folder"/*; do ln -s "$file" tools 2>/dev/null; done
+    ln -s "$folder"/* tools 2>/dev/null # what is there already stays
 done
 rm -f tools/gnuplot tools/gsl-config
 for header in math errno linalg; do
