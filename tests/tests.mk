@@ -262,10 +262,16 @@ $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
 $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
+# Objects that are the same without the flags for this machine, where the others
+# are those of the Makefile.
+READY = $(if $(SANITIZED)$(filter-out file,$(origin CFLAGS)),,$(foreach \
+            o,$(OBJECTS),$(if $(strip $(call native_for,$(basename $(notdir \
+            $o)))),,$o)) $(PROGRAMS:=.o) $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
+VARIANTS = BUILD='$(BUILD)' READY='$(READY)' sh tests/tools/build_variants.sh
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
-	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
-	    sh tests/tools/build_variants.sh $* > $@
+	$(SHARED)$(Q)mkdir -p $(@D) && $(VARIANTS) $* > $@
+$(T)/build-valgrind.result: $$(READY)
 
 include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
@@ -285,10 +291,9 @@ test: $(FIRST) $(RESULTS)
 	@cat $^ | sh tests/tools/count.sh
 
 # all that computes for long, too
-memcheck:
-	$(SHARED)@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
-	    tests/tools/build_variants.sh $$kind whole; done | sh \
-	    tests/tools/count.sh
+memcheck: $$(READY)
+	$(SHARED)@for kind in sanitize valgrind; do $(VARIANTS) $$kind whole; done | \
+	    sh tests/tools/count.sh
 
 include tests/many.mk
 include tests/mutants.mk

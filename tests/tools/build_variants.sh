@@ -4,7 +4,8 @@
 # KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
 # UBSan), valgrind (no leak, no invalid access, nothing read that was not
 # written).  What computes for long is run in part, unless it is to be the whole.
-# Prints ok, FAIL, skip lines.
+# READY: objects that valgrind's build has in common with the main one.  Prints
+# ok, FAIL, skip lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -44,8 +45,19 @@ valgrind)
         echo 'skip valgrind: not on this machine'
         exit 0
     fi
-    # without the flags for this machine: valgrind does not know AVX-512
-    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O1 -g' NATIVE= 2>&1)
+    # without the flags for this machine: valgrind does not know AVX-512; what is
+    # READY in the main build has none, and is taken from there
+    for object in ${READY:-}; do
+        to=$dir/${object#"$BUILD"/}
+        [ -d "${to%/*}" ] || mkdir -p "${to%/*}"
+        cp -p "$object" "$to"
+    done
+    if [ -n "${READY:-}" ]; then
+        cp -p "$BUILD/flags" "$dir"
+        ANY_FLAGS=1
+        export ANY_FLAGS
+    fi
+    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O2 -g' NATIVE= 2>&1)
     result $? 'everything compiles for any machine' "$said" ;;
 esac
 [ $kind = sanitize ] || [ $kind = valgrind ] || exit 0
