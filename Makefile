@@ -227,7 +227,8 @@ $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 
 # A judge is a lesson's checks with the judged program compiled in.
 JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
-          compare cells tables claims guard output predict child confine sight)
+          compare cells tables claims guard output predict child confine sight \
+          kept)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)

@@ -132,10 +132,22 @@ endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 .PHONY: lint
 lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
+# What the programs that a judge of these compares with print, with each of the
+# lesson's options, is found out once.  Nothing that a student asks for reads it.
+define kept_rule
+$(T)/kept/$1.all: $(BUILD)/solutions/$1.judge $(BUILD)/solutions/$1 \
+        $(call mistakes_of,$1)
+	$(Q)rm -rf $(T)/kept/$1 && mkdir -p $(T)/kept/$1 && set -- && \
+	    for program in $$(wordlist 2,99,$$^); do \
+	        [ ! -x "$$$$program" ] || set -- "$$$$@" "$$$$program"; done && \
+	    $$< --keep $(T)/kept/$1 "$$$$@" && : > $$@
+endef
+$(foreach l,$(LESSONS),$(eval $(call kept_rule,$l)))
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
         $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
-        tests/tools/verify.sh
+        $(T)/kept/$(patsubst %/,%,$(dir $1)).all \
+        tests/tools/verify.sh tests/tools/verify.awk
 	$$(call say,test,$1)
 	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
 endef
