@@ -184,7 +184,7 @@ $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
 	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O0 $$(QUICK) \
-	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE)) \
+	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE:-O3=-O1)) \
 	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
 	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
