@@ -90,17 +90,19 @@ behave)
     case $nn in 03 | 13) ;; *)
         dir=$BUILD/test/behave.$nn
         rm -rf "$dir" && mkdir -p "$dir"
-        direct() { # direct WHAT VERDICT: the program on stdin
-            cat >"$dir/$slug.c"
-            said=$("$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' \
-                FILE="$dir/$slug.c" INTO="$dir/judge" SLUG="$slug" 2>&1 &&
-                judge_one "$dir/judge")
-            rm -f "$dir/judge"
+        file=$dir/$slug.c
+        . tests/tools/same_way.sh
+        direct() { # direct WHAT VERDICT: the program in $file
+            same_way >"$dir/log" && judge_one "$dir/judge" >"$dir/log"
+            said=$(cat "$dir/log")
             said "$1" "$2"
         }
-        with_line "$crash" | direct 'segmentation fault' CRASHED
-        with_line "$quit" | direct 'early exit(0)' CRASHED
-        table | direct 'a program with a table of its own' OK
+        with_line "$crash" >"$file"
+        direct 'segmentation fault' CRASHED
+        with_line "$quit" >"$file"
+        direct 'early exit(0)' CRASHED
+        table >"$file"
+        direct 'a program with a table of its own' OK
         rm -rf "$dir"
         exit 0 ;;
     esac
