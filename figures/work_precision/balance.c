@@ -1,6 +1,6 @@
 /*
- * balance.c - does the balance rule find the cheapest setting, and from how many
- * runs on does it pay?
+ * balance.c - does the balance rule find the cheapest setting, and when does it
+ * pay?
  *
  * All settings of trials.h in six scenes, on which the rule was made, and in
  * two on which it was not: a pull that begins with a jolt, and a weight.  The
@@ -109,7 +109,8 @@ int main(void)
     table_begin("cheapest", TRIALS_COLUMNS);
     for (int k = 0; k < WORK_SCENES; k++) {
         s[k] = trials_alloc((enum work_scene)k);
-        for (int i = 0; i < 4 && k < FLAGSHIP; i++) {
+        if (k >= FLAGSHIP) continue;
+        for (int i = 0; i < 4; i++) {
             const int best = trials_cheapest(s[k], wanted[i]);
             if (best >= 0) trials_row(s[k], best, wanted[i]);
         }

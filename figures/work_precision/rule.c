@@ -5,7 +5,7 @@
 #include <math.h>
 
 static const double tolerances[] = {1e-2, 1e-5};
-enum { FINE_STEPS = 32, FINEST_STEPS = 128 }; /* of the midpoint rule's probes */
+enum { FINE_STEPS = 32, FINEST_STEPS = 128 }; /* of the midpoint's probes */
 
 struct rule {
     const struct trials *trials;
