@@ -1,6 +1,6 @@
-# front.gp - error against counted flops of every setting in six scenes, the
-# front, what the balance rule takes, the floor of the reference; settings that
-# fail have no cost and stand at the top.
+# front.gp - error against counted flops of every setting in six scenes (grey), the
+# front, whose corners say law, method, n x steps, what the balance rule takes, the
+# floor of the reference; settings that fail have no cost and stand at the top.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason; asked 0: the front, else the rule), scenes (scene floor)
 # Writes  out   SVG
@@ -22,10 +22,19 @@ of(s, l, m) = here(s) && strcol("law") eq Law[int(l)] && \
 lost(s, l) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
     t == \"# settings\" && $1 == \"%s\" && $3 == \"%s\" && $10 != \"OK\" { n++ } \
     END { print n + 0 }' '%s'", Scene[s], Law[l], data)) + 0
-# of marks of one kind within seven pixels of each other, the first
+# of marks within seven pixels of each other, the first
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
-        !seen[$1, $3, $4, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
+        !seen[$1, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
+# of the corners those that have room for a label: half the error of the last one
+corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\\tflops\\terror\\tlabel\"; next } \
+    NF == 0 { on = 0 } on && $1 != \"scene\" && $2 == 0 { \
+        if ($1 != scene) last = 9; scene = $1; \
+        if ($8 > 0.55 * last) next; last = $8; \
+        law = $3 == \"linear\" ? \"lin\" : $3; \
+        how = $4 == \"static\" ? \"static \" $5 : substr($4, 1, 4) \" \" $5 \"×\" $6; \
+        print $1 \"\\t\" $9 \"\\t\" $8 \"\\t\" law \" \" how }' '%s'", data)
+front(s, l, m) = of(s, l, m) > 0 && column("asked") == 0 ? column("flops") : NaN
 set multiplot
 set logscale xy
 set format y "10^{%T}"
@@ -54,11 +63,17 @@ do for [s = 1:6] {
     unset key
     plot data index "scenes" using (here(s) ? 4e3 : NaN):"floor":(3e7):(0) \
              with vectors nohead ls 8 dt 3 notitle, \
-         for [l = 1:3] for [m = 1:5] apart \
-             using (of(s, l, m)):"error" with points pt Point[m] ps 0.55 \
-             lc rgb Color[l] notitle, \
+         apart using (here(s) ? column("flops") : NaN):"error" \
+             with points pt 7 ps 0.25 lc rgb "#B0B0B0" notitle, \
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
-             with steps lw 2 lc rgb "#009E73" notitle, \
+             with steps lw 1.5 lc rgb "#009E73" notitle, \
+         for [l = 1:3] for [m = 1:5] data index "front" \
+             using (front(s, l, m)):"error" with points pt Point[m] ps 0.8 \
+             lc rgb Color[l] notitle, \
+         corners using (here(s) && column("flops") < 2e5 ? column("flops") : NaN):"error":(strcol("label")) \
+             with labels left offset 0.7,0.5 font ",9" notitle, \
+         corners using (here(s) && column("flops") >= 2e5 ? column("flops") : NaN):"error":(strcol("label")) \
+             with labels right offset -0.8,-0.4 font ",9" notitle, \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.4 lw 2 lc rgb "#CC79A7" notitle
 }

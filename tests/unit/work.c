@@ -1,7 +1,7 @@
-/* work.c - laws of figures/work_precision/work.h and trials.h. */
+/* work.c - laws of figures/work_precision/work.h, trials.h and rule.h. */
 #include "base/study.h"
 #include "base/table.h"
-#include "figures/work_precision/trials.h"
+#include "figures/work_precision/rule.h"
 
 #include "unit.h"
 
@@ -350,6 +350,37 @@ static void the_rule_is_balanced(void)
     trials_free(s);
 }
 
+/* ---- rule.h -------------------------------------------------------------- */
+
+/* The least that three meshes cost: the midpoint rule with 32 steps. */
+static double least_probes(const struct trials *s)
+{
+    double flops = 0.0;
+    for (int k = 0; k < s->count; k++)
+        if (s->set[k].dynamic && s->set[k].method == IMPLICIT_MIDPOINT &&
+            s->set[k].steps == 32 &&
+            (s->set[k].law == LINEAR || s->set[k].tolerance < 1e-4))
+            flops += s->work[k].flops;
+    return flops;
+}
+
+static void the_rule_pays_for_its_probes(void)
+{
+    struct trials *s = trials_alloc(PUSH);
+    const double least = least_probes(s);
+    ck_assert_int_eq(rule_take(s, 2, 0.0).taken, -1);
+    for (double error = 0.4; error > 0.05; error *= 0.5) {
+        const struct rule_choice two = rule_take(s, 2, error);
+        const struct rule_choice three = rule_take(s, 3, error);
+        ck_assert_int_eq(three.taken, trials_balanced(s, error));
+        ck_assert(three.flops >= least && three.probes >= 20);
+        ck_assert(two.taken >= 0 && s->error[two.taken] < 2.0 * error);
+        ck_assert(two.flops < 0.2 * three.flops);
+        ck_assert(3 * two.probes < 2 * three.probes);
+    }
+    trials_free(s);
+}
+
 static const struct unit_law laws[] = {
     {"scenes_end_where_they_say", scenes_end_where_they_say},
     {"linear_answers_scale", linear_answers_scale},
@@ -363,6 +394,7 @@ static const struct unit_law laws[] = {
     {"sweeps_know_parts_and_the_cheapest",
      sweeps_know_parts_and_the_cheapest},
     {"the_rule_is_balanced", the_rule_is_balanced},
+    {"the_rule_pays_for_its_probes", the_rule_pays_for_its_probes},
 };
 
 UNIT_MAIN("work", laws)
