@@ -2,16 +2,11 @@
  * choose.c - scenes in numbers without dimension: do they tell the least model?
  *
  * The twelve scenes of ladder.h, and three in which a load along the axis acts
- * on what another one bends.  Of the linear answer at rest on the coarsest
- * mesh: its largest strain, what the geometry leaves out, and 1 / (omega T); by
- * the beam's formulas alone: the share of bending [eq:left-dimension], and the
- * axial force over the one that buckles.  `turned` is the larger of geometry
- * and of axial force times bending, times 1 + 2 / (omega T) in motion, for so
- * far a body may overshoot; and 1 or more where it is pressed beyond its
- * buckling load.  Three comparisons with a tolerance of 10 % then name a model,
- * and beside it stands the cheapest within 10 % of the truth.
- * Table: scenes.
+ * on what another one bends, with the numbers of numbers.h.  Three comparisons
+ * with a tolerance of 10 % name a model, and beside it stands the cheapest that
+ * is within 10 % of the truth.  Table: scenes.
  */
+#include "numbers.h"
 #include "prices.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -44,60 +39,25 @@ static const struct ladder_scene *scene_named(const char *word)
     die("there is no scene %s", word);
 }
 
-/* The axial force over the one that buckles a beam, > 0 where it presses: at
- * the end pi^2/4 E' I / L^2, and 7.84 E' I / L^2 is the weight of a column that
- * buckles under itself. */
-static double axial(const struct ladder_scene *s)
-{
-    const double pi = 2.0 * acos(0.0), L = 2.0, height = L / s->slender;
-    const double bending =
-        1000.0 / (1.0 - s->nu * s->nu) * pow(height, 3) / 12.0 / (L * L);
-    return -(s->pull[0] * height / (0.25 * pi * pi) +
-             s->weight[0] * L * height / 7.84) / bending;
-}
-
-static double largest_strain(const struct ladder_state *s)
-{
-    double most = 0.0;
-    for (int e = 0; e < s->mesh->n_triangle; e++)
-        most = fmax(most, mat2_norm(ladder_strain(s, e)));
-    return most;
-}
-
-/* Bending takes triangles, and so does motion; turning takes a law. */
-static enum rung rung_of(double bends, double turned, double moves)
-{
-    if (turned > tolerance) return CUBIC_PLANE;
-    return bends > tolerance || moves > tolerance ? LINEAR_PLANE : BAR;
-}
-
 /* A row; true: where the numbers put the scene, on both axes, is where the
  * cheapest model is. */
 static int print_scene(const struct ladder_scene *scene)
 {
     static struct prices prices;
     int none;
-    struct ladder_state *s =
-        ladder_solve(scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
-    const double bends = estimate_dimension(s), force = axial(scene);
-    const double geometry = estimate_geometry(s);
-    const double moves = scene->time == STANDS ? 0.0 : estimate_inertia(s);
-    double turned =
-        (1.0 + 2.0 * moves) * fmax(geometry, fabs(force) * bends);
-    if (force >= 1.0) turned = fmax(turned, force);
+    const struct numbers n = numbers_of(scene);
     prices_find(scene, &prices);
     const struct ladder_model least =
         prices_cheapest(&prices, tolerance, &none);
     table_row(scene->name, scene->slender, scene->nu,
-              cell_rounded(2, largest_strain(s)), cell_rounded(3, geometry),
-              cell_rounded(2, bends), cell_rounded(2, force),
-              cell_rounded(3, turned),
-              moves > 0.0 ? cell_rounded(3, moves) : cell_word(MISSING),
+              cell_rounded(2, n.strain), cell_rounded(3, n.geometry),
+              cell_rounded(2, n.bends), cell_rounded(2, n.force),
+              cell_rounded(3, n.turned),
+              n.moves > 0.0 ? cell_rounded(3, n.moves) : cell_word(MISSING),
               ladder_rung(least.rung),
               least.moving ? "motion" : "rest", least.level);
-    ladder_free(s);
-    return !none && least.rung == rung_of(bends, turned, moves) &&
-           least.moving == (moves > tolerance);
+    return !none && least.rung == numbers_rung(n, tolerance) &&
+           least.moving == (n.moves > tolerance);
 }
 
 int main(void)

@@ -1,0 +1,46 @@
+/* numbers.c - see numbers.h. */
+#include "numbers.h"
+
+#include <math.h>
+
+/* The axial force over the one that buckles a beam, > 0 where it presses: at
+ * the end pi^2/4 E' I / L^2, and 7.84 E' I / L^2 is the weight of a column that
+ * buckles under itself. */
+static double axial(const struct ladder_scene *s)
+{
+    const double pi = 2.0 * acos(0.0), L = 2.0, height = L / s->slender;
+    const double bending =
+        1000.0 / (1.0 - s->nu * s->nu) * pow(height, 3) / 12.0 / (L * L);
+    return -(s->pull[0] * height / (0.25 * pi * pi) +
+             s->weight[0] * L * height / 7.84) / bending;
+}
+
+static double largest_strain(const struct ladder_state *s)
+{
+    double most = 0.0;
+    for (int e = 0; e < s->mesh->n_triangle; e++)
+        most = fmax(most, mat2_norm(ladder_strain(s, e)));
+    return most;
+}
+
+struct numbers numbers_of(const struct ladder_scene *scene)
+{
+    struct ladder_state *s =
+        ladder_solve(scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
+    struct numbers n = {.strain = largest_strain(s),
+                        .geometry = estimate_geometry(s),
+                        .bends = estimate_dimension(s), .force = axial(scene)};
+    if (scene->time != STANDS) n.moves = estimate_inertia(s);
+    const double stress = n.force < 0.0   ? -n.force * n.bends
+                          : n.force < 1.0 ? n.force / (1.0 - n.force) * n.bends
+                                          : n.force;
+    n.turned = (1.0 + 2.0 * n.moves) * fmax(n.geometry, stress);
+    ladder_free(s);
+    return n;
+}
+
+enum rung numbers_rung(struct numbers n, double tolerance)
+{
+    if (n.turned > tolerance) return CUBIC_PLANE;
+    return n.bends > tolerance || n.moves > tolerance ? LINEAR_PLANE : BAR;
+}

@@ -1,0 +1,29 @@
+/*
+ * numbers.h - a scene in numbers without dimension, and the model they name.
+ *
+ * Of the linear answer at rest on the coarsest mesh, its largest strain, what
+ * the geometry leaves out [eq:left-geometry], and 1 / (omega T)
+ * [eq:left-inertia]; by the beam's formulas alone, the share of bending
+ * [eq:left-dimension], and the axial force over the one that buckles.
+ */
+#ifndef FIGURES_NUMBERS_H
+#define FIGURES_NUMBERS_H
+
+#include "choice/estimate.h"
+
+struct numbers {
+    double strain, geometry, bends;
+    double force;  /* over the one that buckles a beam, > 0 where it presses */
+    double moves;  /* 0: the load stands */
+    double turned; /* the larger of geometry and of what the axial force makes
+                    * of the bending, force / (1 - force) of it where it
+                    * presses, |force| where it pulls, or force beyond 1; times
+                    * 1 + 2 moves, for so far may a body overshoot */
+};
+struct numbers numbers_of(const struct ladder_scene *scene);
+
+/* BAR, LINEAR_PLANE where it bends or moves, CUBIC_PLANE where it is turned by
+ * more than the tolerance; its load at rest unless it moves. */
+enum rung numbers_rung(struct numbers numbers, double tolerance);
+
+#endif
