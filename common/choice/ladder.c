@@ -38,6 +38,20 @@ struct ladder_scene ladder_loaded(int which, double load)
     return scene;
 }
 
+/* E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free. */
+static double bar_modulus(const struct material *m)
+{
+    return 4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
+}
+
+double ladder_buckles(const struct ladder_scene *scene)
+{
+    const struct material m = material_make(CUBIC, 1000.0, scene->nu);
+    const double length = 2.0, height = length / scene->slender;
+    const double I = pow(height, 3) / 12.0;
+    return pow(acos(-1.0), 2) * bar_modulus(&m) * I / (4.0 * length * length);
+}
+
 const char *ladder_rung(enum rung rung)
 {
     static const char *const word[] = {"bar", "linear", "cubic", "log"};
@@ -47,7 +61,7 @@ const char *ladder_rung(enum rung rung)
 const char *ladder_part(enum part part)
 {
     static const char *const word[] = {"geometry", "law", "dimension",
-                                       "inertia", "mesh"};
+                                       "inertia", "mesh", "stress"};
     return word[part];
 }
 
@@ -140,8 +154,7 @@ static double sweep(const struct ladder_state *s, int tangent)
 static void solve_bar(struct ladder_state *s)
 {
     const struct material *m = &s->body->material;
-    const double modulus =
-        4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
+    const double modulus = bar_modulus(m);
     const double thinner = m->lambda / (2.0 * m->mu + m->lambda);
     const int n = s->mesh->n, columns = n + 1;
     const double area = 2.0 / s->scene->slender, h = 2.0 / n;
@@ -298,20 +311,6 @@ struct ladder_model ladder_truth(const struct ladder_scene *scene)
         LOG_PLANE, scene->time != STANDS, scene->finest + 1};
 }
 
-mat2 ladder_strain(const struct ladder_state *s, int e)
-{
-    const mat2 F = body_deformation(s->body, s->u, e);
-    const mat2 C = mat2_multiply(mat2_transpose(F), F);
-    return mat2_scale(0.5, mat2_subtract(C, mat2_identity()));
-}
-
-double ladder_psi(const struct ladder_state *s, mat2 strain)
-{
-    struct material linear = s->body->material;
-    linear.law = LINEAR;
-    return material2_psi(&linear, mat2_add(mat2_identity(), strain));
-}
-
 double *ladder_momentum(const struct ladder_state *s)
 {
     struct body heavy = *s->body;
@@ -333,7 +332,7 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
     if (part == MESH && model->level < scene->finest) model->level++;
     if (part == INERTIA) model->moving = 1;
     if (part == LAW) model->rung = LOG_PLANE;
-    if (part == GEOMETRY && model->rung < CUBIC_PLANE)
+    if ((part == GEOMETRY || part == STRESS) && model->rung < CUBIC_PLANE)
         model->rung = CUBIC_PLANE;
     if (model->rung == BAR) model->rung = LINEAR_PLANE;
     return model->rung != old.rung || model->moving != old.moving ||

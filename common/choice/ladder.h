@@ -47,6 +47,10 @@ extern const struct ladder_scene ladder_scene[LADDER_SCENES];
 /* One of them, its load multiplied. */
 struct ladder_scene ladder_loaded(int which, double load);
 
+/* The force (N) under which a straight column of this length, height and
+ * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
+double ladder_buckles(const struct ladder_scene *scene);
+
 enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
 struct ladder_model {
     enum rung rung;
@@ -84,22 +88,18 @@ struct ladder_state *ladder_solve(const struct ladder_scene *scene,
 int ladder_stable(const struct ladder_state *state);
 
 /* What a model may leave out. */
-enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
+enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, STRESS, N_PART };
 const char *ladder_part(enum part part);
 
-/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE
- * for the law, motion for the inertia, cells of half the size for the mesh; a
- * bar becomes LINEAR_PLANE with any of them.  false: it has that, or there is
- * no finer mesh, and nothing changes. */
+/* Add to a model what it leaves out: CUBIC_PLANE for the geometry and the
+ * stress, LOG_PLANE for the law, motion for the inertia, cells of half the size
+ * for the mesh; a bar becomes LINEAR_PLANE with any of them.  false: it has
+ * that, or there is no finer mesh, and nothing changes. */
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
-/* What the estimates are made of: the Green strain G = (F^T F - I) / 2 of
- * triangle e [eq:green-strain]; the linear law's energy of a strain
- * [eq:psi-linear]; M u for the density 1, a new array for the caller to free.
- */
-mat2 ladder_strain(const struct ladder_state *state, int e);
-double ladder_psi(const struct ladder_state *state, mat2 strain);
+/* M u for the density 1, which the inertia is estimated from; a new array for
+ * the caller to free. */
 double *ladder_momentum(const struct ladder_state *state);
 
 /* The richest model of a scene, on the mesh after its finest: the truth that

@@ -94,6 +94,7 @@ int main(void)
 {
     double factor[LADDER_SCENES][TOLERANCES], dense[LADDER_SCENES];
     int right[TOLERANCES] = {0}, reached[TOLERANCES] = {0};
+    int wrong[TOLERANCES] = {0}; /* enough, it says, and it is not */
     gsl_set_error_handler_off();
     table_begin("choice",
                 "tolerance scene chosen mesh error best level factor right");
@@ -115,6 +116,7 @@ int main(void)
             factor[k][t] = none ? NAN : at(richest)->flops / at(best)->flops;
             right[t] += agrees;
             reached[t] += !none;
+            wrong[t] += more && o->error > wanted[t];
             table_row(100.0 * wanted[t], scene->name,
                       name(more ? &chosen : NULL), cell_if(more, chosen.level),
                       cell_rounded(6, 100.0 * o->error),
@@ -130,12 +132,13 @@ int main(void)
                   cell_if(f[1] > 0, f[1]), cell_if(f[2] > 0, f[2]), dense[k]);
     }
     table_end();
-    table_begin("right", "tolerance right reached");
+    table_begin("right", "tolerance right reached wrong");
     for (int t = 0; t < TOLERANCES; t++)
-        table_row(100.0 * wanted[t], right[t], reached[t]);
+        table_row(100.0 * wanted[t], right[t], reached[t], wrong[t]);
     table_end();
     for (int t = 0; t < TOLERANCES; t++)
-        claim(right[t] >= 11, "at %g %% the cheapest model that meets it is "
-              "chosen in %d of 12 scenes", 100.0 * wanted[t], right[t]);
+        claim(right[t] >= 10 && wrong[t] == 0, "at %g %% the cheapest model "
+              "that meets it is chosen in %d of 12 scenes, one that does not "
+              "in %d", 100.0 * wanted[t], right[t], wrong[t]);
     return table_finish();
 }
