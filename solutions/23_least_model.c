@@ -12,6 +12,7 @@
  * Plot: ladder rung estimate
  */
 #include "choice/relax.h"
+#include "choice/scene_file.h"
 #include "base/options.h"
 #include "base/table.h"
 
@@ -210,7 +211,7 @@ static void print_rung(int rung, const struct ladder_state *s,
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
-    struct ladder_model model = {BAR, 0, 0};
+    struct ladder_model model = ladder_first(scene);
     int enough = 0, more = 1;
     for (int rung = 1; more; rung++) {
         struct ladder_state *s = ladder_solve(scene, model);
@@ -239,17 +240,23 @@ int main(int argc, char *argv[])
 {
     int which = LADDER_SCENES - 1, ask = 0;
     double tolerance = 0.1, load = 1.0;
+    const char *path = NULL;
     const struct option options[] = {
         {"scene", .choice = &which, .choices = LADDER_WORDS, .help = "which"},
         {"tolerance", .real = &tolerance, .min = 1e-6, .max = 10,
          .help = "of the displacement, relative"},
         {"load", .real = &load, .min = 1e-3, .max = 3, .help = "multiplied"},
+        {"file", .text = &path, .unit = "a file's name",
+         .help = "a scene of one's own"},
         {"truth", .choice = &ask, .choices = "no yes", .help = "its error too"},
     };
     options_parse("23_least_model", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
 
-    const struct ladder_scene scene = ladder_loaded(which, load);
+    struct scene_file own;
+    if (path) scene_file_read("23_least_model", path, 2, &own);
+    const struct ladder_scene scene =
+        ladder_loaded(path ? &own.scene : &ladder_scene[which], load);
     struct ladder_state *truth = NULL;
     if (ask) truth = ladder_solve(&scene, ladder_truth(&scene));
     table_begin("ladder",

@@ -153,7 +153,7 @@ struct ladder_state *estimate_climb(const struct ladder_scene *scene,
                                     double tolerance, double *estimate,
                                     int *enough)
 {
-    struct ladder_model model = {BAR, 0, 0};
+    struct ladder_model model = ladder_first(scene);
     for (;;) {
         struct ladder_state *s = ladder_solve(scene, model);
         enum part add;

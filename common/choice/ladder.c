@@ -27,12 +27,13 @@ const struct ladder_scene ladder_scene[LADDER_SCENES] = {
      .dt = 0.02, .end = 1.9, .finest = 1},
 };
 
-struct ladder_scene ladder_loaded(int which, double load)
+struct ladder_scene ladder_loaded(const struct ladder_scene *of, double load)
 {
-    struct ladder_scene scene = ladder_scene[which];
+    struct ladder_scene scene = *of;
     for (int i = 0; i < 2; i++) {
         scene.weight[i] *= load;
         scene.pull[i] *= load;
+        scene.push[i] *= load;
     }
     scene.couple *= load;
     return scene;
@@ -65,10 +66,17 @@ const char *ladder_part(enum part part)
     return word[part];
 }
 
-/* The columns of cells on the coarsest mesh. */
+/* The columns of cells on the coarsest mesh, of 4 rows. */
+enum { ROWS = 4 };
 static int coarsest(const struct ladder_scene *scene)
 {
-    return 4 * scene->slender;
+    return (int)fmax(2.0, floor(ROWS * scene->slender + 0.5));
+}
+
+struct ladder_model ladder_first(const struct ladder_scene *scene)
+{
+    const enum rung rung = scene->held == LADDER_ENDS ? LINEAR_PLANE : BAR;
+    return (struct ladder_model){rung, 0, 0};
 }
 
 /* Cut the cells of the upper half the other way: the mesh is then its own
@@ -84,7 +92,8 @@ static void mirror(struct mesh *mesh)
         }
 }
 
-/* f := int (weight) N_a + int (pull, couple) N_a on the right end. */
+/* f := int (weight) N_a + int (pull, couple) N_a on the right end + int (push)
+ * N_a on the upper side. */
 static void load(struct ladder_state *s)
 {
     const struct mesh *mesh = s->mesh;
@@ -105,6 +114,11 @@ static void load(struct ladder_state *s)
             s->f[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
         }
     }
+    for (int k = 0; k < 2 * n; k++) { /* each edge gives half to each end */
+        const int a = mesh->rows * (n + 1) + (k + 1) / 2;
+        for (int i = 0; i < 2; i++)
+            s->f[2 * a + i] += s->scene->push[i] / n;
+    }
 }
 
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
@@ -115,11 +129,15 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     const enum law law = model.rung == LOG_PLANE ? LOG : CUBIC;
     s->scene = scene;
     s->model = model;
-    s->mesh = mesh_rectangle(n, n / scene->slender, 1.0, 1.0 / scene->slender);
+    s->mesh =
+        mesh_rectangle(n, ROWS << model.level, 1.0, 1.0 / scene->slender);
     mirror(s->mesh);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     int *held = allocate((size_t)s->mesh->n_vertex, sizeof *held);
-    for (int a = 0; a < s->mesh->n_vertex; a += n + 1) held[a] = 1;
+    for (int a = 0; a < s->mesh->n_vertex; a += n + 1) {
+        held[a] = 1;
+        held[a + n] = scene->held == LADDER_ENDS;
+    }
     s->body = body_alloc(s->mesh, material_make(law, 1000.0, scene->nu),
                          model.moving ? 1.0 : 0.0, CONSISTENT, held);
     free(held);
@@ -342,7 +360,7 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth)
 {
-    const int n = coarsest(state->scene), rows = n / state->scene->slender;
+    const int n = coarsest(state->scene), rows = ROWS;
     const int a = state->mesh->n / n, b = truth->mesh->n / n;
     double off = 0.0, size = 0.0;
     for (int j = 0; j <= rows; j++)

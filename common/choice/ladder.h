@@ -2,10 +2,11 @@
  * ladder.h - twelve scenes, the models that may do for them, and what each of
  * them costs.
  *
- * A scene is a body (-1, 1) x (-1/slender, 1/slender), its left end held, with
- * E = 1000 N/m^2 and a density of 1 kg/m^2, and its load: a constant body
- * force, and on the right end a constant traction and a bending couple. The
- * load stands still, rises in a straight line in the time T, or swings as
+ * A scene is a body (-1, 1) x (-1/slender, 1/slender), its left end held or
+ * both, with E = 1000 N/m^2 and a density of 1 kg/m^2, and its load: a constant
+ * body force, on the right end a constant traction and a bending couple, on the
+ * upper side a constant traction. (scene_file.h reads others, and scales them.)
+ * The load stands still, rises in a straight line in the time T, or swings as
  * sin(t / T). What is asked for is the displacement at rest under the full load
  * or, where the load moves, at the moment when the load has done most work.
  *
@@ -24,13 +25,16 @@
 #include "plane/body.h"
 
 enum ladder_time { STANDS, RISES, SWINGS };
+enum ladder_held { LADDER_LEFT, LADDER_ENDS }; /* the left end, or both */
 struct ladder_scene {
     const char *name; /* a word */
-    int slender;      /* length over height */
+    double slender;   /* length over height */
     double nu;
     double weight[2]; /* body force (N/m^2) */
     double pull[2];   /* traction on the right end (N/m) */
     double couple;    /* traction (couple Y, 0) there (N/m^2) */
+    double push[2];   /* traction on the upper side (N/m) */
+    enum ladder_held held;
     enum ladder_time time;
     double T;         /* (s) */
     double dt;        /* of all models in motion (s) */
@@ -44,8 +48,9 @@ extern const struct ladder_scene ladder_scene[LADDER_SCENES];
     "above-buckling slow-pull fast-pull incompressible slender-column "      \
     "stout-column shaken"
 
-/* One of them, its load multiplied. */
-struct ladder_scene ladder_loaded(int which, double load);
+/* A scene, its load multiplied. */
+struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
+                                  double load);
 
 /* The force (N) under which a straight column of this length, height and
  * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
@@ -58,6 +63,10 @@ struct ladder_model {
     int level; /* of the mesh: 4 rows of square cells at 0, and each level
                 * halves them; the estimates of a BAR are made on level 0 */
 };
+
+/* The first rung: a BAR, or linear triangles where both ends are held, for
+ * which there is no bar here. */
+struct ladder_model ladder_first(const struct ladder_scene *scene);
 
 /* "bar", "linear", "cubic", "log". */
 const char *ladder_rung(enum rung rung);

@@ -661,6 +661,7 @@ static void what_is_too_strict_is_refused(void)
     run_unsolved("--scene shaken --tolerance 0.001", "the ladder ends");
     expect_refusal("--tolerance -1", 2, "tolerance");
     expect_refusal("--scene nowhere", 2, "scene");
+    expect_refusal("--file no/such.scene", 2, "no/such.scene");
 }
 
 /* What the header asks to PREDICT. */
