@@ -154,6 +154,7 @@ help:
 	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make live         lesson 24 in a window (needs SDL2)'
+	@echo '  make choose SCENE=lessons/scenes/flap.scene   the least model for a scene'
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo '  make many         a step on many processes; make deps-many first'
 	@echo
@@ -178,7 +179,8 @@ $(BUILD)/flags: $(OTHER_FLAGS)
 
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
-# has all but window_sdl.c, which needs SDL2 and is for `make live` only.
+# has all but window_sdl.c, which needs SDL2 and is for `make live` only, and the
+# program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
 NO_PROGRAM := help deps status alone check-% hint-% solution-% reset-% watch-% \
               debug-% mistakes-%
@@ -194,7 +196,8 @@ needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
 .SECONDEXPANSION:
 
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
-               common/motion/window_sdl.c,$(wildcard common/*/*.c)))
+               common/motion/window_sdl.c common/choice/choose.c,$(wildcard \
+               common/*/*.c)))
 # One of another make may have left out what has come since.
 LEFT_OUT := $(if $(wildcard $(LIB)),$(filter-out $(shell ar t $(LIB)), \
                 $(notdir $(OBJECTS))))
@@ -391,16 +394,17 @@ takes_lesson := TABLE ARGS
 takes_diff   := TABLE ARGS
 takes_plot   := TABLE X Y KEY ARGS
 takes_live   := ARGS
+takes_choose := SCENE ERROR WITHIN VERIFY
 takes_debug  := ARGS
 takes_check  := JSON
 takes_grade  := JSON
-MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON
+MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFY
 given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
 goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
 ifeq ($(MAKELEVEL),0)
 $(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
     make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
-    $(strip $(foreach t,lesson plot diff debug check live grade,$(if $(filter \
+    $(strip $(foreach t,lesson plot diff debug check live choose grade,$(if $(filter \
     $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
 endif
 override TABLE := $(if $(filter TABLE,$(given)),$(value TABLE))
@@ -408,7 +412,9 @@ override X     := $(if $(filter X,$(given)),$(value X))
 override Y     := $(if $(filter Y,$(given)),$(value Y))
 override KEY   := $(if $(filter KEY,$(given)),$(value KEY))
 override ARGS  := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
-export TABLE X Y KEY ARGS
+$(foreach v,SCENE ERROR WITHIN VERIFY,$(eval override $v := $$(if $$(filter \
+    $v,$$(given)),$$(value $v))))
+export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFY
 
 status: ; @$(STUDENT) status
 
@@ -444,6 +450,15 @@ live: $(LIB)
 	esac; $(BUILD)/live $$ARGS > $(BUILD)/live.tsv && \
 	echo 'The frames are in $(BUILD)/live.tsv'
 
+# The least model for a scene of one's own, by the library's ladder.
+.PHONY: choose
+choose: $(LIB)
+	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
+	    '[WITHIN=33ms] [VERIFY=yes]; lessons/scenes/ has examples' >&2; exit 2; }
+	@mkdir -p $(BUILD) && $(PLAIN) common/choice/choose.c -o $(BUILD)/choose $(LINK)
+	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
+	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFY:-no}"
+
 # The files of a new lesson: make new-26 NAME=spring
 new-%:
 	@sh tests/tools/new.sh '$*' '$(NAME)'
@@ -454,7 +469,7 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help deps status figures course book test live bench many grade lint \
+GOALS := help deps status figures course book test live choose bench many grade lint \
          starters workbook programs studies memcheck look alone clean new-% \
          deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
@@ -473,7 +488,7 @@ clean:
 # without them, and answers at once.
 JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
                  $(BUILD)/solutions/$(SLUG).judge)
-ifeq ($(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live $(JUDGED_BY), \
+ifeq ($(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live choose $(JUDGED_BY), \
       $(or $(MAKECMDGOALS),help))$(filter mistakes-%,$(MAKECMDGOALS)),)
 ifneq ($(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),)
 -include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d))

@@ -11,7 +11,8 @@
  * PREDICT 2 part that is inertia, of the shaken block at rest (rung 2): ...
  * Plot: ladder rung estimate
  */
-#include "choice/ladder.h"
+#include "choice/relax.h"
+#include "choice/scene_file.h"
 #include "base/options.h"
 #include "base/table.h"
 
@@ -40,27 +41,36 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
 }
 
 /*
- * part[MESH] [eq:left-mesh].  The recovered strain of a vertex is the mean of G
- * over its triangles, weighted with their areas; in between it is linear.  In a
- * triangle it differs from G by d_1, d_2, d_3 at the vertices, with the energy
- * area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).  The sum
- * of it over the sum of area psi(G), over 1 - 2^-p; 0 where u = 0.  For what is
- * recovered is what cells of half the size would see, and they leave 2^-p of
- * the error.
+ * The forces that a mesh leaves out [eq:left-mesh].  The recovered stress of a
+ * vertex is the mean of P over its triangles, weighted with their areas; that
+ * of a triangle is the mean of its three vertices.  g += int (P - recovered)
+ * grad N: relax_push(s, e, T, g) adds those of a stress T in triangle e.
  */
-static void mesh_part(const struct ladder_state *s, double part[N_PART])
+static void mesh_forces(const struct ladder_state *s,
+                        const struct relax_field *of, double g[])
 {
     const size_t n = (size_t)s->mesh->n_vertex;
-    mat2 *recovered = allocate(n, sizeof *recovered); /* zero, */
-    double *share = allocate(n, sizeof *share);       /* and zero */
-    const double p = 2.0 * material_corner(&s->body->material);
-    /* SLOT 23b(s, part, recovered, share, p): two loops over the triangles,
-     * with the vertices s->mesh->triangle[3 * e + k] and s->body->area[e].  G
-     * is ladder_strain(s, e), psi is ladder_psi(s, d). */
-    todo("23b", s, part, recovered, share, p);
+    mat2 *mean = allocate(n, sizeof *mean);       /* zero, */
+    double *around = allocate(n, sizeof *around); /* and zero */
+    /* SLOT 23b(s, of, g, mean, around): two loops over the triangles, with the
+     * vertices s->mesh->triangle[3 * e + k], s->body->area[e] and of->P[e]. */
+    todo("23b", s, of, g, mean, around);
     /* END 23b */
-    free(recovered);
-    free(share);
+    free(mean);
+    free(around);
+}
+
+/*
+ * The forces that a linear model leaves out [eq:left-stress]: stress turns with
+ * the body, and P is (I + H) sigma to first order.  g += -int H sigma grad N,
+ * H = of->H[e] of any displacement, sigma = relax_stress(s, e) of u.
+ */
+static void stress_forces(const struct ladder_state *s,
+                          const struct relax_field *of, double g[])
+{
+    /* SLOT 23c(s, of, g): one loop over the triangles, as in 23b. */
+    todo("23c", s, of, g);
+    /* END 23c */
 }
 
 /*
@@ -69,8 +79,9 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
  * length^2 / height^3: what the load moves the free end by, times E', as a bar
  * and as a beam.  N is the sum of the forces along X1, moment that about the
  * middle of the left end, which is held.  A bar has no across, and of along it
- * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  0 where along
- * and across are 0.
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  Where N
+ * presses, across is divided by 1 - |N| / buckles; from |N| = buckles on the
+ * part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
  * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
@@ -81,30 +92,31 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     const double *f = s->f, *u = s->u, *X = s->mesh->X, T = s->scene->T;
     const double length = 2.0, height = length / s->scene->slender;
     const struct material *m = &s->body->material;
-    /* SLOT 23c(s, Mu, part, f, u, X, T, length, height, m): one loop over
-     * s->mesh->n_vertex vertices; the left end is at X1 = -1. */
-    todo("23c", s, Mu, part, f, u, X, T, length, height, m);
-    /* END 23c */
+    const double buckles = ladder_buckles(s->scene); /* (N) */
+    /* SLOT 23d(s, Mu, part, f, u, X, T, length, height, m, buckles): one loop
+     * over s->mesh->n_vertex vertices; the left end is at X1 = -1. */
+    todo("23d", s, Mu, part, f, u, X, T, length, height, m, buckles);
+    /* END 23d */
 }
 
 /*
  * The verdict on a solved model [alg:least-model].  Parts that it has become 0:
  * a BAR leaves out dimension and geometry (its mesh is exact), LINEAR_PLANE
- * geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest each
- * leaves out the inertia too, unless the load STANDS.  *estimate is the root of
- * the sum of the squares of what remains, *add the largest, of equal ones the
- * first.  A model is enough where *estimate <= tolerance.  Where K is not
- * positive definite (unstable) none is, and a linear one needs the geometry.
+ * geometry, stress and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest
+ * each leaves out the inertia too, unless the load STANDS.  *estimate is the
+ * root of the sum of the squares of what remains, *add the largest, of equal
+ * ones the first.  A model is enough where *estimate <= tolerance.  Where K is
+ * not positive definite (unstable) none is; a linear one needs the geometry.
  */
 static int verdict(struct ladder_model model, enum ladder_time time, int stable,
                    double tolerance, double part[N_PART], double *estimate,
                    enum part *add)
 {
     int enough = 0;
-    /* SLOT 23d(model, time, stable, tolerance, part, estimate, add, &enough):
+    /* SLOT 23e(model, time, stable, tolerance, part, estimate, add, &enough):
      * model.rung, model.moving; set the part, *estimate, *add, enough. */
-    todo("23d", model, time, stable, tolerance, part, estimate, add, &enough);
-    /* END 23d */
+    todo("23e", model, time, stable, tolerance, part, estimate, add, &enough);
+    /* END 23e */
     return enough;
 }
 
@@ -116,8 +128,9 @@ static void print_rung(int rung, const struct ladder_state *s,
     table_row(rung, ladder_rung(s->model.rung),
               s->model.moving ? "motion" : "rest", s->model.level,
               part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], stable ? "stable" : "unstable", estimate,
-              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              part[MESH], part[STRESS], stable ? "stable" : "unstable",
+              estimate, cell_if(truth != NULL,
+                                truth ? ladder_error(s, truth) : 0.0),
               s->flops, verdict);
 }
 
@@ -125,7 +138,7 @@ static void print_rung(int rung, const struct ladder_state *s,
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
-    struct ladder_model model = {BAR, 0, 0};
+    struct ladder_model model = ladder_first(scene);
     int enough = 0, more = 1;
     for (int rung = 1; more; rung++) {
         struct ladder_state *s = ladder_solve(scene, model);
@@ -134,7 +147,10 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
-        mesh_part(s, part);
+        struct matrix *K = relax_factors(s); /* |e| / |u + e| of what moves */
+        part[MESH] = RELAX_SHARE * relax_part(s, K, mesh_forces);
+        part[STRESS] = relax_part(s, K, stress_forces);
+        matrix_free(K);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
@@ -151,22 +167,28 @@ int main(int argc, char *argv[])
 {
     int which = LADDER_SCENES - 1, ask = 0;
     double tolerance = 0.1, load = 1.0;
+    const char *path = NULL;
     const struct option options[] = {
         {"scene", .choice = &which, .choices = LADDER_WORDS, .help = "which"},
         {"tolerance", .real = &tolerance, .min = 1e-6, .max = 10,
          .help = "of the displacement, relative"},
         {"load", .real = &load, .min = 1e-3, .max = 3, .help = "multiplied"},
+        {"file", .text = &path, .unit = "a file's name",
+         .help = "a scene of one's own"},
         {"truth", .choice = &ask, .choices = "no yes", .help = "its error too"},
     };
     options_parse("23_least_model", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
 
-    const struct ladder_scene scene = ladder_loaded(which, load);
+    struct scene_file own;
+    if (path) scene_file_read("23_least_model", path, 2, &own);
+    const struct ladder_scene scene =
+        ladder_loaded(path ? &own.scene : &ladder_scene[which], load);
     struct ladder_state *truth = NULL;
     if (ask) truth = ladder_solve(&scene, ladder_truth(&scene));
     table_begin("ladder",
                 "rung model state mesh geometry law dimension inertia "
-                "mesh_part stable estimate error flops verdict");
+                "mesh_part stress stable estimate error flops verdict");
     const int enough = climb(&scene, tolerance, truth);
     table_end();
     if (!enough) die("the ladder ends before %g is met", tolerance);

@@ -11,7 +11,8 @@
  * PREDICT 2 part that is inertia, of the shaken block at rest (rung 2): ...
  * Plot: ladder rung estimate
  */
-#include "choice/ladder.h"
+#include "choice/relax.h"
+#include "choice/scene_file.h"
 #include "base/options.h"
 #include "base/table.h"
 
@@ -59,50 +60,54 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
 }
 
 /*
- * part[MESH] [eq:left-mesh].  The recovered strain of a vertex is the mean of G
- * over its triangles, weighted with their areas; in between it is linear.  In a
- * triangle it differs from G by d_1, d_2, d_3 at the vertices, with the energy
- * area / 12 (psi(d_1) + psi(d_2) + psi(d_3) + psi(d_1 + d_2 + d_3)).  The sum
- * of it over the sum of area psi(G), over 1 - 2^-p; 0 where u = 0.  For what is
- * recovered is what cells of half the size would see, and they leave 2^-p of
- * the error.
+ * The forces that a mesh leaves out [eq:left-mesh].  The recovered stress of a
+ * vertex is the mean of P over its triangles, weighted with their areas; that
+ * of a triangle is the mean of its three vertices.  g += int (P - recovered)
+ * grad N: relax_push(s, e, T, g) adds those of a stress T in triangle e.
  */
-static void mesh_part(const struct ladder_state *s, double part[N_PART])
+static void mesh_forces(const struct ladder_state *s,
+                        const struct relax_field *of, double g[])
 {
     const size_t n = (size_t)s->mesh->n_vertex;
-    mat2 *recovered = allocate(n, sizeof *recovered); /* zero, */
-    double *share = allocate(n, sizeof *share);       /* and zero */
-    const double p = 2.0 * material_corner(&s->body->material);
-    /* SLOT 23b(s, part, recovered, share, p): two loops over the triangles,
-     * with the vertices s->mesh->triangle[3 * e + k] and s->body->area[e].  G
-     * is ladder_strain(s, e), psi is ladder_psi(s, d). */
+    mat2 *mean = allocate(n, sizeof *mean);       /* zero, */
+    double *around = allocate(n, sizeof *around); /* and zero */
+    /* SLOT 23b(s, of, g, mean, around): two loops over the triangles, with the
+     * vertices s->mesh->triangle[3 * e + k], s->body->area[e] and of->P[e]. */
     for (int e = 0; e < s->mesh->n_triangle; e++)
         for (int k = 0; k < 3; k++) {
             const int a = s->mesh->triangle[3 * e + k];
-            const mat2 G = mat2_scale(s->body->area[e], ladder_strain(s, e));
-            /* sums of area G and of area, whose quotient is the mean */
-            recovered[a] = mat2_add(recovered[a], G);
-            share[a] += s->body->area[e];
+            /* sums of area P and of area, whose quotient is the mean */
+            mean[a] =
+                mat2_add(mean[a], mat2_scale(s->body->area[e], of->P[e]));
+            around[a] += s->body->area[e];
         }
-    double off = 0.0, all = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const mat2 G = ladder_strain(s, e);
-        mat2 sum = {{{0.0, 0.0}, {0.0, 0.0}}};
+        mat2 T = of->P[e];
         for (int k = 0; k < 3; k++) {
             const int a = s->mesh->triangle[3 * e + k];
-            const mat2 d =
-                mat2_subtract(mat2_scale(1.0 / share[a], recovered[a]), G);
-            /* int psi(d) of a linear d, exact as psi is quadratic */
-            off += s->body->area[e] / 12.0 * ladder_psi(s, d);
-            sum = mat2_add(sum, d);
+            T = mat2_subtract(T, mat2_scale(1.0 / (3.0 * around[a]), mean[a]));
         }
-        off += s->body->area[e] / 12.0 * ladder_psi(s, sum);
-        all += s->body->area[e] * ladder_psi(s, G);
+        relax_push(s, e, T, g);
     }
-    part[MESH] = all > 0.0 ? off / all / (1.0 - pow(0.5, p)) : 0.0;
     /* END 23b */
-    free(recovered);
-    free(share);
+    free(mean);
+    free(around);
+}
+
+/*
+ * The forces that a linear model leaves out [eq:left-stress]: stress turns with
+ * the body, and P is (I + H) sigma to first order.  g += -int H sigma grad N,
+ * H = of->H[e] of any displacement, sigma = relax_stress(s, e) of u.
+ */
+static void stress_forces(const struct ladder_state *s,
+                          const struct relax_field *of, double g[])
+{
+    /* SLOT 23c(s, of, g): one loop over the triangles, as in 23b. */
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 T = mat2_multiply(of->H[e], relax_stress(s, e));
+        relax_push(s, e, mat2_scale(-1.0, T), g);
+    }
+    /* END 23c */
 }
 
 /*
@@ -111,8 +116,9 @@ static void mesh_part(const struct ladder_state *s, double part[N_PART])
  * length^2 / height^3: what the load moves the free end by, times E', as a bar
  * and as a beam.  N is the sum of the forces along X1, moment that about the
  * middle of the left end, which is held.  A bar has no across, and of along it
- * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  0 where along
- * and across are 0.
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  Where N
+ * presses, across is divided by 1 - |N| / buckles; from |N| = buckles on the
+ * part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
  * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
@@ -123,8 +129,9 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     const double *f = s->f, *u = s->u, *X = s->mesh->X, T = s->scene->T;
     const double length = 2.0, height = length / s->scene->slender;
     const struct material *m = &s->body->material;
-    /* SLOT 23c(s, Mu, part, f, u, X, T, length, height, m): one loop over
-     * s->mesh->n_vertex vertices; the left end is at X1 = -1. */
+    const double buckles = ladder_buckles(s->scene); /* (N) */
+    /* SLOT 23d(s, Mu, part, f, u, X, T, length, height, m, buckles): one loop
+     * over s->mesh->n_vertex vertices; the left end is at X1 = -1. */
     double N = 0.0, moment = 0.0, work = 0.0, mass = 0.0;
     for (int x = 0, y = 1; x < 2 * s->mesh->n_vertex; x += 2, y += 2) {
         N += f[x];
@@ -136,37 +143,41 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     /* A bar narrows freely; where it is held, s of it is missed. */
     const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
     const double along = fabs(N) * length / height;
-    const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    if (N < 0.0) across /= fmax(0.0, 1.0 + N / buckles);
     const double missed = lateral * lateral * height / (2.0 * length);
     part[DIMENSION] = 0.0;
-    if (across + along > 0.0)
+    if (N <= -buckles)
+        part[DIMENSION] = 1.0; /* where it goes no bar can say */
+    else if (across + along > 0.0)
         part[DIMENSION] = (across + missed * along) / (across + along);
     part[INERTIA] = 1.0;
     /* f = K u at rest: f.u / u.M u is Rayleigh's quotient of u. */
     if (mass > 0.0) part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
-    /* END 23c */
+    /* END 23d */
 }
 
 /*
  * The verdict on a solved model [alg:least-model].  Parts that it has become 0:
  * a BAR leaves out dimension and geometry (its mesh is exact), LINEAR_PLANE
- * geometry and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest each
- * leaves out the inertia too, unless the load STANDS.  *estimate is the root of
- * the sum of the squares of what remains, *add the largest, of equal ones the
- * first.  A model is enough where *estimate <= tolerance.  Where K is not
- * positive definite (unstable) none is, and a linear one needs the geometry.
+ * geometry, stress and mesh, CUBIC_PLANE law and mesh, LOG_PLANE mesh; at rest
+ * each leaves out the inertia too, unless the load STANDS.  *estimate is the
+ * root of the sum of the squares of what remains, *add the largest, of equal
+ * ones the first.  A model is enough where *estimate <= tolerance.  Where K is
+ * not positive definite (unstable) none is; a linear one needs the geometry.
  */
 static int verdict(struct ladder_model model, enum ladder_time time, int stable,
                    double tolerance, double part[N_PART], double *estimate,
                    enum part *add)
 {
     int enough = 0;
-    /* SLOT 23d(model, time, stable, tolerance, part, estimate, add, &enough):
+    /* SLOT 23e(model, time, stable, tolerance, part, estimate, add, &enough):
      * model.rung, model.moving; set the part, *estimate, *add, enough. */
     /* what the model has is not left out */
     if (model.rung != BAR) part[DIMENSION] = 0.0;
     if (model.rung == BAR) part[MESH] = 0.0;
     if (model.rung != BAR && model.rung != LINEAR_PLANE) part[GEOMETRY] = 0.0;
+    if (model.rung != LINEAR_PLANE) part[STRESS] = 0.0;
     if (model.rung != CUBIC_PLANE) part[LAW] = 0.0;
     if (model.moving || time == STANDS) part[INERTIA] = 0.0;
     *estimate = 0.0;
@@ -178,7 +189,7 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     /* Where a body goes when it buckles is a matter of geometry. */
     if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
     enough = stable && *estimate <= tolerance;
-    /* END 23d */
+    /* END 23e */
     return enough;
 }
 
@@ -190,8 +201,9 @@ static void print_rung(int rung, const struct ladder_state *s,
     table_row(rung, ladder_rung(s->model.rung),
               s->model.moving ? "motion" : "rest", s->model.level,
               part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], stable ? "stable" : "unstable", estimate,
-              cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+              part[MESH], part[STRESS], stable ? "stable" : "unstable",
+              estimate, cell_if(truth != NULL,
+                                truth ? ladder_error(s, truth) : 0.0),
               s->flops, verdict);
 }
 
@@ -199,7 +211,7 @@ static void print_rung(int rung, const struct ladder_state *s,
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
-    struct ladder_model model = {BAR, 0, 0};
+    struct ladder_model model = ladder_first(scene);
     int enough = 0, more = 1;
     for (int rung = 1; more; rung++) {
         struct ladder_state *s = ladder_solve(scene, model);
@@ -208,7 +220,10 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
-        mesh_part(s, part);
+        struct matrix *K = relax_factors(s); /* |e| / |u + e| of what moves */
+        part[MESH] = RELAX_SHARE * relax_part(s, K, mesh_forces);
+        part[STRESS] = relax_part(s, K, stress_forces);
+        matrix_free(K);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
@@ -225,22 +240,28 @@ int main(int argc, char *argv[])
 {
     int which = LADDER_SCENES - 1, ask = 0;
     double tolerance = 0.1, load = 1.0;
+    const char *path = NULL;
     const struct option options[] = {
         {"scene", .choice = &which, .choices = LADDER_WORDS, .help = "which"},
         {"tolerance", .real = &tolerance, .min = 1e-6, .max = 10,
          .help = "of the displacement, relative"},
         {"load", .real = &load, .min = 1e-3, .max = 3, .help = "multiplied"},
+        {"file", .text = &path, .unit = "a file's name",
+         .help = "a scene of one's own"},
         {"truth", .choice = &ask, .choices = "no yes", .help = "its error too"},
     };
     options_parse("23_least_model", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
 
-    const struct ladder_scene scene = ladder_loaded(which, load);
+    struct scene_file own;
+    if (path) scene_file_read("23_least_model", path, 2, &own);
+    const struct ladder_scene scene =
+        ladder_loaded(path ? &own.scene : &ladder_scene[which], load);
     struct ladder_state *truth = NULL;
     if (ask) truth = ladder_solve(&scene, ladder_truth(&scene));
     table_begin("ladder",
                 "rung model state mesh geometry law dimension inertia "
-                "mesh_part stable estimate error flops verdict");
+                "mesh_part stress stable estimate error flops verdict");
     const int enough = climb(&scene, tolerance, truth);
     table_end();
     if (!enough) die("the ladder ends before %g is met", tolerance);

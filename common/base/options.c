@@ -50,8 +50,24 @@ static void print_usage(const char *program, const struct option table[], int n)
     }
 }
 
-/* One line with the words in question, and what is allowed instead.  Whatever
- * the words are, it is one line. */
+/* Whatever the words are, they are one line. */
+static void print_words(const char *program, char words[])
+{
+    for (char *c = words; *c; c++)
+        if (iscntrl((unsigned char)*c)) *c = '?';
+    fprintf(stderr, "%s: %s", program, words);
+}
+
+void options_refuse(const char *program, const char *words)
+{
+    char copy[600];
+    snprintf(copy, sizeof copy, "%s", words);
+    print_words(program, copy);
+    fputc('\n', stderr);
+    exit(2);
+}
+
+/* One line with the words in question, and what is allowed instead. */
 _Noreturn static void refuse(const char *program, const struct option *option,
                              const char *format, ...)
 {
@@ -60,10 +76,7 @@ _Noreturn static void refuse(const char *program, const struct option *option,
     va_start(arguments, format);
     vsnprintf(words, sizeof words, format, arguments);
     va_end(arguments);
-    for (char *c = words; *c; c++)
-        if (iscntrl((unsigned char)*c)) *c = '?';
-
-    fprintf(stderr, "%s: %s", program, words);
+    print_words(program, words);
     fputs(option ? ": must be " : "; -h lists them", stderr);
     if (option) print_allowed(stderr, option);
     fputc('\n', stderr);

@@ -47,4 +47,8 @@ struct option {
 void options_parse(const char *program, const struct option table[], int n,
                    int argc, char *argv[]);
 
+/* Print "program: words" on stderr, one line whatever the words are, and exit
+ * with status 2: what the user gave is not allowed. */
+_Noreturn void options_refuse(const char *program, const char *words);
+
 #endif

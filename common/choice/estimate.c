@@ -48,8 +48,11 @@ double estimate_dimension(const struct ladder_state *s)
         N += f[0];
         moment += (X[0] + 1.0) * f[1] - X[1] * f[0];
     }
+    const double buckles = ladder_buckles(s->scene);
     const double along = fabs(N) * length / height;
-    const double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    if (N <= -buckles) return 1.0;
+    if (N < 0.0) across /= 1.0 + N / buckles;
     const double missed = lateral * lateral * height / (2.0 * length);
     if (!(across + along > 0.0)) return 0.0;
     return (across + missed * along) / (across + along);
@@ -67,37 +70,39 @@ double estimate_inertia(const struct ladder_state *s)
     return fmin(1.0, 1.0 / (sqrt(work / mass) * s->scene->T));
 }
 
-double estimate_mesh(const struct ladder_state *s)
+void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
+                   double g[])
 {
     const struct mesh *mesh = s->mesh;
     const double *area = s->body->area;
     mat2 *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
-    double *share = allocate((size_t)mesh->n_vertex, sizeof *share);
-    const double p = 2.0 * material_corner(&s->body->material);
-    double off = 0.0, all = 0.0;
+    double *around = allocate((size_t)mesh->n_vertex, sizeof *around);
     for (int e = 0; e < mesh->n_triangle; e++)
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + k];
-            const mat2 G = mat2_scale(area[e], ladder_strain(s, e));
-            mean[a] = mat2_add(mean[a], G);
-            share[a] += area[e];
+            mean[a] = mat2_add(mean[a], mat2_scale(area[e], of->P[e]));
+            around[a] += area[e];
         }
     for (int e = 0; e < mesh->n_triangle; e++) {
-        const mat2 G = ladder_strain(s, e);
-        mat2 sum = {{{0.0, 0.0}, {0.0, 0.0}}};
+        mat2 off = of->P[e];
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + k];
-            const mat2 d =
-                mat2_subtract(mat2_scale(1.0 / share[a], mean[a]), G);
-            off += area[e] / 12.0 * ladder_psi(s, d);
-            sum = mat2_add(sum, d);
+            off = mat2_subtract(off,
+                                mat2_scale(1.0 / (3.0 * around[a]), mean[a]));
         }
-        off += area[e] / 12.0 * ladder_psi(s, sum);
-        all += area[e] * ladder_psi(s, G);
+        relax_push(s, e, off, g);
     }
     free(mean);
-    free(share);
-    return all > 0.0 ? off / all / (1.0 - pow(0.5, p)) : 0.0;
+    free(around);
+}
+
+void estimate_stress(const struct ladder_state *s,
+                     const struct relax_field *of, double g[])
+{
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 T = mat2_multiply(of->H[e], relax_stress(s, e));
+        relax_push(s, e, mat2_scale(-1.0, T), g);
+    }
 }
 
 void estimate_parts(const struct ladder_state *s, double part[N_PART])
@@ -106,7 +111,12 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[LAW] = estimate_law(s);
     part[DIMENSION] = estimate_dimension(s);
     part[INERTIA] = estimate_inertia(s);
-    part[MESH] = estimate_mesh(s);
+    part[MESH] = part[STRESS] = 0.0;
+    if (s->model.rung == BAR) return; /* and it needs no factors of K */
+    struct matrix *K = relax_factors(s);
+    part[MESH] = RELAX_SHARE * relax_part(s, K, estimate_mesh);
+    part[STRESS] = relax_part(s, K, estimate_stress);
+    matrix_free(K);
 }
 
 int estimate_verdict(struct ladder_model model, enum ladder_time time,
@@ -115,6 +125,7 @@ int estimate_verdict(struct ladder_model model, enum ladder_time time,
 {
     if (model.rung != BAR) part[DIMENSION] = 0.0;
     if (model.rung > LINEAR_PLANE) part[GEOMETRY] = 0.0;
+    if (model.rung != LINEAR_PLANE) part[STRESS] = 0.0;
     if (model.rung != CUBIC_PLANE) part[LAW] = 0.0;
     if (model.moving || time == STANDS) part[INERTIA] = 0.0;
     if (model.rung == BAR) part[MESH] = 0.0;
@@ -142,7 +153,7 @@ struct ladder_state *estimate_climb(const struct ladder_scene *scene,
                                     double tolerance, double *estimate,
                                     int *enough)
 {
-    struct ladder_model model = {BAR, 0, 0};
+    struct ladder_model model = ladder_first(scene);
     for (;;) {
         struct ladder_state *s = ladder_solve(scene, model);
         enum part add;

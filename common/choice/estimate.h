@@ -11,15 +11,17 @@
  *                                                           [eq:left-dimension]
  *     inertia    1 / (omega T), omega of Rayleigh's quotient
  *                                                           [eq:left-inertia]
- *     mesh       recovered strain, energy of the difference [eq:left-mesh]
+ *     mesh       what P - P_recovered would move             [eq:left-mesh]
+ *     stress     what stress that turns with the body moves  [eq:left-stress]
  *
- * Source: Zienkiewicz & Zhu, Int. J. Numer. Meth. Eng. 24 (1987), for the mesh;
- * Bank & Smith, SIAM J. Numer. Anal. 30 (1993), for what it does not see.
+ * Source: Zienkiewicz & Zhu, Int. J. Numer. Meth. Eng. 24 (1987), for the
+ * recovery; Timoshenko & Gere, Theory of Elastic Stability, 2nd ed., sec. 1.11,
+ * for 1 / (1 - P / P_cr).
  */
 #ifndef COMMON_ESTIMATE_H
 #define COMMON_ESTIMATE_H
 
-#include "choice/ladder.h"
+#include "choice/relax.h"
 
 /* max |H^T H| / 2 / max |H|, H = F - I, Frobenius norm; 0 for u = 0. */
 double estimate_geometry(const struct ladder_state *state);
@@ -28,8 +30,9 @@ double estimate_geometry(const struct ladder_state *state);
  * the largest J, at most 1; 1 where some J <= 0. */
 double estimate_law(const struct ladder_state *state);
 
-/* What a bar of this length and height has no unknowns for, under f; 0 for f
- * that neither pulls nor bends. */
+/* What a bar of this length and height has no unknowns for, under f, of what
+ * bends it 1 / (1 - P / P_cr) where it is pressed by P; 1 from the load P_cr on
+ * at which it buckles, 0 for f that neither pulls nor bends. */
 double estimate_dimension(const struct ladder_state *state);
 
 /* min(1, 1 / (omega T)), omega^2 = f.u / u.M u for the density 1; 1 for u = 0,
@@ -37,11 +40,12 @@ double estimate_dimension(const struct ladder_state *state);
 double estimate_inertia(const struct ladder_state *state);
 
 /*
- * The energy of G - G_recovered over that of G, G = (F^T F - I) / 2, over
- * 1 - 2^-p: what is recovered is what cells of half the size would see, and
- * these leave 2^-p of the error, p twice material_corner().
+ * The forces that the mesh leaves out, int (P - recovered) grad N: recovered at
+ * a vertex is the mean of P, by area, in a triangle that of its vertices; and
+ * those that a linear model leaves out, -int H sigma grad N, for the stress
+ * sigma turns with the body.  Their parts: relax_part().
  */
-double estimate_mesh(const struct ladder_state *state);
+relax_forces estimate_mesh, estimate_stress;
 
 /* All of them. */
 void estimate_parts(const struct ladder_state *state, double part[N_PART]);

@@ -27,15 +27,36 @@ const struct ladder_scene ladder_scene[LADDER_SCENES] = {
      .dt = 0.02, .end = 1.9, .finest = 1},
 };
 
-struct ladder_scene ladder_loaded(int which, double load)
+const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS] = {
+    {"guyed", 4, 0.3, .weight = {0.0, -1.0}, .pull = {30.0, 0.0}, .finest = 2},
+    {"leaning", 4, 0.3, .pull = {-8.0, -0.08}, .finest = 2},
+    {"arch", 8, 0.3, .weight = {0.0, -0.4}, .pull = {6.0, 0.0}, .finest = 2},
+};
+
+struct ladder_scene ladder_loaded(const struct ladder_scene *of, double load)
 {
-    struct ladder_scene scene = ladder_scene[which];
+    struct ladder_scene scene = *of;
     for (int i = 0; i < 2; i++) {
         scene.weight[i] *= load;
         scene.pull[i] *= load;
+        scene.push[i] *= load;
     }
     scene.couple *= load;
     return scene;
+}
+
+/* E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free. */
+static double bar_modulus(const struct material *m)
+{
+    return 4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
+}
+
+double ladder_buckles(const struct ladder_scene *scene)
+{
+    const struct material m = material_make(CUBIC, 1000.0, scene->nu);
+    const double length = 2.0, height = length / scene->slender;
+    const double I = pow(height, 3) / 12.0;
+    return pow(acos(-1.0), 2) * bar_modulus(&m) * I / (4.0 * length * length);
 }
 
 const char *ladder_rung(enum rung rung)
@@ -47,14 +68,21 @@ const char *ladder_rung(enum rung rung)
 const char *ladder_part(enum part part)
 {
     static const char *const word[] = {"geometry", "law", "dimension",
-                                       "inertia", "mesh"};
+                                       "inertia", "mesh", "stress"};
     return word[part];
 }
 
-/* The columns of cells on the coarsest mesh. */
+/* The columns of cells on the coarsest mesh, of 4 rows. */
+enum { ROWS = 4 };
 static int coarsest(const struct ladder_scene *scene)
 {
-    return 4 * scene->slender;
+    return (int)fmax(2.0, floor(ROWS * scene->slender + 0.5));
+}
+
+struct ladder_model ladder_first(const struct ladder_scene *scene)
+{
+    const enum rung rung = scene->held == LADDER_ENDS ? LINEAR_PLANE : BAR;
+    return (struct ladder_model){rung, 0, 0};
 }
 
 /* Cut the cells of the upper half the other way: the mesh is then its own
@@ -70,7 +98,8 @@ static void mirror(struct mesh *mesh)
         }
 }
 
-/* f := int (weight) N_a + int (pull, couple) N_a on the right end. */
+/* f := int (weight) N_a + int (pull, couple) N_a on the right end + int (push)
+ * N_a on the upper side. */
 static void load(struct ladder_state *s)
 {
     const struct mesh *mesh = s->mesh;
@@ -91,6 +120,11 @@ static void load(struct ladder_state *s)
             s->f[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
         }
     }
+    for (int k = 0; k < 2 * n; k++) { /* each edge gives half to each end */
+        const int a = mesh->rows * (n + 1) + (k + 1) / 2;
+        for (int i = 0; i < 2; i++)
+            s->f[2 * a + i] += s->scene->push[i] / n;
+    }
 }
 
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
@@ -101,11 +135,15 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     const enum law law = model.rung == LOG_PLANE ? LOG : CUBIC;
     s->scene = scene;
     s->model = model;
-    s->mesh = mesh_rectangle(n, n / scene->slender, 1.0, 1.0 / scene->slender);
+    s->mesh =
+        mesh_rectangle(n, ROWS << model.level, 1.0, 1.0 / scene->slender);
     mirror(s->mesh);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     int *held = allocate((size_t)s->mesh->n_vertex, sizeof *held);
-    for (int a = 0; a < s->mesh->n_vertex; a += n + 1) held[a] = 1;
+    for (int a = 0; a < s->mesh->n_vertex; a += n + 1) {
+        held[a] = 1;
+        held[a + n] = scene->held == LADDER_ENDS;
+    }
     s->body = body_alloc(s->mesh, material_make(law, 1000.0, scene->nu),
                          model.moving ? 1.0 : 0.0, CONSISTENT, held);
     free(held);
@@ -140,8 +178,7 @@ static double sweep(const struct ladder_state *s, int tangent)
 static void solve_bar(struct ladder_state *s)
 {
     const struct material *m = &s->body->material;
-    const double modulus =
-        4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
+    const double modulus = bar_modulus(m);
     const double thinner = m->lambda / (2.0 * m->mu + m->lambda);
     const int n = s->mesh->n, columns = n + 1;
     const double area = 2.0 / s->scene->slender, h = 2.0 / n;
@@ -298,20 +335,6 @@ struct ladder_model ladder_truth(const struct ladder_scene *scene)
         LOG_PLANE, scene->time != STANDS, scene->finest + 1};
 }
 
-mat2 ladder_strain(const struct ladder_state *s, int e)
-{
-    const mat2 F = body_deformation(s->body, s->u, e);
-    const mat2 C = mat2_multiply(mat2_transpose(F), F);
-    return mat2_scale(0.5, mat2_subtract(C, mat2_identity()));
-}
-
-double ladder_psi(const struct ladder_state *s, mat2 strain)
-{
-    struct material linear = s->body->material;
-    linear.law = LINEAR;
-    return material2_psi(&linear, mat2_add(mat2_identity(), strain));
-}
-
 double *ladder_momentum(const struct ladder_state *s)
 {
     struct body heavy = *s->body;
@@ -333,7 +356,7 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
     if (part == MESH && model->level < scene->finest) model->level++;
     if (part == INERTIA) model->moving = 1;
     if (part == LAW) model->rung = LOG_PLANE;
-    if (part == GEOMETRY && model->rung < CUBIC_PLANE)
+    if ((part == GEOMETRY || part == STRESS) && model->rung < CUBIC_PLANE)
         model->rung = CUBIC_PLANE;
     if (model->rung == BAR) model->rung = LINEAR_PLANE;
     return model->rung != old.rung || model->moving != old.moving ||
@@ -343,7 +366,7 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth)
 {
-    const int n = coarsest(state->scene), rows = n / state->scene->slender;
+    const int n = coarsest(state->scene), rows = ROWS;
     const int a = state->mesh->n / n, b = truth->mesh->n / n;
     double off = 0.0, size = 0.0;
     for (int j = 0; j <= rows; j++)

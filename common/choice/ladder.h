@@ -2,10 +2,11 @@
  * ladder.h - twelve scenes, the models that may do for them, and what each of
  * them costs.
  *
- * A scene is a body (-1, 1) x (-1/slender, 1/slender), its left end held, with
- * E = 1000 N/m^2 and a density of 1 kg/m^2, and its load: a constant body
- * force, and on the right end a constant traction and a bending couple. The
- * load stands still, rises in a straight line in the time T, or swings as
+ * A scene is a body (-1, 1) x (-1/slender, 1/slender), its left end held or
+ * both, with E = 1000 N/m^2 and a density of 1 kg/m^2, and its load: a constant
+ * body force, on the right end a constant traction and a bending couple, on the
+ * upper side a constant traction. (scene_file.h reads others, and scales them.)
+ * The load stands still, rises in a straight line in the time T, or swings as
  * sin(t / T). What is asked for is the displacement at rest under the full load
  * or, where the load moves, at the moment when the load has done most work.
  *
@@ -24,13 +25,16 @@
 #include "plane/body.h"
 
 enum ladder_time { STANDS, RISES, SWINGS };
+enum ladder_held { LADDER_LEFT, LADDER_ENDS }; /* the left end, or both */
 struct ladder_scene {
     const char *name; /* a word */
-    int slender;      /* length over height */
+    double slender;   /* length over height */
     double nu;
     double weight[2]; /* body force (N/m^2) */
     double pull[2];   /* traction on the right end (N/m) */
     double couple;    /* traction (couple Y, 0) there (N/m^2) */
+    double push[2];   /* traction on the upper side (N/m) */
+    enum ladder_held held;
     enum ladder_time time;
     double T;         /* (s) */
     double dt;        /* of all models in motion (s) */
@@ -39,13 +43,24 @@ struct ladder_scene {
 };
 enum { LADDER_SCENES = 12 };
 extern const struct ladder_scene ladder_scene[LADDER_SCENES];
+
+/* Three more, loaded along the axis and across at once: a linear answer that
+ * turns by a few per cent is wrong by half or more. */
+enum { LADDER_TWO_LOADS = 3 };
+extern const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS];
+
 #define LADDER_WORDS                                                         \
     "hanging cantilever small-twist large-twist below-buckling "             \
     "above-buckling slow-pull fast-pull incompressible slender-column "      \
     "stout-column shaken"
 
-/* One of them, its load multiplied. */
-struct ladder_scene ladder_loaded(int which, double load);
+/* A scene, its load multiplied. */
+struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
+                                  double load);
+
+/* The force (N) under which a straight column of this length, height and
+ * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
+double ladder_buckles(const struct ladder_scene *scene);
 
 enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
 struct ladder_model {
@@ -54,6 +69,10 @@ struct ladder_model {
     int level; /* of the mesh: 4 rows of square cells at 0, and each level
                 * halves them; the estimates of a BAR are made on level 0 */
 };
+
+/* The first rung: a BAR, or linear triangles where both ends are held, for
+ * which there is no bar here. */
+struct ladder_model ladder_first(const struct ladder_scene *scene);
 
 /* "bar", "linear", "cubic", "log". */
 const char *ladder_rung(enum rung rung);
@@ -84,22 +103,18 @@ struct ladder_state *ladder_solve(const struct ladder_scene *scene,
 int ladder_stable(const struct ladder_state *state);
 
 /* What a model may leave out. */
-enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, N_PART };
+enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, STRESS, N_PART };
 const char *ladder_part(enum part part);
 
-/* Add to a model what it leaves out: CUBIC_PLANE for the geometry, LOG_PLANE
- * for the law, motion for the inertia, cells of half the size for the mesh; a
- * bar becomes LINEAR_PLANE with any of them.  false: it has that, or there is
- * no finer mesh, and nothing changes. */
+/* Add to a model what it leaves out: CUBIC_PLANE for the geometry and the
+ * stress, LOG_PLANE for the law, motion for the inertia, cells of half the size
+ * for the mesh; a bar becomes LINEAR_PLANE with any of them.  false: it has
+ * that, or there is no finer mesh, and nothing changes. */
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
-/* What the estimates are made of: the Green strain G = (F^T F - I) / 2 of
- * triangle e [eq:green-strain]; the linear law's energy of a strain
- * [eq:psi-linear]; M u for the density 1, a new array for the caller to free.
- */
-mat2 ladder_strain(const struct ladder_state *state, int e);
-double ladder_psi(const struct ladder_state *state, mat2 strain);
+/* M u for the density 1, which the inertia is estimated from; a new array for
+ * the caller to free. */
 double *ladder_momentum(const struct ladder_state *state);
 
 /* The richest model of a scene, on the mesh after its finest: the truth that

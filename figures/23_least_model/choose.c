@@ -15,12 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { OTHERS = 3 };
-static const struct ladder_scene other[OTHERS] = {
-    {"guyed", 4, 0.3, .weight = {0.0, -1.0}, .pull = {30.0, 0.0}, .finest = 2},
-    {"leaning", 4, 0.3, .pull = {-8.0, -0.08}, .finest = 2},
-    {"arch", 8, 0.3, .weight = {0.0, -0.4}, .pull = {6.0, 0.0}, .finest = 2},
-};
 static const double tolerance = 0.1;
 
 /* From the least model to the richest. */
@@ -34,8 +28,9 @@ static const struct ladder_scene *scene_named(const char *word)
 {
     for (int k = 0; k < LADDER_SCENES; k++)
         if (strcmp(ladder_scene[k].name, word) == 0) return &ladder_scene[k];
-    for (int k = 0; k < OTHERS; k++)
-        if (strcmp(other[k].name, word) == 0) return &other[k];
+    for (int k = 0; k < LADDER_TWO_LOADS; k++)
+        if (strcmp(ladder_two_loads[k].name, word) == 0)
+            return &ladder_two_loads[k];
     die("there is no scene %s", word);
 }
 

@@ -47,7 +47,7 @@ static int square_of(const struct ladder_state *s, int e)
 /* The bound with one choice of t; c: [slender], the largest of each square. */
 static int certifies(const struct ladder_state *s, double more, double c[])
 {
-    const int squares = s->scene->slender;
+    const int squares = (int)s->scene->slender;
     double a = INFINITY, b = INFINITY, turned = 0.0;
     for (int k = 0; k < squares; k++) c[k] = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
@@ -77,9 +77,10 @@ int compression_certifies(const struct ladder_state *s, double *flops)
     enum { TRIES = sizeof more / sizeof *more };
     const int differ = s->model.rung == BAR ? 2 * s->mesh->n
                                             : s->mesh->n_triangle;
-    double *c = allocate((size_t)s->scene->slender, sizeof *c);
     int certified = 0;
     *flops = 0.0;
+    if (s->scene->slender < 1.0 || fmod(s->scene->slender, 1.0) > 0.0) return 0;
+    double *c = allocate((size_t)s->scene->slender, sizeof *c);
     for (int i = 0; i < TRIES && !certified; i++) {
         certified = certifies(s, more[i], c);
         *flops += 60.0 * differ;

@@ -21,7 +21,8 @@
 #include "choice/ladder.h"
 
 /* true: K is positive definite at state->u, and on any mesh on which F takes no
- * other values.  false: it may be all the same.  *flops: 60 per triangle and
+ * other values.  false: it may be all the same, or the rectangle is not made of
+ * whole squares.  *flops: 60 per triangle and
  * weight of the inequality that is tried; of a bar, two triangles of each
  * section are all that differ. */
 int compression_certifies(const struct ladder_state *state, double *flops);

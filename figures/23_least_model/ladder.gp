@@ -6,18 +6,18 @@ load "figures/style.gp"
 if (!exists("reference")) reference = data
 set terminal svg size 700,400
 set output out
-array Part[6] = ["geometry", "law", "dimension", "inertia", "mesh_part", "mesh"]
+array Part[6] = ["geometry", "law", "dimension", "inertia", "mesh_part", "stress"]
 set xlabel "rung"
 set ylabel "estimate, and its parts"
 set yrange [0:1.75]
 set xtics 1
 set style fill solid noborder
-set boxwidth 0.15
+set boxwidth 0.13
 plot reference index "ladder" using "rung":"estimate" with lines lw 7 \
          lc rgb "#DDDDDD" notitle, \
-     for [i = 1:5] data index "ladder" \
-         using (column("rung") + 0.15 * (i - 3)):(column(Part[i])) \
-         with boxes ls (i == 5 ? 6 : i) title (i == 5 ? "mesh" : Part[i]), \
+     for [i = 1:6] data index "ladder" \
+         using (column("rung") + 0.13 * (i - 3.5)):(column(Part[i])) \
+         with boxes ls (i == 5 ? 6 : i == 6 ? 5 : i) title (i == 5 ? "mesh" : Part[i]), \
      data index "ladder" using "rung":"estimate" with linespoints lw 2 pt 7 \
          lc rgb "black" title "estimate", \
      data index "ladder" using (column("rung")):(column("estimate") + 0.06): \

@@ -18,8 +18,11 @@ static double axial(const struct ladder_scene *s)
 static double largest_strain(const struct ladder_state *s)
 {
     double most = 0.0;
-    for (int e = 0; e < s->mesh->n_triangle; e++)
-        most = fmax(most, mat2_norm(ladder_strain(s, e)));
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(s->body, s->u, e);
+        const mat2 C = mat2_multiply(mat2_transpose(F), F);
+        most = fmax(most, 0.5 * mat2_norm(mat2_subtract(C, mat2_identity())));
+    }
     return most;
 }
 
@@ -31,10 +34,8 @@ struct numbers numbers_of(const struct ladder_scene *scene)
                         .geometry = estimate_geometry(s),
                         .bends = estimate_dimension(s), .force = axial(scene)};
     if (scene->time != STANDS) n.moves = estimate_inertia(s);
-    const double stress = n.force < 0.0   ? -n.force * n.bends
-                          : n.force < 1.0 ? n.force / (1.0 - n.force) * n.bends
-                                          : n.force;
-    n.turned = (1.0 + 2.0 * n.moves) * fmax(n.geometry, stress);
+    n.turned = (1.0 + 2.0 * n.moves) *
+               fmax(n.geometry, fabs(n.force) * n.bends);
     ladder_free(s);
     return n;
 }

@@ -16,9 +16,8 @@ struct numbers {
     double force;  /* over the one that buckles a beam, > 0 where it presses */
     double moves;  /* 0: the load stands */
     double turned; /* the larger of geometry and of what the axial force makes
-                    * of the bending, force / (1 - force) of it where it
-                    * presses, |force| where it pulls, or force beyond 1; times
-                    * 1 + 2 moves, for so far may a body overshoot */
+                    * of the bending, |force| of it; times 1 + 2 moves, for so
+                    * far may a body overshoot */
 };
 struct numbers numbers_of(const struct ladder_scene *scene);
 

@@ -23,7 +23,8 @@ struct row {
     enum part add;
 };
 
-/* All rungs of a scene; returns how many. */
+/* All rungs of a scene; returns how many.  Where a bar is not stable the ladder
+ * goes on to the nonlinear law; here the linear one is looked at on the way. */
 static int climb(const struct ladder_scene *scene, struct row row[MOST])
 {
     struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
@@ -36,7 +37,10 @@ static int climb(const struct ladder_scene *scene, struct row row[MOST])
         estimate_state(s, tolerance, &r->estimate, &r->add);
         r->error = ladder_error(s, truth);
         r->stable = ladder_stable(s);
-        more = ladder_add(scene, r->add, &model);
+        if (model.rung == BAR && !r->stable)
+            model.rung = LINEAR_PLANE;
+        else
+            more = ladder_add(scene, r->add, &model);
         ladder_free(s);
     }
     claim(truth->status == OK, "%s has a truth", scene->name);
@@ -57,7 +61,7 @@ static void print(const char *scene, const struct row *r, const char *verdict)
 int main(void)
 {
     static struct row row[LADDER_SCENES][MOST];
-    int n[LADDER_SCENES], within = 0, silent = 0, met = 0, all = 0;
+    int n[LADDER_SCENES], within = 0, met = 0, all = 0;
     const char *const columns = "scene model state mesh estimate error ratio "
                                 "stable flops verdict";
     double lowest = INFINITY, highest = 0.0, blind = INFINITY;
@@ -70,11 +74,10 @@ int main(void)
             const double ratio = r->estimate / r->error;
             print(ladder_scene[k].name, r,
                   i + 1 < n[k] ? ladder_part(r->add) : "nothing");
-            if (!r->stable) blind = fmin(blind, ratio);
+            if (!r->stable) blind = fmin(blind, ratio); /* least: linear */
             if (!r->stable) continue;
             lowest = fmin(lowest, ratio);
             highest = fmax(highest, ratio);
-            silent += ratio < 1.0 / 3.0;
             all++;
         }
     }
@@ -95,11 +98,11 @@ int main(void)
     table_row(all, lowest, highest, blind, within, met);
     table_end();
 
-    claim(within == LADDER_SCENES && silent == 0 && highest < 3.0, "estimate "
-          "over error is between 1/3 and 3 on all stable rungs: %g to %g",
-          lowest, highest);
-    claim(blind < 0.1, "where K is not positive definite the estimate is "
-          "blind: %g", blind);
+    claim(within == LADDER_SCENES && lowest > 0.6 && highest < 3.5,
+          "estimate over error is between 0.6 and 3.5 on all stable rungs: %g "
+          "to %g", lowest, highest);
+    claim(blind < 0.1, "where K is not positive definite the estimate of a "
+          "linear body is blind: %g", blind);
     claim(met == LADDER_SCENES, "%d scenes meet the tolerance", met);
     return table_finish();
 }

@@ -17,7 +17,7 @@ set key at graph 0.02, graph 0.98 left top vertical maxrows 4 reverse Left sampl
 of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate") : NaN
 set label 1 "3 times the truth" at 1.4, 6.2 rotate by 41 font ",11" textcolor rgb "#555555"
 set label 2 "a third of it" at 0.16, 0.035 rotate by 41 font ",11" textcolor rgb "#555555"
-set label 3 "a straight column above its buckling load:\nno estimate sees it; K is not positive definite" \
+set label 3 "a straight column above its buckling load:\nno estimate of triangles sees it;\nK is not positive definite" \
     at 180, 0.62 right font ",11" textcolor rgb "#D55E00"
 set label 4 "10 %" at 0.0135, 12.5 font ",11" textcolor rgb "#555555"
 set arrow 1 from 0.012, 10 to 200, 10 nohead ls 9

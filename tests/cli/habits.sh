@@ -196,6 +196,20 @@ says 'there are: .*conditioning' 'a figure that there is not' \
 says 'left to make bench' 'make figures says what it leaves out' \
     "$MAKE" -n figures
 
+# ---- a scene of one's own -------------------------------------------------------
+says 'cubic Neo-Hookean law' 'make choose says which law' \
+    "$MAKE" choose SCENE=lessons/scenes/guyed.scene ERROR=10% VERIFY=yes
+says 'Verified: ' 'and make choose verifies it' \
+    "$MAKE" choose SCENE=lessons/scenes/strip.scene VERIFY=yes
+says 'NOT SURE' 'make choose says what it cannot do' \
+    "$MAKE" choose SCENE=lessons/scenes/leaning.scene ERROR=0.1%
+says "line 2: 'heigth' is no word" 'make choose names a bad line' \
+    sh -c 'printf "width 1\nheigth 2\n" >bad.scene; "$0" choose SCENE=bad.scene' \
+    "$MAKE"
+says 'SCENE=FILE' 'make choose needs a scene' "$MAKE" choose
+says 'make live ignores ERROR; that is for make choose' \
+    'what make choose takes is for it alone' "$MAKE" live ERROR=5%
+
 # ---- the window -------------------------------------------------------------------
 if pkg-config --exists sdl2 2>/dev/null; then
     awk -f tests/tools/starter.awk solutions/24_live.c >lessons/24_live.c

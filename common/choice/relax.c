@@ -1,0 +1,148 @@
+/* relax.c - see relax.h. */
+#include "choice/relax.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { STEPS = 2 }; /* of a part */
+
+static struct material law_of(const struct ladder_state *s)
+{
+    struct material material = s->body->material;
+    if (s->model.rung <= LINEAR_PLANE) material.law = LINEAR;
+    return material;
+}
+
+/* Whether K and dP/dF are those at u. */
+static int at_u(const struct ladder_state *s)
+{
+    return s->model.rung > LINEAR_PLANE && !s->model.moving;
+}
+
+mat2 relax_stress(const struct ladder_state *s, int e)
+{
+    const struct material law = law_of(s);
+    return material2_pk1(&law, body_deformation(s->body, s->u, e));
+}
+
+void relax_push(const struct ladder_state *s, int e, mat2 T, double g[])
+{
+    const double area = s->body->area[e], *gradient = &s->body->gradient[6 * e];
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 2; i++)
+            g[2 * s->body->vertex[3 * e + k] + i] +=
+                area * (T.m[i][0] * gradient[2 * k] +
+                        T.m[i][1] * gradient[2 * k + 1]);
+}
+
+double relax_size(const struct ladder_state *s, const double u[])
+{
+    double sum = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) sum += u[r] * u[r];
+    return sqrt(sum / s->mesh->n_vertex);
+}
+
+struct matrix *relax_factors(const struct ladder_state *s)
+{
+    double *zero = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *zero);
+    struct matrix *K = body_matrix(s->body);
+    enum status status =
+        body_stiffness(s->body, at_u(s) ? s->u : zero, EXACT, K);
+    free(zero);
+    if (status == OK) status = matrix_factor(K);
+    if (status == OK) return K;
+    matrix_free(K);
+    return NULL;
+}
+
+/* d := K^-1 g, 0 at what is held. */
+static void solve(const struct ladder_state *s, const struct matrix *factors,
+                  const double g[], double d[])
+{
+    double *some = allocate((size_t)s->body->n_equation, sizeof *some);
+    body_gather(s->body, g, some);
+    matrix_solve(factors, some);
+    body_scatter(s->body, some, d);
+    free(some);
+}
+
+/* g := D w, 0 at what is held. */
+static void product(const struct ladder_state *s, relax_forces *forces,
+                    const double w[], double g[])
+{
+    const size_t triangles = (size_t)s->mesh->n_triangle;
+    const struct material law = law_of(s);
+    mat2 *H = allocate(triangles, sizeof *H);
+    mat2 *P = allocate(triangles, sizeof *P);
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = at_u(s) ? body_deformation(s->body, s->u, e)
+                               : mat2_identity();
+        H[e] = mat2_subtract(body_deformation(s->body, w, e), mat2_identity());
+        P[e] = w == s->u ? relax_stress(s, e) : material2_dpk1(&law, F, H[e]);
+    }
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) g[r] = 0.0;
+    forces(s, &(struct relax_field){H, P}, g);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++)
+        if (s->body->equation[r] < 0) g[r] = 0.0;
+    free(H);
+    free(P);
+}
+
+static double dot(const struct ladder_state *s, const double a[],
+                  const double b[])
+{
+    double sum = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) sum += a[r] * b[r];
+    return sum;
+}
+
+int relax_follow(const struct ladder_state *s, const struct matrix *factors,
+                 relax_forces *forces, int steps, double e[])
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    double *r = allocate(n, sizeof *r), *z = allocate(n, sizeof *z);
+    double *p = allocate(n, sizeof *p), *Kp = allocate(n, sizeof *Kp);
+    double *Dp = allocate(n, sizeof *Dp), first = 0.0, before = 1.0;
+    int stands = 1;
+    for (size_t i = 0; i < n; i++) e[i] = 0.0;
+    product(s, forces, s->u, r);
+    for (int k = 0; k < steps; k++) {
+        solve(s, factors, r, z);
+        const double rz = dot(s, r, z), beta = rz / before;
+        if (k == 0) first = rz;
+        if (!(rz > 1e-20 * first)) break; /* solved, to round-off */
+        for (size_t i = 0; i < n; i++) { /* K z = r, so K p goes with p */
+            p[i] = z[i] + beta * p[i];
+            Kp[i] = r[i] + beta * Kp[i];
+        }
+        product(s, forces, p, Dp);
+        const double energy = dot(s, p, Kp) - dot(s, p, Dp);
+        stands = energy > 0.0;
+        if (!stands) break;
+        for (size_t i = 0; i < n; i++) {
+            e[i] += rz / energy * p[i];
+            r[i] -= rz / energy * (Kp[i] - Dp[i]);
+        }
+        before = rz;
+    }
+    free(r);
+    free(z);
+    free(p);
+    free(Kp);
+    free(Dp);
+    return stands;
+}
+
+double relax_part(const struct ladder_state *s, const struct matrix *factors,
+                  relax_forces *forces)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    double *e = allocate(n, sizeof *e), part = 1.0;
+    if (factors && relax_follow(s, factors, forces, STEPS, e)) {
+        const double off = relax_size(s, e);
+        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
+        part = off > 0.0 ? off / relax_size(s, e) : 0.0;
+    }
+    free(e);
+    return part;
+}

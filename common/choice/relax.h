@@ -1,0 +1,67 @@
+/*
+ * relax.h - what forces that a model of ladder.h has left out would move.
+ *
+ * A model K u = f that leaves out forces which are linear in the displacement,
+ * D u, should have solved K v = f + D v.  So its answer lacks e = v - u,
+ *
+ *     (K - D) e = D u                                         [eq:left-forces]
+ *
+ * and factors of K are there.  K^-1 (K - D) has all but a few eigenvalues near
+ * 1, so two steps of conjugate gradients with K as the preconditioner [alg:cg]
+ * are nearly exact: two solves.  A part of the estimate is |e| / |u + e|.
+ *
+ * K is that of rest: where a nonlinear model rests, d2Psi/du2 at u, and e is
+ * then the first step of Newton's method; else the linear one.
+ */
+#ifndef COMMON_RELAX_H
+#define COMMON_RELAX_H
+
+#include "choice/ladder.h"
+
+/* A displacement w on the triangles: its gradient H, and the stress P that it
+ * brings (N/m^2), dP/dF : H in general and for w = u the stress that u has. */
+struct relax_field {
+    const mat2 *H, *P; /* [n_triangle]; borrowed */
+};
+
+/* P of the model's law at u in triangle e (N/m^2); of a BAR the linear one. */
+mat2 relax_stress(const struct ladder_state *state, int e);
+
+/* g_a += int T grad N_a for the three vertices of triangle e (N), T constant.
+ */
+void relax_push(const struct ladder_state *state, int e, mat2 T, double g[]);
+
+/* The root of the mean square of |u_a| over all vertices (m). */
+double relax_size(const struct ladder_state *state, const double u[]);
+
+/* The factors of K, for the caller to free; NULL: K is not positive definite,
+ * or u has no K. */
+struct matrix *relax_factors(const struct ladder_state *state);
+
+/* g += D w, the nodal forces left out of a displacement (N); g: [2 n_vertex].
+ */
+typedef void relax_forces(const struct ladder_state *state,
+                          const struct relax_field *of, double g[]);
+
+/*
+ * e := of (K - D) e = D u, D by `forces`, by so many steps of conjugate
+ * gradients from 0; after one of them it is d / (1 - t), d = K^-1 D u, t =
+ * d.D d / d.K d.  false: the energy p.(K - D) p of a direction is not > 0: the
+ * body gives way, and e is of no use.
+ */
+int relax_follow(const struct ladder_state *state,
+                 const struct matrix *factors, relax_forces *forces, int steps,
+                 double e[]);
+
+/* |e| / |u + e| after two steps; 0 for u = 0, 1 where the body gives way or
+ * there are no factors (NULL). */
+double relax_part(const struct ladder_state *state,
+                  const struct matrix *factors, relax_forces *forces);
+
+/* Of what the mesh's forces move, so much is its part.  At a free side, where a
+ * vertex has triangles on one side only, the recovered stress lags behind: in
+ * beams all of it is 1.5 times the error, near nu = 1/2, where linear triangles
+ * lock, it is as large as the error.  Measured; this lies between. */
+#define RELAX_SHARE 0.8
+
+#endif

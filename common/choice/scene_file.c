@@ -1,0 +1,210 @@
+/* scene_file.c - see scene_file.h. */
+#include "choice/scene_file.h"
+
+#include "base/options.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST = 256, MOST_STEPS = 400, LEAST_STEPS = 40 };
+
+/* What a file may say: n numbers from least to most, or one of the words. */
+static const struct line {
+    const char *word;
+    int n;
+    double least, most;
+    const char *words; /* with a blank around each; NULL: numbers */
+    int must;          /* be there */
+} lines[] = {
+    {"width", 1, 1e-6, 1e3, NULL, 1},
+    {"height", 1, 1e-6, 1e3, NULL, 1},
+    {"E", 1, 1e-3, 1e12, NULL, 1},
+    {"nu", 1, 0.0, 0.499, NULL, 1},
+    {"rho", 1, 1e-3, 1e5, NULL, 1},
+    {"gravity", 2, -1e4, 1e4, NULL, 0},
+    {"held", 0, 0, 0, " left ends ", 1},
+    {"pulled", 2, -1e12, 1e12, NULL, 0},
+    {"pushed", 2, -1e12, 1e12, NULL, 0},
+    {"load", 0, 0, 0, " stands rises swings ", 0},
+    {"time", 1, 1e-9, 1e6, NULL, 0},
+    {"end", 1, 1e-9, 1e6, NULL, 0},
+};
+enum {
+    WIDTH, HEIGHT, YOUNG, POISSON, DENSITY, GRAVITY, HELD, PULLED, PUSHED, LOAD,
+    TIME, END
+};
+
+struct said {
+    double value[COUNT(lines)][2]; /* of words their number */
+    int at[COUNT(lines)];          /* line of the file; 0: it says nothing */
+};
+
+/* "PROGRAM: FILE: line 3: MESSAGE"; line 0: the file as a whole. */
+_Noreturn static void refuse(const char *program, const char *path, int line,
+                             const char *format, ...)
+{
+    char message[LONGEST], words[2 * LONGEST], where[32] = "";
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (line) snprintf(where, sizeof where, "line %d: ", line);
+    snprintf(words, sizeof words, "%.200s: %s%s", path, where, message);
+    options_refuse(program, words);
+}
+
+/* The number of a word in " a b c ", or -1. */
+static int number_of(const char *words, const char *word)
+{
+    int k = 0;
+    for (const char *w = words + 1; *w; k++) {
+        const size_t length = strcspn(w, " ");
+        if (strlen(word) == length && strncmp(w, word, length) == 0) return k;
+        w += length + 1;
+    }
+    return -1;
+}
+
+static void read_line(const char *program, const char *path, int at, char *text,
+                      struct said *said)
+{
+    const char *blank = " \t\r\n";
+    const char *word = strtok(text, blank);
+    if (!word) return;
+    int k = 0;
+    while (k < COUNT(lines) && strcmp(lines[k].word, word) != 0) k++;
+    if (k == COUNT(lines))
+        refuse(program, path, at, "'%s' is no word of a scene: width height E "
+               "nu rho gravity held pulled pushed load time end", word);
+    if (said->at[k])
+        refuse(program, path, at, "'%s' was said in line %d", word,
+               said->at[k]);
+    said->at[k] = at;
+    for (int i = 0; i < (lines[k].words ? 1 : lines[k].n); i++) {
+        const char *value = strtok(NULL, blank);
+        char *end = NULL;
+        if (!value) value = "";
+        if (lines[k].words) {
+            said->value[k][0] = number_of(lines[k].words, value);
+            if (said->value[k][0] < 0.0 && k == HELD &&
+                strcmp(value, "nothing") == 0)
+                refuse(program, path, at, "a body of which nothing is held "
+                       "cannot stand: held must be one of:%s",
+                       lines[k].words);
+            if (said->value[k][0] < 0.0)
+                refuse(program, path, at, "%s '%s': must be one of:%s", word,
+                       value, lines[k].words);
+            continue;
+        }
+        said->value[k][i] = strtod(value, &end);
+        if (end == value || *end || !(said->value[k][i] >= lines[k].least &&
+                                      said->value[k][i] <= lines[k].most))
+            refuse(program, path, at, "%s '%s': must be %s from %g to %g", word,
+                   value, lines[k].n == 2 ? "two numbers" : "a number",
+                   lines[k].least, lines[k].most);
+    }
+    const char *more = strtok(NULL, blank);
+    if (more)
+        refuse(program, path, at, "%s: '%s' is one value too many; a comment "
+               "begins with #", word, more);
+}
+
+/* The last part of the path, without its ending. */
+static void name_of(const char *path, char name[64])
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(name, 64, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(name, '.');
+    if (dot && dot != name) *dot = '\0';
+    for (char *c = name; *c; c++)
+        if (!isgraph((unsigned char)*c)) *c = '_';
+}
+
+/* The time step: so many to the shortest of the load's time and the period of
+ * the first swing, as a beam (3.52 of its modulus) or, held at both ends, 22.4;
+ * for a long scene fewer. */
+static double time_step(const struct ladder_scene *scene)
+{
+    const double modulus = 1000.0 / (1.0 - scene->nu * scene->nu);
+    const double root = scene->held == LADDER_ENDS ? 22.4 : 3.52;
+    const double bends =
+        root / scene->slender * sqrt(modulus / 3.0) / 2.0; /* omega, L = 2 */
+    const double along = acos(-1.0) / 4.0 * sqrt(modulus);
+    const double shortest =
+        fmin(scene->T, 2.0 * acos(-1.0) / fmin(bends, along));
+    return scene->end / ceil(fmin(MOST_STEPS,
+                                  fmax(LEAST_STEPS,
+                                       16.0 * scene->end / shortest)));
+}
+
+static void scene_of(const char *program, const char *path, int finest,
+                     const struct said *said, struct scene_file *file)
+{
+    struct ladder_scene *scene = &file->scene;
+    file->metre = said->value[WIDTH][0] / 2.0;
+    file->pascal = said->value[YOUNG][0] / 1000.0;
+    file->second =
+        file->metre * sqrt(said->value[DENSITY][0] / file->pascal);
+    *scene = (struct ladder_scene){
+        .name = file->name,
+        .slender = said->value[WIDTH][0] / said->value[HEIGHT][0],
+        .nu = said->value[POISSON][0],
+        .held = (enum ladder_held)said->value[HELD][0],
+        .time = (enum ladder_time)said->value[LOAD][0],
+        .finest = finest};
+    if (!(scene->slender >= 0.5 && scene->slender <= 16.0))
+        refuse(program, path, said->at[HEIGHT], "width over height is %g: must "
+               "be from 0.5 to 16", scene->slender);
+    int loaded = 0;
+    for (int i = 0; i < 2; i++) {
+        scene->weight[i] = said->value[GRAVITY][i] * said->value[DENSITY][0] *
+                           file->metre / file->pascal;
+        scene->pull[i] = said->value[PULLED][i] / file->pascal;
+        scene->push[i] = said->value[PUSHED][i] / file->pascal;
+        if (scene->held == LADDER_ENDS && scene->pull[i] != 0.0)
+            refuse(program, path, said->at[PULLED], "the right end is held and "
+                   "cannot be pulled: push, or held left");
+        loaded += scene->weight[i] != 0.0 || scene->pull[i] != 0.0 ||
+                  scene->push[i] != 0.0;
+    }
+    if (!loaded)
+        refuse(program, path, 0, "nothing is loaded: gravity, pulled or pushed "
+               "must not be 0");
+    if (scene->time == STANDS) return;
+    for (int k = TIME; k <= END; k++)
+        if (!said->at[k])
+            refuse(program, path, said->at[LOAD], "a load that %s needs '%s'",
+                   scene->time == RISES ? "rises" : "swings", lines[k].word);
+    scene->T = said->value[TIME][0] / file->second;
+    scene->end = said->value[END][0] / file->second;
+    scene->dt = time_step(scene);
+}
+
+void scene_file_read(const char *program, const char *path, int finest,
+                     struct scene_file *file)
+{
+    char text[LONGEST];
+    struct said said = {.at = {0}};
+    FILE *in = fopen(path, "r");
+    if (!in) refuse(program, path, 0, "cannot be read");
+    for (int at = 1; fgets(text, sizeof text, in); at++) {
+        if (!strchr(text, '\n') && !feof(in))
+            refuse(program, path, at, "is longer than %d characters",
+                   LONGEST - 2);
+        text[strcspn(text, "#")] = '\0';
+        read_line(program, path, at, text, &said);
+    }
+    const int bad = ferror(in);
+    fclose(in);
+    if (bad) refuse(program, path, 0, "cannot be read");
+    for (int k = 0; k < COUNT(lines); k++)
+        if (lines[k].must && !said.at[k])
+            refuse(program, path, 0, "does not say '%s'%s", lines[k].word,
+                   k == HELD ? ", and what nothing holds cannot stand" : "");
+    name_of(path, file->name);
+    scene_of(program, path, finest, &said, file);
+}

@@ -1,0 +1,143 @@
+/* scenes.c - laws of common/choice/scene_file.h. */
+#include "choice/scene_file.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char path[64];
+static struct scene_file file;
+
+static void write_file(const char *text)
+{
+    snprintf(path, sizeof path, "/tmp/unit-%ld.some.scene", (long)getpid());
+    FILE *out = fopen(path, "w");
+    ck_assert(out && fputs(text, out) >= 0 && fclose(out) == 0);
+}
+static void read_file(void)
+{
+    scene_file_read("unit", path, 3, &file);
+}
+
+/* A body of 4 cm by 1 cm, E = 20 kN/m^2, 1000 kg/m^3: lengths are in units of
+ * 2 cm, stresses of 20 N/m^2, times of 0.02 sqrt(50). */
+static void a_file_is_scaled(void)
+{
+    write_file("# all words\n\n  width 0.04 # m\nheight\t0.01\r\nE 2e4\n"
+               "nu 0.45\nrho 1000\ngravity 1 -9.81\nheld left\npulled 30 -7\n"
+               "pushed 0.5 -0.25\nload swings\ntime 0.3\nend 2");
+    read_file();
+    const struct ladder_scene *s = &file.scene;
+    const double second = 0.02 * sqrt(50.0);
+    close_to(s->slender, 4.0, 1e-14);
+    close_to(s->nu, 0.45, 0.0 + 1e-15);
+    close_to(s->weight[0], 1000.0 * 0.02 / 20.0, 1e-13);
+    close_to(s->weight[1], -9810.0 * 0.02 / 20.0, 1e-12);
+    close_to(s->pull[0], 1.5, 1e-14);
+    close_to(s->pull[1], -0.35, 1e-14);
+    close_to(s->push[0], 0.025, 1e-14);
+    close_to(s->push[1], -0.0125, 1e-14);
+    close_to(s->T, 0.3 / second, 1e-12);
+    close_to(s->end, 2.0 / second, 1e-12);
+    ck_assert(s->time == SWINGS && s->held == LADDER_LEFT && s->finest == 3);
+    const double steps = s->end / s->dt;
+    close_to(steps, floor(steps + 0.5), 1e-9);
+    ck_assert(steps > 39.5 && steps < 400.5 && s->dt < s->T / 8.0);
+    ck_assert_str_eq(s->name + strlen(s->name) - 5, ".some");
+    close_to(file.metre, 0.02, 1e-16);
+    close_to(file.pascal, 20.0, 1e-13);
+    close_to(file.second, second, 1e-14);
+    unlink(path);
+}
+
+/* Twelve times the size, 144 times the modulus and load: the same strain; and
+ * where both ends are held there is no bar, and neither moves. */
+static void units_do_not_matter(void)
+{
+    double u[2];
+    for (int k = 0; k < 2; k++) {
+        write_file(k ? "width 24\nheight 6\nE 144000\nnu 0.3\nrho 1\n"
+                       "held ends\npushed 0 -1440\nload rises\ntime 1\nend 2\n"
+                     : "width 2\nheight 0.5\nE 1000\nnu 0.3\nrho 1\n"
+                       "held ends\npushed 0 -10\nload rises\ntime 1\nend 2\n");
+        read_file();
+        struct ladder_state *s = ladder_solve(
+            &file.scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
+        const int middle = s->mesh->n_vertex / 2;
+        u[k] = s->u[2 * middle + 1];
+        ck_assert(ladder_first(&file.scene).rung == LINEAR_PLANE);
+        close_to(s->u[2 * s->mesh->n], 0.0, 1e-300); /* the right end */
+        ladder_free(s);
+        unlink(path);
+    }
+    ck_assert(u[0] < -1e-3);
+    close_to(u[1], u[0], 1e-12);
+}
+
+#define GOOD "width 1\nheight 1\nE 1\nnu 0\nrho 1\nheld left\n"
+
+/* One line, status 2: the number of the line, the word, what is allowed. */
+static void what_is_wrong_is_named(void)
+{
+    static const struct {
+        const char *text, *says;
+    } is[] = {
+        {"width 1\nwdith 2\n", "line 2: 'wdith' is no word of a scene"},
+        {"width 1\nheight 0\n", "line 2: height '0': must be a number from"},
+        {"width 1 2\n", "line 1: width: '2' is one value too many"},
+        {"nu 0.5\n", "nu '0.5': must be a number from 0 to 0.499"},
+        {"E 1e3x\n", "E '1e3x': must be"}, {"E\n", "E '': must be"},
+        {"E nan\n", "E 'nan': must be"}, {"\nE inf\n", "line 2: E 'inf'"},
+        {"gravity 1\n", "gravity '': must be two numbers"},
+        {"held right\n", "held 'right': must be one of: left ends"},
+        {"held nothing\n", "nothing is held cannot stand"},
+        {"rho 1\n\nrho 2\n", "line 3: 'rho' was said in line 1"},
+        {"width 1\n", "does not say 'height'"},
+        {"width 1\nheight 1\nE 1\nnu 0\nrho 1\n", "nothing holds cannot stand"},
+        {GOOD, "nothing is loaded"},
+        {GOOD "gravity 0 1\nload rises\nend 2\n", "line 8: a load that rises "
+                                                  "needs 'time'"},
+        {GOOD "gravity 0 1\nload swings\ntime 2\n", "swings needs 'end'"},
+        {"width 9\nheight 0.5\nE 1\nnu 0\nrho 1\nheld left\n",
+         "line 2: width over height is 18"},
+        {"width 1\nheight 1\nE 1\nnu 0\nrho 1\nheld ends\npulled 1 0\n",
+         "line 7: the right end is held"},
+        {"width 1\nload\tstands\n\001\n", "line 3: '?' is no word"},
+    };
+    for (int k = 0; k < COUNT(is); k++) {
+        write_file(is[k].text);
+        const struct outcome o = outcome_of(read_file);
+        ck_assert_msg(o.status == 2 && strstr(o.err, is[k].says),
+                      "%s: status %d, %s", is[k].text, o.status, o.err);
+        ck_assert(strchr(o.err, '\n') == o.err + strlen(o.err) - 1);
+        unlink(path);
+    }
+    const struct outcome o = outcome_of(read_file);
+    ck_assert(o.status == 2 && strstr(o.err, "cannot be read"));
+}
+
+static void a_long_line_is_refused(void)
+{
+    char text[600];
+    memset(text, ' ', sizeof text);
+    memcpy(text, "width 1", 7);
+    text[sizeof text - 1] = '\0';
+    text[sizeof text - 2] = '\n';
+    write_file(text);
+    const struct outcome o = outcome_of(read_file);
+    ck_assert(o.status == 2 && strstr(o.err, "line 1: is longer than"));
+    unlink(path);
+}
+
+static const struct unit_law laws[] = {
+    {"a_file_is_scaled", a_file_is_scaled},
+    {"units_do_not_matter", units_do_not_matter},
+    {"what_is_wrong_is_named", what_is_wrong_is_named},
+    {"a_long_line_is_refused", a_long_line_is_refused},
+};
+
+UNIT_MAIN("scenes", laws)
