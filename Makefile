@@ -394,11 +394,11 @@ takes_lesson := TABLE ARGS
 takes_diff   := TABLE ARGS
 takes_plot   := TABLE X Y KEY ARGS
 takes_live   := ARGS
-takes_choose := SCENE ERROR WITHIN VERIFY
+takes_choose := SCENE ERROR WITHIN VERIFIED
 takes_debug  := ARGS
 takes_check  := JSON
 takes_grade  := JSON
-MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFY
+MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFIED
 given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
 goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
 ifeq ($(MAKELEVEL),0)
@@ -412,9 +412,9 @@ override X     := $(if $(filter X,$(given)),$(value X))
 override Y     := $(if $(filter Y,$(given)),$(value Y))
 override KEY   := $(if $(filter KEY,$(given)),$(value KEY))
 override ARGS  := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
-$(foreach v,SCENE ERROR WITHIN VERIFY,$(eval override $v := $$(if $$(filter \
+$(foreach v,SCENE ERROR WITHIN VERIFIED,$(eval override $v := $$(if $$(filter \
     $v,$$(given)),$$(value $v))))
-export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFY
+export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFIED
 
 status: ; @$(STUDENT) status
 
@@ -454,10 +454,10 @@ live: $(LIB)
 .PHONY: choose
 choose: $(LIB)
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
-	    '[WITHIN=33ms] [VERIFY=yes]; lessons/scenes/ has examples' >&2; exit 2; }
+	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
 	@mkdir -p $(BUILD) && $(PLAIN) common/choice/choose.c -o $(BUILD)/choose $(LINK)
 	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
-	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFY:-no}"
+	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
 
 # The files of a new lesson: make new-26 NAME=spring
 new-%:

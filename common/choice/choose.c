@@ -106,7 +106,7 @@ static void say_error(const struct ladder_state *s, double tolerance,
                    100.0 * part[k]);
     printf("Not sure of\n");
     printf("  the estimate: it was 0.6 to 3.3 times the error in twelve "
-           "scenes\n");
+           "scenes, in random\n  ones with two loads seldom far less\n");
     if (s->model.moving)
         printf("  the time step, which no part measures, and whether K stays "
                "positive definite\n");

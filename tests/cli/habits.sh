@@ -198,9 +198,9 @@ says 'left to make bench' 'make figures says what it leaves out' \
 
 # ---- a scene of one's own -------------------------------------------------------
 says 'cubic Neo-Hookean law' 'make choose says which law' \
-    "$MAKE" choose SCENE=lessons/scenes/guyed.scene ERROR=10% VERIFY=yes
+    "$MAKE" choose SCENE=lessons/scenes/guyed.scene ERROR=10% VERIFIED=yes
 says 'Verified: ' 'and make choose verifies it' \
-    "$MAKE" choose SCENE=lessons/scenes/strip.scene VERIFY=yes
+    "$MAKE" choose SCENE=lessons/scenes/strip.scene VERIFIED=yes
 says 'NOT SURE' 'make choose says what it cannot do' \
     "$MAKE" choose SCENE=lessons/scenes/leaning.scene ERROR=0.1%
 says "line 2: 'heigth' is no word" 'make choose names a bad line' \
