@@ -56,6 +56,18 @@ static void what_is_pulled_is_certified(void)
     }
 }
 
+/* The proof is for whole squares: of others nothing is said. */
+static void parts_of_squares_are_refused(void)
+{
+    for (double slender = 2.0; slender < 3.0; slender += 0.25) {
+        const struct ladder_scene scene = {
+            "pulled", slender, 0.3, .pull = {5.0, 0.0}, .finest = 1};
+        int stable;
+        ck_assert_int_eq(certified(&scene, 0, &stable), slender < 2.1);
+        ck_assert(stable);
+    }
+}
+
 /* The work: a try of two triangles for each section; K with its factors. */
 static void certificates_are_charged(void)
 {
@@ -80,6 +92,7 @@ static const struct unit_law laws[] = {
     {"no_column_is_certified_that_buckles",
      no_column_is_certified_that_buckles},
     {"what_is_pulled_is_certified", what_is_pulled_is_certified},
+    {"parts_of_squares_are_refused", parts_of_squares_are_refused},
     {"certificates_are_charged", certificates_are_charged},
 };
 
