@@ -52,9 +52,9 @@ static void print(const char *scene, const struct row *r, const char *verdict)
 {
     table_row(scene, ladder_rung(r->model.rung),
               r->model.moving ? "motion" : "rest", r->model.level,
-              cell_rounded(6, 100.0 * r->estimate),
-              cell_rounded(6, 100.0 * r->error),
-              cell_rounded(6, r->estimate / r->error),
+              cell_rounded(4, 100.0 * r->estimate),
+              cell_rounded(4, 100.0 * r->error),
+              cell_rounded(4, r->estimate / r->error),
               r->stable ? "stable" : "unstable", r->flops, verdict);
 }
 
