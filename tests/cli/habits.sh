@@ -208,7 +208,8 @@ says "line 2: 'heigth' is no word" 'make choose names a bad line' \
     "$MAKE"
 says 'SCENE=FILE' 'make choose needs a scene' "$MAKE" choose
 says 'make live ignores ERROR; that is for make choose' \
-    'what make choose takes is for it alone' "$MAKE" live ERROR=5%
+    'what make choose takes is for it alone' \
+    env MAKELEVEL=0 MAKEFLAGS= "$MAKE" live ERROR=5%
 
 # ---- the window -------------------------------------------------------------------
 if pkg-config --exists sdl2 2>/dev/null; then
