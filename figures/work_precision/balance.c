@@ -21,14 +21,15 @@ struct rule {
 static struct rule rule_of(const struct trials *s)
 {
     struct rule rule = {0};
-    for (double e = 0.5; trials_cheapest(s, e) >= 0; e /= 1.25) {
+    for (double e = 0.5; trials_cheapest(s, s->count, e) >= 0; e /= 1.25) {
         const int k = trials_balanced(s, e);
         rule.asked++;
         if (k < 0) continue;
         const double flops = s->work[k].flops;
         const double same =
-            flops / s->work[trials_cheapest(s, s->error[k])].flops;
-        const double over = flops / s->work[trials_cheapest(s, e)].flops;
+            flops / s->work[trials_cheapest(s, s->count, s->error[k])].flops;
+        const double over =
+            flops / s->work[trials_cheapest(s, s->count, e)].flops;
         rule.found++;
         rule.twice += same <= 2.0;
         rule.asked_twice += over <= 2.0;
@@ -55,16 +56,17 @@ static void print_rule(const char *scene, struct rule rule)
 
 int main(void)
 {
-    static const double wanted[] = {0.3, 0.1, 0.03, 0.01};
+    static const double wanted[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
     struct trials *s[FLAGSHIP];
     struct rule all = {0};
 
     table_begin("cheapest", TRIALS_COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++) {
         s[k] = trials_alloc((enum work_scene)k);
-        for (int i = 0; i < 4; i++) {
-            const int best = trials_cheapest(s[k], wanted[i]);
-            if (best >= 0) trials_row(s[k], best, wanted[i]);
+        for (int i = 0; i < 6; i++) {
+            const int best = trials_cheapest(s[k], s[k]->all, wanted[i]);
+            if (best >= 0 && wanted[i] > s[k]->floor)
+                trials_row(s[k], best, wanted[i]);
         }
     }
     table_end();

@@ -50,17 +50,61 @@ static void settings(struct trials *trials)
         }
 }
 
+/* A setting of another element, static and dynamic. */
+static void other_settings(struct trials *trials, struct work_setting set)
+{
+    const int level = (int)log2(set.n / work_coarsest(set.scene));
+    set.tolerance = tolerances[1];
+    set.method = BACKWARD_EULER;
+    set.steps = 1;
+    trials->set[trials->count++] = set;
+    set.dynamic = 1;
+    set.method = IMPLICIT_MIDPOINT;
+    for (set.steps = 4; set.steps <= 128 >> level; set.steps *= 2)
+        trials->set[trials->count++] = set;
+    set.method = SYMPLECTIC_EULER;
+    if (set.law == LINEAR) return;
+    for (set.steps = 32; set.steps <= 512; set.steps *= 2)
+        trials->set[trials->count++] = set;
+}
+
+static void other_elements(struct trials *trials)
+{
+    static const struct {
+        enum element element;
+        double grade;
+    } other[] = {{LINEAR_TRIANGLE, 1.5}, {QUADRATIC_TRIANGLE, 1.0},
+                 {QUADRATIC_TRIANGLE, 2.0}};
+    for (int k = 0; k < 3; k++)
+        for (int law = LINEAR; law <= LOG; law++)
+            for (int level = 0; level < 4; level++) {
+                const int quadratic = other[k].element == QUADRATIC_TRIANGLE;
+                if (quadratic ? level == 0 && trials->scene == BUCKLE
+                              : level == 3)
+                    continue; /* an odd number of rows; enough */
+                other_settings(trials, (struct work_setting){
+                    .scene = trials->scene, .law = (enum law)law,
+                    .n = work_coarsest(trials->scene) << level,
+                    .element = other[k].element, .grade = other[k].grade});
+            }
+}
+
 struct trials *trials_alloc(enum work_scene scene)
 {
     const struct work_setting model = {.scene = scene, .law = LOG,
-                                       .dynamic = 1};
+                                       .dynamic = 1,
+                                       .element = work_limit_element(scene)};
     struct trials *trials = allocate(1, sizeof *trials);
     trials->scene = scene;
     const struct work limit = work_limit(&model, &trials->floor);
     trials->size = work_distance(&limit, NULL);
     trials->floor /= trials->size;
     settings(trials);
-    for (int k = 0; k < trials->count; k++) {
+    const int linear = trials->count;
+    other_elements(trials);
+    trials->all = trials->count;
+    trials->count = linear;
+    for (int k = 0; k < trials->all; k++) {
         trials->work[k] = work_run(&trials->set[k]);
         trials->error[k] =
             work_distance(&trials->work[k], &limit) / trials->size;
@@ -70,10 +114,10 @@ struct trials *trials_alloc(enum work_scene scene)
 
 void trials_free(struct trials *trials) { free(trials); }
 
-int trials_cheapest(const struct trials *trials, double error)
+int trials_cheapest(const struct trials *trials, int count, double error)
 {
     int best = -1;
-    for (int k = 0; k < trials->count; k++)
+    for (int k = 0; k < count; k++)
         if (trials->error[k] <= error &&
             (best < 0 || trials->work[k].flops < trials->work[best].flops))
             best = k;
@@ -235,5 +279,7 @@ void trials_row(const struct trials *trials, int k, double asked)
               set->steps, set->tolerance,
               ok ? cell_rounded(4, trials->error[k]) : cell_word(MISSING),
               cell_if(ok, trials->work[k].flops),
-              status_name(trials->work[k].status), trials->work[k].systems);
+              status_name(trials->work[k].status), trials->work[k].systems,
+              set->element == LINEAR_TRIANGLE ? "linear" : "quadratic",
+              set->grade > 0.0 ? set->grade : 1.0);
 }

@@ -14,7 +14,8 @@ static struct work_setting setting(enum work_scene scene, enum law law,
                                    int dynamic, int n, int steps,
                                    enum method method)
 {
-    return (struct work_setting){scene, law, dynamic, n, steps, method, 1e-10};
+    return (struct work_setting){scene, law, dynamic, n, steps, method, 1e-10,
+                                 LINEAR_TRIANGLE, 1.0};
 }
 
 static struct work run(enum work_scene scene, enum law law, int dynamic, int n,
@@ -158,6 +159,27 @@ static void work_is_counted(void)
     ck_assert(cheap.seconds > 0.0);
 }
 
+/* n = 4 by quadratic triangles: 8 of them, the same unknowns; linear answers by
+ * their law alone scale, and are those of one system. */
+static void other_elements_are_counted(void)
+{
+    struct work_setting set = setting(FAST_PULL, LOG, 1, 4, 64,
+                                      SYMPLECTIC_EULER);
+    set.element = QUADRATIC_TRIANGLE;
+    const struct work leapt = work_run(&set);
+    ck_assert_int_eq(leapt.status, OK);
+    close_to(leapt.flops, 64 * 400.0 * 8, 1e-9);
+    set = setting(WEIGHT, LINEAR, 0, 8, 1, BACKWARD_EULER);
+    set.element = QUADRATIC_TRIANGLE;
+    set.grade = 1.5;
+    const struct work once = work_run(&set);
+    set.steps = 3;
+    const struct work often = work_run(&set);
+    ck_assert_int_eq(once.factorisations, 1);
+    close_to(work_distance(&once, &often), 0.0, 1e-12);
+    ck_assert_double_gt(work_distance(&once, NULL), 0.1);
+}
+
 static void failures_have_no_answer(void)
 {
     const struct work_setting set =
@@ -276,7 +298,7 @@ static int row;
 static void print_the_row(void)
 {
     table_begin("row", "scene asked law method n steps tolerance error flops "
-                       "status systems");
+                       "status systems element grade");
     trials_row(asked, row, 0.25);
     exit(table_finish());
 }
@@ -284,7 +306,7 @@ static void print_the_row(void)
 static void rows_say_what_was_tried(const struct trials *s)
 {
     asked = s;
-    for (row = 0; row < s->count; row += 25) {
+    for (row = 0; row < s->all; row += 25) {
         const struct work_setting *set = &s->set[row];
         const struct work *work = &s->work[row];
         char want[200];
@@ -295,8 +317,10 @@ static void rows_say_what_was_tried(const struct trials *s)
         const struct outcome end = outcome_of(print_the_row);
         ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
                       want);
-        snprintf(want, sizeof want, "\t%s\t%d\n", status_name(work->status),
-                 work->systems);
+        snprintf(want, sizeof want, "\t%s\t%d\t%s\t%g\n",
+                 status_name(work->status), work->systems,
+                 set->element ? "quadratic" : "linear",
+                 set->grade > 1.0 ? set->grade : 1.0);
         ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
                       want);
     }
@@ -313,7 +337,7 @@ static void sweeps_know_parts_and_the_cheapest(void)
         leapt += set->dynamic && set->method == SYMPLECTIC_EULER;
         for (int i = 0; i < k; i++)
             ck_assert(!same(set, &s->set[i]));
-        const int best = trials_cheapest(s, s->error[k]);
+        const int best = trials_cheapest(s, s->count, s->error[k]);
         if (s->error[k] == INFINITY) continue;
         ck_assert(s->error[best] <= s->error[k]);
         ck_assert(s->work[best].flops <= s->work[k].flops);
@@ -321,9 +345,18 @@ static void sweeps_know_parts_and_the_cheapest(void)
             ck_assert(s->error[i] > s->error[k] ||
                       s->work[i].flops >= s->work[best].flops);
     }
+    ck_assert_int_eq(s->all, 417);
+    for (int k = s->count; k < s->all; k++)
+        ck_assert(s->set[k].element == QUADRATIC_TRIANGLE ||
+                  s->set[k].grade == 1.5);
+    /* two rows of linear triangles do not bend, one of quadratic ones does */
+    ck_assert_double_gt(s->error[trials_cheapest(s, s->count, 0.3)], 0.15);
+    ck_assert_double_lt(s->error[trials_cheapest(s, s->all, 0.06)], 0.06);
+    ck_assert_int_eq(trials_cheapest(s, s->count, 0.06), -1);
+    ck_assert_double_lt(s->floor, 1e-3);
     ck_assert_int_eq(dynamic, 249);
     ck_assert_int_eq(leapt, 24);
-    ck_assert_int_eq(trials_cheapest(s, 0.0), -1);
+    ck_assert_int_eq(trials_cheapest(s, s->count, 0.0), -1);
     ck_assert(s->floor > 0.0 && s->floor < 0.1 && s->size > 0.1);
     parts_are_what_they_should_be(s);
     rows_say_what_was_tried(s);
@@ -344,7 +377,7 @@ static void the_rule_is_balanced(void)
         ck_assert(s->work[k].flops >= last);
         ck_assert(s->error[k] < 2.0 * error);
         last = s->work[k].flops;
-        const int as_good = trials_cheapest(s, s->error[k]);
+        const int as_good = trials_cheapest(s, s->count, s->error[k]);
         ck_assert(s->work[k].flops <= 2.0 * s->work[as_good].flops);
     }
     trials_free(s);
@@ -357,6 +390,7 @@ static const struct unit_law laws[] = {
     {"slow_is_static", slow_is_static},
     {"methods_have_their_orders", methods_have_their_orders},
     {"work_is_counted", work_is_counted},
+    {"other_elements_are_counted", other_elements_are_counted},
     {"failures_have_no_answer", failures_have_no_answer},
     {"corrections_add_up", corrections_add_up},
     {"limits_are_limits", limits_are_limits},
