@@ -103,7 +103,8 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
         quadratic_shares(mesh, body->diagonal);
     }
     const int shorter = mesh->n < mesh->rows ? mesh->n : mesh->rows;
-    body_store(body, shorter < BODY_SPARSE_FROM ? BANDED : SPARSE);
+    const int from = quadratic ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
+    body_store(body, shorter < from ? BANDED : SPARSE);
     return body;
 }
 

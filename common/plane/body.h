@@ -90,8 +90,9 @@ struct body {
 };
 
 /* From so many cells across the shorter side on, dissection is faster than the
- * band, and body_alloc() makes K sparse; measured, then fixed. */
-enum { BODY_SPARSE_FROM = 36 };
+ * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
+ * triangles, whose band is wider; measured, then fixed. */
+enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
 
 /*
  * A body of linear triangles.  held[a] != 0: both components of vertex a are

@@ -174,7 +174,9 @@ static struct scene *alloc(const struct work_setting *set)
     s.grade = set->grade > 0.0 ? set->grade : 1.0;
     s.slender = scenes[set->scene].slender;
     if (set->scene != WEIGHT) s.force = 0.0; /* of the held left end */
-    return scene_alloc(&s);
+    struct scene *scene = scene_alloc(&s);
+    if (scene->mesh->rows < BODY_SPARSE_FROM) body_store(scene->body, BANDED);
+    return scene;
 }
 
 /* What moves; *tolerance has to stay where it is. */

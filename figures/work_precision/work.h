@@ -71,7 +71,8 @@ struct work work_run(const struct work_setting *set);
  * Flops of what was solved: a factorisation and the two triangular solves as
  * matrix_cost() has them, 250 for an element with its tangent, 100 without
  * [eq:roofline], 1700 and 400 for a quadratic one.  Per step one residual more
- * than systems is looked at.  Of a banded K: n below BODY_SPARSE_FROM.
+ * than systems is looked at.  Of a banded K, as work_run() has it of all
+ * elements with less than BODY_SPARSE_FROM rows of cells.
  */
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations);
