@@ -100,10 +100,11 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
     body->place = allocate(nodes * (nodes + 1) / 2 * triangles, sizeof(int));
     if (quadratic) {
         body->diagonal = allocate((size_t)mesh->n_vertex, sizeof(double));
-        quadratic_masses(mesh, rho, body->diagonal);
+        quadratic_shares(mesh, body->diagonal);
     }
     const int shorter = mesh->n < mesh->rows ? mesh->n : mesh->rows;
-    body_store(body, shorter < BODY_SPARSE_FROM ? BANDED : SPARSE);
+    const int from = quadratic ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
+    body_store(body, shorter < from ? BANDED : SPARSE);
     return body;
 }
 
@@ -169,7 +170,8 @@ double body_min_J(const struct body *body, const double u[])
 void body_mass(const struct body *body, const double v[], double out[])
 {
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        out[r] = body->diagonal ? body->diagonal[r / 2] * v[r] : 0.0;
+        out[r] = body->diagonal ? body->rho * body->diagonal[r / 2] * v[r]
+                                : 0.0;
     if (body->diagonal) return;
     for (int e = 0; e < body->n_element; e++) {
         const int *t = &body->vertex[3 * e];
@@ -193,7 +195,7 @@ static void add_diagonal(struct body *body, struct incremental Phi,
 {
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
         const int k = body->equation[r];
-        const double mass = body->diagonal[r / 2];
+        const double mass = body->rho * body->diagonal[r / 2];
         q[r] += mass * (u[r] - Phi.w[r]);
         if (tangent != NO_TANGENT && k >= 0) matrix_add(body->K, k, k, mass);
     }

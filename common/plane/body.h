@@ -81,7 +81,8 @@ struct body {
                        * linear triangle at [6 e + 2 a + j]; of a quadratic one
                        * for each of its points p at [36 e + 12 p + 2 a + j] */
     int *place;       /* scatter map of numbering.h, for each triangle */
-    double *diagonal; /* [n_vertex] mass of quadratic triangles (kg); or NULL */
+    double *diagonal; /* [n_vertex] of quadratic triangles: the area whose mass
+                       * a vertex has (m^2); NULL: linear triangles */
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
@@ -89,8 +90,9 @@ struct body {
 };
 
 /* From so many cells across the shorter side on, dissection is faster than the
- * band, and body_alloc() makes K sparse; measured, then fixed. */
-enum { BODY_SPARSE_FROM = 36 };
+ * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
+ * triangles, whose band is wider; measured, then fixed. */
+enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
 
 /*
  * A body of linear triangles.  held[a] != 0: both components of vertex a are

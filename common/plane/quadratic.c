@@ -81,16 +81,16 @@ double quadratic_gradients(const struct mesh *mesh, int e,
     return area;
 }
 
-void quadratic_masses(const struct mesh *mesh, double rho, double mass[])
+void quadratic_shares(const struct mesh *mesh, double area[])
 {
-    memset(mass, 0, (size_t)mesh->n_vertex * sizeof *mass);
+    memset(area, 0, (size_t)mesh->n_vertex * sizeof *area);
     for (int e = 0; e < mesh->n * mesh->rows / 2; e++) {
         int node[NODES];
         double of_l[6];
         quadratic_nodes(mesh, e, node);
-        const double all = rho * corner_gradients(mesh, node, of_l);
+        const double all = corner_gradients(mesh, node, of_l);
         for (int a = 0; a < NODES; a++)
-            mass[node[a]] += all * (a < 3 ? 3.0 : 16.0) / 57.0;
+            area[node[a]] += all * (a < 3 ? 3.0 : 16.0) / 57.0;
     }
 }
 

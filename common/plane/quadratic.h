@@ -52,8 +52,8 @@ double quadratic_gradients(const struct mesh *mesh, int e,
                            double gradient[QUADRATIC_POINTS]
                                           [2 * QUADRATIC_NODES]);
 
-/* mass[a] := of vertex a (kg), for the density rho [eq:scaled-mass]. */
-void quadratic_masses(const struct mesh *mesh, double rho, double mass[]);
+/* area[a] := the area whose mass vertex a has (m^2) [eq:scaled-mass]. */
+void quadratic_shares(const struct mesh *mesh, double area[]);
 
 /* f += the nodal forces of a constant body force (N/m^2): of a triangle
  * nothing at its vertices, and a third of it in each middle. */

@@ -79,6 +79,8 @@ static struct mesh *make_mesh(const struct scene_setting *set)
     struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,
                                        1.0 / set->slender);
     assert(set->n % set->slender == 0 && set->grade >= 1.0);
+    assert(set->element == LINEAR_TRIANGLE ||
+           set->n / set->slender % 2 == 0);
     const int ends = set->reading < GRAVITY ? MESH_LEFT | MESH_RIGHT
                                             : MESH_LEFT;
     if (set->grade > 1.0 && set->reading != SPIN)

@@ -9,8 +9,10 @@
  * over those of the cheapest that is as good (same), over those of the cheapest
  * for what was asked (over), and its own price.  Tables: cheapest, rule, price.
  */
-#include "base/study.h"
 #include "rule.h"
+
+#include "base/options.h"
+#include "base/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -24,14 +26,15 @@ struct record {
 static struct record record_of(const struct trials *s, int meshes)
 {
     struct record r = {0};
-    for (double e = 0.5; trials_cheapest(s, e) >= 0; e /= 1.25) {
+    for (double e = 0.5; trials_cheapest(s, s->count, e) >= 0; e /= 1.25) {
         const int k = rule_take(s, meshes, e).taken;
         r.asked++;
         if (k < 0) continue;
         const double flops = s->work[k].flops;
         const double same =
-            flops / s->work[trials_cheapest(s, s->error[k])].flops;
-        const double over = flops / s->work[trials_cheapest(s, e)].flops;
+            flops / s->work[trials_cheapest(s, s->count, s->error[k])].flops;
+        const double over =
+            flops / s->work[trials_cheapest(s, s->count, e)].flops;
         r.found++;
         r.twice += same <= 2.0;
         r.asked_twice += over <= 2.0;
@@ -101,7 +104,7 @@ static void judge(int meshes, struct record made, struct record test)
 
 int main(void)
 {
-    static const double wanted[] = {0.3, 0.1, 0.03, 0.01};
+    static const double wanted[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
     struct trials *s[WORK_SCENES];
     struct record made[2] = {{0}, {0}}, test[2] = {{0}, {0}};
     double slowest[2] = {0.0, 0.0};
@@ -109,10 +112,10 @@ int main(void)
     table_begin("cheapest", TRIALS_COLUMNS);
     for (int k = 0; k < WORK_SCENES; k++) {
         s[k] = trials_alloc((enum work_scene)k);
-        if (k >= FLAGSHIP) continue;
-        for (int i = 0; i < 4; i++) {
-            const int best = trials_cheapest(s[k], wanted[i]);
-            if (best >= 0) trials_row(s[k], best, wanted[i]);
+        for (int i = 0; i < COUNT(wanted) && k < FLAGSHIP; i++) {
+            const int best = trials_cheapest(s[k], s[k]->all, wanted[i]);
+            if (best >= 0 && wanted[i] > s[k]->floor)
+                trials_row(s[k], best, wanted[i]);
         }
     }
     table_end();

@@ -13,7 +13,7 @@
 int main(void)
 {
     struct work_setting set = {FLAGSHIP, CUBIC, 0, 16, 4, BACKWARD_EULER,
-                               1e-10};
+                               1e-10, LINEAR_TRIANGLE, 1.0};
     double change[7], away[7], soft[7];
     struct work before, rest, run;
     const struct work half = work_run(&set);
@@ -30,7 +30,7 @@ int main(void)
         before = run;
     }
     set = (struct work_setting){SLOW_PULL, CUBIC, 0, 8, 4, BACKWARD_EULER,
-                                1e-10};
+                                1e-10, LINEAR_TRIANGLE, 1.0};
     rest = work_run(&set);
     set.dynamic = 1;
     for (int k = 0; k < 7; k++) {

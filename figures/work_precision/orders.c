@@ -40,7 +40,7 @@ static void in_time(enum work_scene scene, struct count *count)
     const int slow = scene == SLOW_PULL || scene == BUCKLE;
     const int most = scene == BUCKLE ? 16384 : slow ? 4096 : 1024;
     struct work_setting set = {scene, LOG, 1, work_coarsest(scene), 0,
-                               IMPLICIT_MIDPOINT, 1e-11};
+                               IMPLICIT_MIDPOINT, 1e-11, LINEAR_TRIANGLE, 1.0};
     struct work run[2], end;
     for (int k = 0; k < 2; k++) {
         set.steps = most << k;
@@ -68,7 +68,7 @@ static void in_time(enum work_scene scene, struct count *count)
 static void in_space(enum work_scene scene, enum law law, struct count *count)
 {
     struct work_setting set = {scene, law, 0, 0, law == LOG ? 4 : 1,
-                               BACKWARD_EULER, 1e-9};
+                               BACKWARD_EULER, 1e-9, LINEAR_TRIANGLE, 1.0};
     struct work run[3];
     const struct material notes = material_notes(law);
     for (int k = 0; k < 3; k++) {

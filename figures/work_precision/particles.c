@@ -43,7 +43,8 @@ static double print(const struct curve *c, int b, int cells, int steps,
     const int let_go = b > 0;
     const struct work_setting elements = {
         WEIGHT, LOG, 1, cells, steps,
-        c->implicit ? BACKWARD_EULER : SYMPLECTIC_EULER, 1e-9};
+        c->implicit ? BACKWARD_EULER : SYMPLECTIC_EULER, 1e-9,
+        LINEAR_TRIANGLE, 1.0};
     const struct particle_setting particles = {
         let_go ? LET_GO : HUNG, c->order, c->per_cell, cells, steps,
         c->implicit, c->transfer};

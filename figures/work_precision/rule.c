@@ -78,9 +78,9 @@ static double falls(struct rule *rule, const struct work_setting *set, int n)
                          add(rule, 1.0, &at[1], &at[2], &none), 1.5), 4.0);
 }
 
-/* What the error should be; *model: what of it no knob but the law changes. */
+/* What the error should be, and its parts. */
 static double expected(struct rule *rule, const struct work_setting *set,
-                       double *model)
+                       double part[N_PART])
 {
     const int coarsest = work_coarsest(set->scene);
     const int last = coarsest << (rule->meshes - 1);
@@ -88,24 +88,31 @@ static double expected(struct rule *rule, const struct work_setting *set,
     struct work_setting a = best_in_time(*set, last / 2);
     struct work_setting b = best_in_time(*set, last);
     const double ratio = falls(rule, set, coarsest);
-    add(rule, pow(ratio, log2((double)last / set->n)) / (ratio - 1.0), &a, &b,
-        &all);
+    part[SPACE] = add(rule, pow(ratio, log2((double)last / set->n)) /
+                                (ratio - 1.0), &a, &b, &all);
     a = best_in_time(*set, 2 * coarsest); /* the coarsest may not buckle */
     b = a;
     b.law = LOG;
     b.dynamic = 1;
     b = best_in_time(b, 2 * coarsest);
-    *model = add(rule, 1.0, &a, &b, &all);
+    part[MODEL] = add(rule, 1.0, &a, &b, &all);
     a = *set; /* solver and time */
     a.n = coarsest;
     b = a;
     b.tolerance = tolerances[1];
-    add(rule, 1.0, &a, &b, &all);
+    part[SOLVER] = add(rule, 1.0, &a, &b, &all);
     a = b;
     b.method = IMPLICIT_MIDPOINT;
     if (set->dynamic) b.steps = FINEST_STEPS;
-    add(rule, 1.0, &a, &b, &all);
+    part[TIME] = add(rule, 1.0, &a, &b, &all);
     return work_distance(&all, NULL) / rule->trials->size;
+}
+
+double rule_parts(const struct trials *trials, int meshes,
+                  const struct work_setting *set, double part[N_PART])
+{
+    struct rule rule = {.trials = trials, .meshes = meshes};
+    return expected(&rule, set, part);
 }
 
 /* Refine what leaves the least error, and rather the time where all fail; false
@@ -113,7 +120,7 @@ static double expected(struct rule *rule, const struct work_setting *set,
 static int refine(struct rule *rule, struct work_setting *set)
 {
     const struct work_setting from = *set;
-    double least = 0.0, model;
+    double least = 0.0, part[N_PART];
     int any = 0;
     for (int k = SOLVER; k >= SPACE; k--) {
         struct work_setting next = from;
@@ -122,7 +129,7 @@ static int refine(struct rule *rule, struct work_setting *set)
         if (k == SOLVER) next.tolerance = tolerances[1];
         if (k == SOLVER && from.tolerance == tolerances[1]) continue;
         if (find(rule->trials, &next) < 0) continue;
-        const double left = expected(rule, &next, &model);
+        const double left = expected(rule, &next, part);
         if (any && !(left < least)) continue;
         any = 1;
         least = left;
@@ -135,11 +142,11 @@ static int refine(struct rule *rule, struct work_setting *set)
  * is none. */
 static int follow(struct rule *rule, double error, struct work_setting *set)
 {
-    double model;
-    expected(rule, set, &model);
-    if (model > error) return 0;
+    double part[N_PART];
+    expected(rule, set, part);
+    if (part[MODEL] > error) return 0;
     do {
-        if (expected(rule, set, &model) <= error) return 1;
+        if (expected(rule, set, part) <= error) return 1;
     } while (refine(rule, set));
     return 0;
 }

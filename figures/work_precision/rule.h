@@ -15,13 +15,28 @@
 
 #include "trials.h"
 
+/*
+ * What a setting should have wrong, part by part, relative to size, without a
+ * look at the limit [eq:error-parts]: each part is a difference of two runs
+ * that differ in one knob, on the coarsest mesh but for space and model.
+ * Returns the size of their sum: parts are vectors, and some cancel.  INFINITY
+ * where a run that is needed has failed.
+ */
+double rule_parts(const struct trials *trials, int meshes,
+                  const struct work_setting *set, double part[N_PART]);
+
 struct rule_choice {
     int taken;    /* the setting, or -1: none gets there */
     int probes;   /* runs to decide, without the one that is taken */
     double flops; /* of these */
 };
 
-/* What the rule takes for an error, from probes on two or three meshes. */
+/*
+ * What the rule takes for an error, from probes on two or three meshes: from
+ * the coarsest setting of every model and method whose own part is small
+ * enough, refine the knob that leaves the least error, until that is at most
+ * `error`; of these settings the one that should have the fewest flops.
+ */
 struct rule_choice rule_take(const struct trials *trials, int meshes,
                              double error);
 

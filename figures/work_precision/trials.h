@@ -1,22 +1,29 @@
 /*
- * trials.h - all settings of work.h for one scene: which is the cheapest for an
- * error, and which one the balance rule takes.
+ * trials.h - all settings of work.h for one scene, and which of them is the
+ * cheapest for an error.
  *
- * Static: every law, three meshes (1, 2, 4 times the coarsest), 1 or 8 load
- * steps.  Dynamic: every law, the three meshes, 4, 8, ... steps, and every
- * method of integrate.h.  Newton's tolerance is 1e-2 or 1e-5 m.  Errors are
- * relative to the size of the limit of LOG, dynamic.
+ * First linear triangles, even.  Static: every law, three meshes (1, 2, 4 times
+ * the coarsest), 1 or 8 load steps.  Dynamic: every law, the three meshes, 4,
+ * 8, ... steps, and every method of integrate.h.  Newton's tolerance is 1e-2 or
+ * 1e-5 m.
+ *
+ * Then three other elements: linear triangles, graded by 1.5, and quadratic
+ * ones, even and graded by 2, with a mesh more; LINEAR and LOG; static, by the
+ * midpoint rule and by symplectic Euler; 1e-5 m.
+ *
+ * Errors are relative to the size of the limit of LOG, dynamic.
  */
 #ifndef FIGURES_TRIALS_H
 #define FIGURES_TRIALS_H
 
 #include "work.h"
 
-enum { TRIALS_MOST = 320 };
+enum { TRIALS_MOST = 500 };
 struct trials {
     enum work_scene scene;
     double size, floor; /* of the limit (m); what is not known of it, rel. */
-    int count;
+    int count; /* of linear triangles, even: what the balance rule knows */
+    int all;   /* with the other elements, which come after them */
     struct work_setting set[TRIALS_MOST];
     struct work work[TRIALS_MOST];
     double error[TRIALS_MOST]; /* INFINITY where the run has failed */
@@ -26,34 +33,18 @@ struct trials {
 struct trials *trials_alloc(enum work_scene scene);
 void trials_free(struct trials *sweep);
 
-/* The setting with the fewest flops among those with at most this error, or
- * -1. */
-int trials_cheapest(const struct trials *sweep, double error);
+/* Of the first `count` settings the one with the fewest flops among those with
+ * at most this error, or -1. */
+int trials_cheapest(const struct trials *sweep, int count, double error);
 
-/*
- * What a setting should have wrong, part by part, relative to size, without a
- * look at the limit [eq:error-parts]: each part is a difference of two runs
- * that differ in one knob, on the coarsest mesh but for space and model.
- * Returns the size of their sum: parts are vectors, and some cancel.  INFINITY
- * where a run that is needed has failed.
- */
+/* Of an error [eq:error-parts]: the differences that the knobs make. */
 enum part { MODEL, SPACE, TIME, SOLVER, N_PART };
 #define PARTS "model space time solver" /* as words, in this order */
-double trials_parts(const struct trials *sweep, const struct work_setting *set,
-                   double part[N_PART]);
-
-/*
- * The balance rule [alg:balance]: from the coarsest setting of every model and
- * method whose own part is small enough, refine the knob that leaves the least
- * error, until that is at most `error`; of these settings the one with the
- * fewest flops.  -1: none gets there.
- */
-int trials_balanced(const struct trials *sweep, double error);
 
 /* A row with the columns TRIALS_COLUMNS for setting k; `asked`: the error that
  * it was wanted for, 0: none. */
 #define TRIALS_COLUMNS "scene asked law method n steps tolerance error flops " \
-                      "reason systems"
+                      "reason systems element grade"
 void trials_row(const struct trials *sweep, int k, double asked);
 
 #endif

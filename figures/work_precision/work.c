@@ -2,6 +2,7 @@
 #include "work.h"
 
 #include "base/clock.h"
+#include "plane/triangles.h"
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
@@ -34,6 +35,12 @@ const char *work_scene_name(enum work_scene scene)
 int work_coarsest(enum work_scene scene)
 {
     return scenes[scene].slender == 1 ? 4 : 8;
+}
+
+enum element work_limit_element(enum work_scene scene)
+{
+    return scene == SWING || scene == PUSH ? LINEAR_TRIANGLE
+                                           : QUADRATIC_TRIANGLE;
 }
 
 /* From 0 to 1 within 0 < s < 1, with a velocity and an acceleration that begin
@@ -109,15 +116,19 @@ static void linear_force(const struct body *body, const double u[], double q[])
     const struct material law = {LINEAR, body->material.mu,
                                  body->material.lambda};
     memset(q, 0, 2 * (size_t)body->mesh->n_vertex * sizeof *q);
-    for (int e = 0; e < body->mesh->n_triangle; e++) {
-        const mat2 P = material2_pk1(&law, body_deformation(body, u, e));
-        for (int a = 0; a < 3; a++) {
-            const double *g = &body->gradient[6 * e + 2 * a];
-            double *at = &q[2 * body->vertex[3 * e + a]];
-            for (int i = 0; i < 2; i++)
-                at[i] += body->area[e] * (P.m[i][0] * g[0] + P.m[i][1] * g[1]);
+    for (int e = 0; e < body->n_element; e++)
+        for (int p = 0; p < body->points; p++) {
+            const mat2 P =
+                material2_pk1(&law, triangles_deformation(body, u, e, p));
+            for (int a = 0; a < body->nodes; a++) {
+                const int k = body->nodes * (body->points * e + p) + a;
+                const double *g = &body->gradient[2 * k];
+                double *at = &q[2 * body->vertex[body->nodes * e + a]];
+                for (int i = 0; i < 2; i++)
+                    at[i] += body->area[e] *
+                             (P.m[i][0] * g[0] + P.m[i][1] * g[1]);
+            }
         }
-    }
 }
 
 /* The same for small displacements: u = w + jump - K^-1 q, once, and factors
@@ -159,9 +170,13 @@ static struct scene *alloc(const struct work_setting *set)
                                          set->law == LINEAR ? LOG : set->law,
                                          set->n);
     s.mass = LUMPED;
+    s.element = set->element;
+    s.grade = set->grade > 0.0 ? set->grade : 1.0;
     s.slender = scenes[set->scene].slender;
     if (set->scene != WEIGHT) s.force = 0.0; /* of the held left end */
-    return scene_alloc(&s);
+    struct scene *scene = scene_alloc(&s);
+    if (scene->mesh->rows < BODY_SPARSE_FROM) body_store(scene->body, BANDED);
+    return scene;
 }
 
 /* What moves; *tolerance has to stay where it is. */
@@ -237,11 +252,13 @@ struct work work_run(const struct work_setting *set)
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations)
 {
+    const int linear = body->element == LINEAR_TRIANGLE;
+    const double both = (linear ? 250.0 : 1700.0) * body->n_element;
+    const double residual = (linear ? 100.0 : 400.0) * body->n_element;
     const struct matrix_cost cost =
         matrix_cost(BANDED, body->K->n, body->K->p);
-    return factorisations * (cost.flops + 250.0 * body->mesh->n_triangle) +
-           systems * cost.solve + 100.0 * body->mesh->n_triangle *
-                                      (systems + steps - factorisations);
+    return factorisations * (cost.flops + both) + systems * cost.solve +
+           residual * (systems + steps - factorisations);
 }
 
 /* ---- differences and limits ---------------------------------------------- */
@@ -271,7 +288,8 @@ struct work work_limit(const struct work_setting *model, double *floor)
     set.method = IMPLICIT_MIDPOINT;
     set.tolerance = 1e-7;
     for (int k = 0; k < 3; k++) {
-        set.n = (3 << k) * work_coarsest(set.scene);
+        set.n = (set.element == LINEAR_TRIANGLE ? 3 << k : 4 << k) *
+                work_coarsest(set.scene);
         set.steps = dynamic ? scenes[set.scene].limit_steps
                             : scenes[set.scene].load_steps;
         mesh[k] = work_run(&set);

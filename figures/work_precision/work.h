@@ -32,6 +32,10 @@ enum work_scene {
 };
 const char *work_scene_name(enum work_scene scene); /* "slow_pull", ... */
 
+/* The elements whose limit is known best; a squeezed corner of quadratic ones
+ * is inverted on fine meshes, and waves with kinks are no better by them. */
+enum element work_limit_element(enum work_scene scene);
+
 /* Cells per row of the coarsest mesh; others have a multiple of it. */
 int work_coarsest(enum work_scene scene);
 
@@ -43,6 +47,8 @@ struct work_setting {
     int steps;          /* of equal length; static: load steps */
     enum method method; /* SYMPLECTIC_EULER: not with LINEAR (asserted) */
     double tolerance;   /* of Newton's method (m), see step.h */
+    enum element element; /* QUADRATIC_TRIANGLE: n counts half of its edges */
+    double grade;         /* as in scene.h; 0 is 1, too */
 };
 
 enum { WORK_SHARED = 25 };
@@ -64,8 +70,9 @@ struct work work_run(const struct work_setting *set);
 /*
  * Flops of what was solved: a factorisation and the two triangular solves as
  * matrix_cost() has them, 250 for an element with its tangent, 100 without
- * [eq:roofline].  Per step one residual more than systems is looked at.  Of a
- * banded K: n below BODY_SPARSE_FROM.
+ * [eq:roofline], 1700 and 400 for a quadratic one.  Per step one residual more
+ * than systems is looked at.  Of a banded K, as work_run() has it of all
+ * elements with less than BODY_SPARSE_FROM rows of cells.
  */
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations);
@@ -81,7 +88,8 @@ void work_correct(struct work *u, double s, const struct work *a,
 
 /*
  * The limit n, steps -> infinity of a setting's model, its law, static or
- * dynamic.  With N = 12 times the coarsest mesh, S its steps,
+ * dynamic, by its elements.  With N = 12 times the coarsest mesh, of quadratic
+ * triangles 16 times, S its steps,
  *
  *     u_N,S + (u_N,S - u_N/2,S) / (2^p - 1) + 16/15 (u_N/2,4S - u_N/2,S)
  *

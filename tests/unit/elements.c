@@ -1,6 +1,7 @@
 /* elements.c - laws of common/plane/elements.h. */
 #include "plane/body.h"
 #include "plane/elements.h"
+#include "plane/body.h"
 #include "plane/quadratic.h"
 
 #include "unit.h"

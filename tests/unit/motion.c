@@ -45,7 +45,7 @@ static void the_fastest_mode_is_that_of_the_matrices(void)
     double *mass = allocate((size_t)n, sizeof *mass);
     for (int r = 0; r < model->n_dof; r++)
         if (body->equation[r] >= 0)
-            mass[body->equation[r]] = body->diagonal[r / 2];
+            mass[body->equation[r]] = body->rho * body->diagonal[r / 2];
     for (int k = 0; k < n; k++) {
         memset(x, 0, (size_t)n * sizeof *x);
         x[k] = 1.0;
@@ -67,7 +67,7 @@ static void acceleration_is_the_force_over_the_mass(void)
     for (int i = 0; i < model->n_dof; i++) r[i] = sin(1.0 + 2.3 * i);
     model_accelerate(model, r);
     for (int i = 0; i < model->n_dof; i++)
-        close_to(r[i] * model->body->diagonal[i / 2],
+        close_to(r[i] * model->body->rho * model->body->diagonal[i / 2],
                  model->body->equation[i] < 0 ? 0.0 : sin(1.0 + 2.3 * i),
                  1e-13);
     free(r);

@@ -80,7 +80,8 @@ static void work_of_elements_is_counted(void)
 static void blocks_fall_as_elements_do(void)
 {
     const struct work_setting set = {WEIGHT, LOG, 1, 16, 128,
-                                     SYMPLECTIC_EULER, 1e-9};
+                                     SYMPLECTIC_EULER, 1e-9, LINEAR_TRIANGLE,
+                                     1.0};
     const struct work elements = work_run(&set);
     for (int order = 1; order <= 3; order++) {
         const struct work w = particles(LET_GO, order, 2, 8, 64, 0);

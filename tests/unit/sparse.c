@@ -657,21 +657,30 @@ static void an_indefinite_step_is_the_same_too(void)
     for (int k = 0; k < 2; k++) scene_free(s[k]);
 }
 
-static void a_body_chooses_its_storage_by_n(void)
+/* At n and below it: one more cell across, of quadratic triangles two. */
+static void stores_from(enum element element, int from)
 {
-    for (int n = BODY_SPARSE_FROM - 1; n <= BODY_SPARSE_FROM; n++) {
+    const int less = element == QUADRATIC_TRIANGLE ? 2 : 1;
+    for (int n = from - less; n <= from; n += less) {
         struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+        set.element = element;
         struct scene *s = scene_alloc(&set);
-        const int from = n == BODY_SPARSE_FROM;
-        ck_assert_int_eq(s->body->K->storage, from ? SPARSE : BANDED);
+        ck_assert_int_eq(s->body->K->storage, n == from ? SPARSE : BANDED);
         struct matrix *A = body_matrix(s->body);
-        ck_assert_int_eq(A->storage, from ? SPARSE : BANDED);
+        ck_assert_int_eq(A->storage, n == from ? SPARSE : BANDED);
         body_store(s->body, BANDED);
         ck_assert_int_eq(s->body->K->storage, BANDED);
-        ck_assert_int_eq(s->body->K->p, 2 * n - 1);
+        if (element == LINEAR_TRIANGLE)
+            ck_assert_int_eq(s->body->K->p, 2 * n - 1);
         matrix_free(A);
         scene_free(s);
     }
+}
+
+static void a_body_chooses_its_storage_by_n(void)
+{
+    stores_from(LINEAR_TRIANGLE, BODY_SPARSE_FROM);
+    stores_from(QUADRATIC_TRIANGLE, BODY_QUADRATIC_SPARSE_FROM);
 }
 
 static const struct unit_law laws[] = {
