@@ -28,7 +28,6 @@
 #include "base/table.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* N[a] := the six functions of degree 2 at l, 1 at node a and 0 at the other
  * five; gradient[2a + j] := dN_a/dX_j (1/m) [eq:quadratic-shape]. */
@@ -50,12 +49,10 @@ static void shapes(const double l[3], const double of_l[6], double N[6],
     /* END 25a */
 }
 
-/*
- * q[2a + i] := dPsi/du_ai, K[12 (2a + i) + 2b + j] := dq_ai/du_bj of one
+/* q[2a + i] := dPsi/du_ai, K[12 (2a + i) + 2b + j] := dq_ai/du_bj of one
  * quadratic triangle with the displacements u[2a + i] of its nodes, by the
  * three-point rule [eq:three-points].  INVERTED where the material is not
- * defined at one of the points; q and K are then incomplete.
- */
+ * defined at one of the points; q and K are then incomplete. */
 static enum status element(const struct material *material,
                            const double of_l[6], double area,
                            const double u[12], double q[12], double K[144])
@@ -70,40 +67,34 @@ static enum status element(const struct material *material,
     for (int k = 0; k < 3; k++) {
         double N[6], g[12];
         shapes(point[k], of_l, N, g);
-        mat2 F = mat2_identity(); /* F = I + sum_a u_a (x) grad N_a */
+        mat2 F = mat2_identity(), dF[12] = {{{{0.0}}}};
         for (int a = 0; a < 6; a++)
             for (int i = 0; i < 2; i++)
-                for (int j = 0; j < 2; j++)
+                for (int j = 0; j < 2; j++) {
+                    /* F = I + sum u_ai e_i (x) grad N_a; dF_r = dF/du_r */
                     F.m[i][j] += u[2 * a + i] * g[2 * a + j];
+                    dF[2 * a + i].m[i][j] = g[2 * a + j];
+                }
         if (!material_defined(material, mat2_det(F))) return INVERTED;
         const mat2 P = material2_pk1(material, F);
-        for (int b = 0; b < 6; b++)
-            for (int j = 0; j < 2; j++) {
-                const int s = 2 * b + j; /* u_bj moves: dF = e_j (x) grad N_b */
-                mat2 dF = {{{0.0, 0.0}, {0.0, 0.0}}};
-                for (int i = 0; i < 2; i++) dF.m[j][i] = g[2 * b + i];
-                const mat2 dP = material2_dpk1(material, F, dF);
-                /* a third of the area: P : dF, and (dP grad N_a)_i */
-                q[s] += area / 3.0 * mat2_dot(P, dF);
-                for (int a = 0; a < 6; a++)
-                    for (int i = 0; i < 2; i++)
-                        K[12 * (2 * a + i) + s] +=
-                            area / 3.0 * (dP.m[i][0] * g[2 * a] +
-                                          dP.m[i][1] * g[2 * a + 1]);
-            }
+        for (int s = 0; s < 12; s++) {
+            const mat2 dP = material2_dpk1(material, F, dF[s]);
+            /* a third of the area: P : dF_s, and dF_r : dP */
+            q[s] += area / 3.0 * mat2_dot(P, dF[s]);
+            for (int r = 0; r < 12; r++)
+                K[12 * r + s] += area / 3.0 * mat2_dot(dF[r], dP);
+        }
     }
     /* END 25b */
     return OK;
 }
 
-/*
- * x[0..n] := the lines of a lattice from -1 to 1, n even, for elements of this
+/* x[0..n] := the lines of a lattice from -1 to 1, n even, for elements of this
  * degree, 1 or 2: every degree-th line, an end of elements, is graded towards
  * -1, and if `both` towards 1 as well.  What is nearer to such an end than
  * L = 1/2 goes from the distance d to L (d/L)^m [eq:graded].  What lies between
  * two of them, in quadratic triangles, is in the middle.  m = 0 stands for the
- * least m with which a corner, u ~ r^p, costs no order.  Returns m.
- */
+ * least m with which a corner, u ~ r^p, costs no order.  Returns m. */
 static double lines(int n, int degree, double p, double m, int both, double x[])
 {
     const double L = 0.5;
@@ -121,11 +112,9 @@ static double lines(int n, int degree, double p, double m, int both, double x[])
     /* END 25c */
 }
 
-/*
- * The mean of div u over the two linear triangles 0 1 2 and 0 2 3 of a cell
+/* The mean of div u over the two linear triangles 0 1 2 and 0 2 3 of a cell
  * with these corners is sum_ai D_ai u_ai [eq:averaged]: D[2a + i] := D_ai.
- * Returns the area of the cell.
- */
+ * Returns the area of the cell. */
 static double dilatation(const struct mesh *mesh, const int corner[4],
                          double D[8])
 {
@@ -167,6 +156,7 @@ static void shares(double area, double load[6], double mass[6])
 
 /* ---- the square, once with each element ---------------------------------- */
 
+enum { MOST = 64 }; /* cells per row */
 enum kind { WHOLE, AVERAGED, QUADRATIC };
 static const char *const kind_name[] = {"linear", "averaged", "quadratic"};
 
@@ -175,21 +165,18 @@ static const char *const kind_name[] = {"linear", "averaged", "quadratic"};
 static void add_cell(struct elements *s, const struct material *material,
                      int averaged, int cell)
 {
-    const int n = s->mesh->n, low = cell / n * (n + 1) + cell % n;
-    const int corner[4] = {low, low + 1, low + n + 2, low + n + 1};
-    double D[8], E[64];
+    const double mu = material->mu, lambda = material->lambda;
+    int corner[4];
+    double D[8];
+    elements_cell(s->mesh, cell, corner);
     for (int e = 0; e < 2; e++) {
         const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
-        const double area = elements_linear(
-            s, t, material->mu, averaged ? 0.0 : material->lambda);
+        const double area = elements_linear(s, t, mu, averaged ? 0.0 : lambda);
         for (int a = 0; a < 3; a++) s->f[2 * t[a] + 1] -= area / 3.0;
     }
     if (!averaged) return;
     const double area = dilatation(s->mesh, corner, D);
-    for (int r = 0; r < 8; r++) /* of lambda/2 |cell| (mean of div u)^2 */
-        for (int c = 0; c < 8; c++)
-            E[8 * r + c] = material->lambda * area * D[r] * D[c];
-    elements_add(s, 4, corner, E);
+    elements_square(s, 4, corner, lambda * area, D); /* lambda/2 (div u)^2 */
 }
 
 /* K and f of the quadratic triangle e. */
@@ -211,25 +198,24 @@ static void add_quadratic(struct elements *s, const struct material *material,
 static void hang(const struct mesh *mesh, const struct material *material,
                  enum kind kind, double u[])
 {
-    const int n = mesh->n;
-    struct elements *s = elements_alloc(mesh, kind == QUADRATIC ? 2 : 1);
-    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
-    for (int j = 0; j <= n; j++) held[j * (n + 1)] = 1;
-    for (int e = 0; e < (kind == QUADRATIC ? n * n / 2 : n * n); e++)
-        if (kind == QUADRATIC) add_quadratic(s, material, e);
+    const int n = mesh->n, quadratic = kind == QUADRATIC;
+    struct elements *s = elements_alloc(mesh, quadratic ? 2 : 1);
+    for (int j = 0; j <= n; j++) s->held[j * (n + 1)] = 1;
+    for (int e = 0; e < (quadratic ? n * n / 2 : n * n); e++)
+        if (quadratic) add_quadratic(s, material, e);
         else add_cell(s, material, kind == AVERAGED, e);
-    const enum status status = elements_solve(s, held, u);
+    const enum status status = elements_solve(s, u);
     if (status != OK) die("the tangent at rest: %s", status_name(status));
     elements_free(s);
-    free(held);
 }
 
 int main(int argc, char *argv[])
 {
     int n = 8;
-    double m = 1.0, nu = 0.3;
+    double m = 1.0, nu = 0.3, x[MOST + 1], y[MOST + 1], load[6], mass[6];
+    double u[2 * (MOST + 1) * (MOST + 1)];
     const struct option options[] = {
-        {"n", .integer = &n, .min = 4, .max = 64, .help = "cells, even"},
+        {"n", .integer = &n, .min = 4, .max = MOST, .help = "cells, even"},
         {"m", .real = &m, .min = 0, .max = 4, .help = "grading; 0: of p"},
         {"nu", .real = &nu, .min = 0, .max = 0.4999, .help = "Poisson's"},
     };
@@ -238,8 +224,6 @@ int main(int argc, char *argv[])
     const struct material material = material_make(CUBIC, 1000.0, nu);
     const double p = material_corner(&material);
     struct mesh *mesh = mesh_square(n);
-    double *x = allocate((size_t)n + 1, sizeof *x), load[6], mass[6];
-    double *y = allocate((size_t)n + 1, sizeof *y), *u = NULL;
     const int middle = n / 2 * (n + 1); /* at (-1, 0) */
 
     table_begin("sag", "element m unknowns sag");
@@ -247,13 +231,7 @@ int main(int argc, char *argv[])
         const int degree = kind == QUADRATIC ? 2 : 1;
         const double grading = lines(n, degree, p, m, 0, x);
         lines(n, degree, p, m, 1, y);
-        for (int j = 0; j <= n; j++)
-            for (int i = 0; i <= n; i++) {
-                mesh->X[2 * (j * (n + 1) + i)] = x[i];
-                mesh->X[2 * (j * (n + 1) + i) + 1] = y[j];
-            }
-        free(u);
-        u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u);
+        elements_lattice(mesh, x, y);
         hang(mesh, &material, (enum kind)kind, u);
         table_row(kind_name[kind], grading, 2 * n * (n + 1),
                   u[2 * (middle + n) + 1]);
@@ -266,7 +244,6 @@ int main(int argc, char *argv[])
     shares(1.0, load, mass);
     for (int a = 0; a < 6; a++) table_row(a, load[a], mass[a]);
     table_end();
-    free(x), free(y), free(u);
     mesh_free(mesh);
     return table_finish();
 }

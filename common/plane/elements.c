@@ -1,6 +1,7 @@
 /* elements.c - see elements.h. */
 #include "plane/elements.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,15 +13,33 @@ struct elements *elements_alloc(const struct mesh *mesh, int reach)
     elements->K = matrix_alloc(BANDED, 2 * mesh->n_vertex, 2 * apart + 1);
     elements->f =
         allocate(2 * (size_t)mesh->n_vertex, sizeof *elements->f);
+    elements->held = allocate((size_t)mesh->n_vertex, sizeof(int));
     return elements;
 }
 
 void elements_free(struct elements *elements)
 {
-    if (!elements) return;
     matrix_free(elements->K);
     free(elements->f);
+    free(elements->held);
     free(elements);
+}
+
+void elements_cell(const struct mesh *mesh, int cell, int corner[4])
+{
+    const int *below = &mesh->triangle[6 * cell], *above = below + 3;
+    memcpy(corner, below, 3 * sizeof *corner);
+    corner[3] = above[2];
+}
+
+void elements_lattice(struct mesh *mesh, const double x[], const double y[])
+{
+    double *X = mesh->X;
+    for (int j = 0; j <= mesh->rows; j++)
+        for (int i = 0; i <= mesh->n; i++) {
+            *X++ = x[i];
+            *X++ = y[j];
+        }
 }
 
 void elements_add(struct elements *elements, int count, const int node[],
@@ -32,6 +51,16 @@ void elements_add(struct elements *elements, int count, const int node[],
                 for (int j = 0; j < 2; j++)
                     matrix_add(elements->K, 2 * node[a] + i, 2 * node[b] + j,
                                *E++);
+}
+
+void elements_square(struct elements *elements, int count, const int node[],
+                     double factor, const double D[])
+{
+    double E[144], *entry = E;
+    assert(count <= 6);
+    for (int r = 0; r < 2 * count; r++)
+        for (int c = 0; c < 2 * count; c++) *entry++ = factor * D[r] * D[c];
+    elements_add(elements, count, node, E);
 }
 
 double elements_linear(struct elements *elements, const int vertex[3],
@@ -52,25 +81,19 @@ double elements_linear(struct elements *elements, const int vertex[3],
     return area;
 }
 
-enum status elements_solve(struct elements *elements, const int held[],
-                           double u[])
+enum status elements_solve(struct elements *elements, double u[])
 {
     const int n_vertex = elements->mesh->n_vertex;
-    int *row = allocate(2 * (size_t)n_vertex, sizeof *row), n_row = 0;
-    double *zero = allocate(2 * (size_t)n_vertex, sizeof *zero);
+    const double zero[2] = {0.0, 0.0};
     for (int a = 0; a < n_vertex; a++) {
-        if (!held[a]) continue;
-        row[n_row++] = 2 * a;
-        row[n_row++] = 2 * a + 1;
+        const int row[2] = {2 * a, 2 * a + 1};
+        if (elements->held[a])
+            matrix_dirichlet(elements->K, elements->f, 2, row, zero,
+                             KEEP_DIAGONAL);
     }
-    matrix_dirichlet(elements->K, elements->f, n_row, row, zero,
-                     KEEP_DIAGONAL);
     const enum status status = matrix_factor(elements->K);
-    if (status == OK) {
-        matrix_solve(elements->K, elements->f);
-        memcpy(u, elements->f, 2 * (size_t)n_vertex * sizeof *u);
-    }
-    free(row);
-    free(zero);
-    return status;
+    if (status != OK) return status;
+    matrix_solve(elements->K, elements->f);
+    memcpy(u, elements->f, 2 * (size_t)n_vertex * sizeof *u);
+    return OK;
 }

@@ -8,8 +8,17 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double density[2] = {0.0, -1.0};
+
+/* f += the weight of a linear triangle, a third at each vertex. */
+static void add_weight(double area, const int vertex[3], double f[])
+{
+    for (int a = 0; a < 3; a++)
+        for (int k = 0; k < 2; k++)
+            f[2 * vertex[a] + k] += area / 3.0 * density[k];
+}
 
 /* f, and u: one increment from rest. */
 static void solve_linear(const struct mesh *mesh, struct material material,
@@ -17,11 +26,8 @@ static void solve_linear(const struct mesh *mesh, struct material material,
 {
     double *f = allocate(2 * (size_t)mesh->n_vertex, sizeof *f), g[6];
     struct body *body = body_alloc(mesh, material, 0.0, CONSISTENT, held);
-    for (int e = 0; e < mesh->n_triangle; e++) {
-        const double area = mesh_gradients(mesh, e, g);
-        for (int a = 0; a < 3; a++)
-            f[2 * mesh->triangle[3 * e + a] + 1] -= area / 3.0 * density[1];
-    }
+    for (int e = 0; e < mesh->n_triangle; e++)
+        add_weight(-mesh_gradients(mesh, e, g), &mesh->triangle[3 * e], f);
     struct matrix *K = body_matrix(body);
     if (body_stiffness(body, u, EXACT, K) != OK ||
         body_increment(body, K, f, u) != OK)
@@ -36,32 +42,85 @@ static void solve_linear(const struct mesh *mesh, struct material material,
 static void solve_averaged(const struct mesh *mesh, struct material material,
                            const int held[], double u[])
 {
-    const int n = mesh->n;
+    const int n_cell = mesh->n * mesh->rows;
     struct elements *s = elements_alloc(mesh, 1);
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++) {
-            const int low = j * (n + 1) + i, up = low + n + 1;
-            const int corner[4] = {low, low + 1, up + 1, up};
-            double D[8] = {0.0}, E[64], area = 0.0, g[6];
-            for (int e = 0; e < 2; e++) {
-                const int at[3] = {0, 1 + e, 2 + e};
-                const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
-                const double part = mesh_gradients_of(mesh, t, g);
-                elements_linear(s, t, material.mu, 0.0);
-                area += part;
-                for (int a = 0; a < 3; a++)
-                    for (int k = 0; k < 2; k++) {
-                        D[2 * at[a] + k] += part * g[2 * a + k];
-                        s->f[2 * t[a] + k] += part / 3.0 * density[k];
-                    }
-            }
-            for (int r = 0; r < 8; r++)
-                for (int c = 0; c < 8; c++)
-                    E[8 * r + c] = material.lambda / area * D[r] * D[c];
-            elements_add(s, 4, corner, E);
+    for (int cell = 0; cell < n_cell; cell++) {
+        int corner[4];
+        double D[8] = {0.0}, area = 0.0, g[6];
+        elements_cell(mesh, cell, corner);
+        for (int e = 0; e < 2; e++) {
+            const int at[3] = {0, 1 + e, 2 + e};
+            const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
+            const double part = mesh_gradients_of(mesh, t, g);
+            elements_linear(s, t, material.mu, 0.0);
+            add_weight(part, t, s->f);
+            area += part;
+            for (int a = 0; a < 3; a++)
+                for (int k = 0; k < 2; k++)
+                    D[2 * at[a] + k] += part * g[2 * a + k];
         }
-    if (elements_solve(s, held, u) != OK) die("averaged triangles, n = %d", n);
+        elements_square(s, 4, corner, material.lambda / area, D);
+    }
+    memcpy(s->held, held, (size_t)mesh->n_vertex * sizeof *held);
+    if (elements_solve(s, u) != OK) die("averaged, n = %d", mesh->n);
     elements_free(s);
+}
+
+/* Two by two cells of the mesh are a square: its four triangles around the
+ * middle.  Returns the list of all, [3 n_triangle], for the caller to free. */
+static int *cross(const struct mesh *mesh)
+{
+    const int row = mesh->n + 1;
+    const int corner[5] = {0, 2, 2 * row + 2, 2 * row, 0};
+    int *list = allocate(3 * (size_t)mesh->n_triangle / 2, sizeof *list);
+    int *t = list;
+    for (int j = 0; j < mesh->rows; j += 2)
+        for (int i = 0; i < mesh->n; i += 2)
+            for (int k = 0; k < 4; k++) {
+                const int low = j * row + i;
+                *t++ = low + corner[k];
+                *t++ = low + corner[k + 1];
+                *t++ = low + row + 1;
+            }
+    return list;
+}
+
+/* What lies on an edge of a square is no vertex: held, and with a diagonal. */
+static void solve_crossed(const struct mesh *mesh, struct material material,
+                          const int held[], const int triangle[], double u[])
+{
+    const double diagonal[4] = {1.0, 0.0, 0.0, 1.0};
+    struct elements *s = elements_alloc(mesh, 2);
+    for (int e = 0; e < mesh->n_triangle / 2; e++) {
+        const int *t = &triangle[3 * e];
+        add_weight(elements_linear(s, t, material.mu, material.lambda), t,
+                   s->f);
+    }
+    memcpy(s->held, held, (size_t)mesh->n_vertex * sizeof *held);
+    for (int j = 0; j <= mesh->rows; j++)
+        for (int i = 1 - j % 2; i <= mesh->n; i += 2) {
+            const int a = j * (mesh->n + 1) + i;
+            elements_add(s, 1, &a, diagonal);
+            s->held[a] = 1;
+        }
+    if (elements_solve(s, u) != OK) die("criss-cross, n = %d", mesh->n / 2);
+    elements_free(s);
+}
+
+/* Root of the mean of (div u)^2 over linear triangles. */
+static double size_of_div(const struct mesh *mesh, int n_triangle,
+                          const int triangle[], const double u[])
+{
+    double sum = 0.0, g[6];
+    for (int e = 0; e < n_triangle; e++) {
+        const int *t = &triangle[3 * e];
+        const double area = mesh_gradients_of(mesh, t, g);
+        double div = 0.0;
+        for (int a = 0; a < 3; a++)
+            for (int k = 0; k < 2; k++) div += u[2 * t[a] + k] * g[2 * a + k];
+        sum += area / 4.0 * div * div;
+    }
+    return sqrt(sum);
 }
 
 /* Returns div, see hang.h. */
@@ -95,29 +154,27 @@ static double solve_quadratic(const struct mesh *mesh, struct material material,
 
 struct hang hang_of(enum hang_element element, int n, double m, double nu)
 {
-    const int cells = element == HANG_QUADRATIC ? 2 * n : n;
+    const int twice = element == HANG_QUADRATIC || element == HANG_CROSSED;
+    const int cells = twice ? 2 * n : n;
     const struct material material = material_make(CUBIC, 1000.0, nu);
     struct mesh *mesh = mesh_square(cells);
     struct hang hang = {.div = 0.0};
-    double *u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u), g[6];
+    double *u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u);
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
     for (int j = 0; j <= cells; j++) held[j * (cells + 1)] = 1;
     mesh_grade(mesh, m, MESH_LEFT | MESH_BOTTOM | MESH_TOP);
+    if (twice) quadratic_straighten(mesh);
     if (element == HANG_QUADRATIC) {
-        quadratic_straighten(mesh);
         hang.div = solve_quadratic(mesh, material, held, u);
+    } else if (element == HANG_CROSSED) {
+        int *triangle = cross(mesh);
+        solve_crossed(mesh, material, held, triangle, u);
+        hang.div = size_of_div(mesh, mesh->n_triangle / 2, triangle, u);
+        free(triangle);
     } else {
         if (element == HANG_LINEAR) solve_linear(mesh, material, held, u);
         else solve_averaged(mesh, material, held, u);
-        for (int e = 0; e < mesh->n_triangle; e++) {
-            const double area = mesh_gradients(mesh, e, g);
-            double div = 0.0;
-            for (int a = 0; a < 3; a++)
-                for (int k = 0; k < 2; k++)
-                    div += u[2 * mesh->triangle[3 * e + a] + k] * g[2 * a + k];
-            hang.div += area / 4.0 * div * div;
-        }
-        hang.div = sqrt(hang.div);
+        hang.div = size_of_div(mesh, mesh->n_triangle, mesh->triangle, u);
     }
     double *to = hang.u;
     for (int j = 0; j <= 4; j++)

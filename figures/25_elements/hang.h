@@ -3,14 +3,15 @@
  * lesson 25.
  *
  * Linear elasticity, 1 N per square metre, E = 1000; n x n squares, whose
- * corners are the vertices of linear triangles, and half of those of quadratic
- * ones; graded towards the held side, the bottom and the top.
+ * corners are the vertices of linear triangles, and some of those of quadratic
+ * and of criss-cross ones, four linear triangles around the middle of a square;
+ * graded towards the held side, the bottom and the top.
  */
 #ifndef FIGURES_HANG_H
 #define FIGURES_HANG_H
 
-enum hang_element { HANG_LINEAR, HANG_AVERAGED, HANG_QUADRATIC };
-#define HANG_WORDS {"linear", "averaged", "quadratic"}
+enum hang_element { HANG_LINEAR, HANG_AVERAGED, HANG_CROSSED, HANG_QUADRATIC };
+#define HANG_WORDS {"linear", "averaged", "criss-cross", "quadratic"}
 
 enum { HANG_SHARED = 25 }; /* the vertices of 4 x 4 squares are all meshes' */
 

@@ -2,7 +2,7 @@
  * orders.c - does the exponent of the corner predict how fast elements of
  * degree k on a mesh that is graded with m converge?
  *
- * 2 min(k, p m) with p of material_corner(), in five cases.  Tables: the error
+ * 2 min(k, p m) with p of material_corner(), in six cases.  Tables: the error
  * at the vertices that all meshes have, against graded quadratic triangles with
  * n = 64; and the prediction beside the last order.
  */
@@ -22,7 +22,7 @@ static const struct {
     int last; /* n */
 } kind[] = {{HANG_LINEAR, 1.0, 128}, {HANG_LINEAR, 1.5, 128},
             {HANG_QUADRATIC, 1.0, 32}, {HANG_QUADRATIC, 1.5, 32},
-            {HANG_QUADRATIC, 2.0, 32}};
+            {HANG_QUADRATIC, 2.0, 32}, {HANG_CROSSED, 1.0, 32}};
 enum { KINDS = COUNT(kind) };
 
 int main(void)

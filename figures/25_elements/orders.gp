@@ -9,7 +9,7 @@ of(name, grading) = strcol("element") eq name && column("m") == grading \
                     ? column("error") : NaN
 set datafile missing "-"
 set logscale xy
-set xrange [6.5:250]
+set xrange [6.5:160]
 set yrange [5e-5:0.4]
 set xtics (8, 16, 32, 64, 128)
 set format y "10^{%T}"

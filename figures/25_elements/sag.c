@@ -19,7 +19,7 @@ static const struct {
     enum hang_element element;
     double m;
 } kind[] = {{HANG_LINEAR, 1.0}, {HANG_LINEAR, 1.5}, {HANG_AVERAGED, 1.0},
-            {HANG_QUADRATIC, 1.0}, {HANG_QUADRATIC, 2.0}};
+            {HANG_CROSSED, 1.0}, {HANG_QUADRATIC, 1.0}, {HANG_QUADRATIC, 2.0}};
 enum { RATIOS = COUNT(nu), KINDS = COUNT(kind) };
 
 int main(void)
@@ -56,11 +56,15 @@ int main(void)
     claim(missing[0][2] > 0.3 && missing[1][2] > 0.3,
           "n = 32, nu = 0.4999: linear triangles lack a third, graded or not "
           "(%g, %g)", missing[0][2], missing[1][2]);
-    claim(missing[2][2] < 0.02 && missing[3][2] < 0.01 && missing[4][2] < 0.002,
-          "averaged, quadratic, graded quadratic lack less than 2, 1, 0.2 %% "
-          "(%g, %g, %g)", missing[2][2], missing[3][2], missing[4][2]);
-    claim(div[2][2] > 50.0 && div[3][2] < 2.0, "div u per triangle is a "
-          "multiple of its size when it is averaged (%g), and is not of "
-          "quadratic triangles (%g)", div[2][2], div[3][2]);
+    claim(missing[2][2] < 0.02 && missing[3][2] < 0.02,
+          "averaged and criss-cross triangles lack less than 2 %% (%g, %g)",
+          missing[2][2], missing[3][2]);
+    claim(missing[4][2] < 0.01 && missing[5][2] < 0.002,
+          "quadratic, and graded quadratic lack less than 1, 0.2 %% (%g, %g)",
+          missing[4][2], missing[5][2]);
+    claim(div[2][2] > 50.0 && div[3][2] < 5.0 && div[4][2] < 2.0,
+          "div u per triangle is a multiple of its size when it is averaged "
+          "(%g), and is not of criss-cross and quadratic triangles (%g, %g)",
+          div[2][2], div[3][2], div[4][2]);
     return table_finish();
 }

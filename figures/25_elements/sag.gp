@@ -1,15 +1,16 @@
 # sag.gp - what is missing of the sag at nu = 0.4999, and how large div u of a
-# triangle is, for five ways to cut the square.
+# triangle is, for six ways to cut the square.
 # Reads   data  table sag
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 860,400
 set output out
-array Name[5] = ["linear", "linear", "averaged", "quadratic", "quadratic"]
-array M[5] = [1, 1.5, 1, 1, 2]
-array Text[5] = ["linear", "linear, m = 1.5", "averaged", "quadratic", \
-                 "quadratic, m = 2"]
-array Style[5] = [2, 5, 4, 1, 3]
+array Name[6] = ["linear", "linear", "averaged", "criss-cross", "quadratic", \
+                 "quadratic"]
+array M[6] = [1, 1.5, 1, 1, 1, 2]
+array Text[6] = ["linear", "linear, m = 1.5", "averaged", "criss-cross", \
+                 "quadratic", "quadratic, m = 2"]
+array Style[6] = [2, 5, 4, 6, 1, 3]
 of(k, what) = strcol("element") eq Name[k] && column("m") == M[k] \
               ? column(what) : NaN
 set multiplot layout 1,2 margins 0.085,0.985,0.145,0.83 spacing 0.1,0
@@ -20,10 +21,10 @@ set xlabel "squares per side n"
 set ylabel "missing sag, ν = 0.4999" offset 1
 set yrange [5e-4:1]
 set format y "10^{%T}"
-plot for [k = 1:5] data index "sag" using "n":(of(k, "missing_0.4999")) \
+plot for [k = 1:6] data index "sag" using "n":(of(k, "missing_0.4999")) \
          with linespoints ls Style[k] title Text[k]
 set ylabel "size of div u, relative to its limit" offset 1
 set yrange [0.5:2000]
-plot for [k = 1:5] data index "sag" using "n":(of(k, "div_0.4999")) \
+plot for [k = 1:6] data index "sag" using "n":(of(k, "div_0.4999")) \
          with linespoints ls Style[k] notitle
 unset multiplot

@@ -1,0 +1,33 @@
+# gains.gp - how many times fewer flops than linear triangles the others need, at
+# 0.3 % of error, in the swing at 1 %.
+# Expected: far to the right where there is a corner, or bending.
+# Reads   data  table gains
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 640,380
+set output out
+array Name[6] = ["weight", "column", "shake", "pull", "swing", "explicit"]
+array Text[6] = ["weight", "column", "shake", "slow pull", "swing, 1 %%", \
+                 "swing, explicit, 1 %%"]
+array Error[6] = [0.003, 0.003, 0.003, 0.003, 0.01, 0.01]
+of(k, what) = strcol("scene") eq Name[k] && column("error") == Error[k] \
+              ? column(what) : NaN
+set datafile missing "-"
+unset key
+set logscale x
+set xrange [0.45:60]
+set xtics ("1/2" 0.5, "1" 1, "2" 2, "5" 5, "10" 10, "20" 20, "40" 40)
+set xlabel "times fewer flops than linear triangles, at 0.3 % of error"
+set yrange [6.5:0.3]
+set ytics () scale 0
+do for [k = 1:6] { set ytics add (Text[k] k) }
+set arrow from 1, graph 0 to 1, graph 1 nohead ls 8 back
+set label "linear, m = 1.5" at 2.4, 0.7 center tc rgb "#E69F00"
+set label "quadratic" at 9.4, 0.7 center tc rgb "#0072B2"
+set label "quadratic, m = 2" at 28, 0.7 center tc rgb "#009E73"
+plot for [k = 1:6] data index "gains" using (of(k, "graded")):(k) \
+         with points ls 5 ps 1.1, \
+     for [k = 1:6] "" index "gains" using (of(k, "quadratic")):(k) \
+         with points ls 1 ps 1, \
+     for [k = 1:6] "" index "gains" using (of(k, "both")):(k) \
+         with points ls 3 ps 1.2
