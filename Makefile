@@ -102,11 +102,10 @@ TIMED_HERE := $(foreach f,$(filter-out $(SPEED),$(TIMED)),$(BUILD)/$(call \
 DEPS := $(filter deps,$(MAKECMDGOALS)) $(if $(GSL_CFLAGS),,gsl)
 
 # What all objects were compiled with: with other words they are compiled anew.
-# The judge of one file (INTO) without the solution's, and a test with
-# ANY_FLAGS=1, take them as they are.
+# A test with ANY_FLAGS=1 takes them as they are.
 FLAGS := $(strip $(CC) $(STD) $(STRICT) $(CFLAGS) $(LDFLAGS) $(if $(filter \
              file undefined,$(origin NATIVE)),,NATIVE=$(NATIVE)))
-ifeq ($(if $(filter $(BUILD)/solutions/%,$(MAKECMDGOALS)),,$(INTO))$(ANY_FLAGS),)
+ifeq ($(ANY_FLAGS),)
 ifneq ($(FLAGS),$(strip $(shell cat $(BUILD)/flags 2>/dev/null)))
 OTHER_FLAGS := always
 endif
@@ -193,17 +192,20 @@ needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
 
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
                common/motion/window_sdl.c,$(wildcard common/*/*.c)))
-$(LIB): $(OBJECTS)
+# One of another make may have left out what has come since.
+LEFT_OUT := $(if $(wildcard $(LIB)),$(filter-out $(shell ar t $(LIB)), \
+                $(notdir $(OBJECTS))))
+$(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 	$(call say,lib,$@)
-	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
+	$(Q)$(WHOLE) ar rcs $(PART) $(OBJECTS) && $(MOVED)
 
-# tiles.c, half of what the first lesson waits for, is as fast with -O2 and these
-# of gcc, has the same digits, and compiles in two thirds of the time.
+# tiles.c and front.c are as fast with -O2 and these of gcc, have the same digits,
+# and compile in two thirds of the time.
 LESS_THAN_O3 = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
                    -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null \
                    -o /dev/null 2>/dev/null && echo "$$@" || echo -O3)
-native_for = $(if $(filter front readable,$1),$(NATIVE)) \
-             $(if $(filter tiles,$1),$(if $(filter -O3,$(NATIVE)), \
+native_for = $(if $(filter readable,$1),$(NATIVE)) \
+             $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
              $(if $(filter body triangles,$1),$(filter-out \
@@ -221,6 +223,12 @@ $(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 	$(Q)$(WHOLE) $(CC) $(CFLAGS) $(PLACED)
 
+# A program that is built does not stand for a file that is not there.
+MISSING := $(filter-out $(wildcard lessons/*.c),$(LESSONS:%=lessons/%.c))
+.PHONY: $(MISSING)
+$(MISSING):
+	@echo '$@ is not there; it comes back with:' \
+	    'make reset-$(call number,$(@F))' >&2; exit 1
 $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(call say,cc,$<)
 	@[ -f $< ] || { echo '$< is not a plain file.' >&2; exit 1; }

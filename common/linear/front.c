@@ -1,7 +1,7 @@
 /* front.c - see front.h. */
 #include "linear/front.h"
 
-#include "linear/vec.h"
+#include "linear/tiles.h"
 
 #include <string.h>
 
@@ -87,6 +87,75 @@ void front_extend(const struct front *child, const int row[],
             }
         }
     }
+}
+
+/* t -= the columns of L before pivot J, for rows of block i and block y. */
+INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
+                            int i, int y, vec t[W][Q])
+{
+    const double *l = f->l;
+    for (int K = 0; K * V < J; K++) {
+        const int w = J - K * V < V ? J - K * V : V;
+        columns(q, w, V * w, V, l + (i - K) * V * w, l + (y - K) * V * w, t);
+        l += (all - K) * V * w;
+    }
+}
+
+/* Tile of q blocks from block i on, of `all`, of panel K, which has w columns
+ * and begins at a: of pivots, or of the rest. */
+INLINE enum status front_tile(const int q, const struct front *f, int all,
+                              int n, int K, int w, int i, double a[],
+                              const double diagonal[], vec l[W],
+                              double inverse[W])
+{
+    const int of_rest = K * V >= f->pivots;
+    double *corner = a + (i - K) * V * w;
+    vec t[W][Q] = {{{0.0}}};
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int r = 0; r < q; r++)
+            if (c < w && !of_rest) t[c][r] = VEC(corner[c * V + r * V * w]);
+    subtract_panels(q, f, all, of_rest ? f->pivots : K * V, i, K, t);
+    if (!of_rest && i == K) {
+        vec rows[W];
+        UNROLL for (int c = 0; c < W; c++) rows[c] = t[c][0];
+        if (tiles_triangle(n, w, &diagonal[K * W], 1, rows, l, inverse) != OK)
+            return NOT_SPD;
+        UNROLL for (int c = 0; c < W; c++) /* L^-T for the triangle of L */
+            UNROLL for (int r = 0; r < V; r++) t[c][0][r] = r == c;
+    }
+    if (!of_rest) substitute(q, l, t);
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int r = 0; r < q; r++)
+            if (c < w)
+                VEC(corner[c * V + r * V * w]) =
+                    of_rest ? t[c][r] : t[c][r] * inverse[c];
+    return OK;
+}
+
+enum status front_factor(const struct front *f, int n, const double diagonal[])
+{
+    const int first = front_row(f->pivots, 0) / V;
+    const int all = first + front_row(f->rest, 0) / V;
+    const size_t size = f->rounded ? front_size(f->pivots, f->rest) : 0;
+    double *a = f->l, inverse[W] = {0.0};
+    vec l[W] = {{0.0}};
+    for (int K = 0; K < all; K++) {
+        const int left = f->pivots - K * V;
+        const int w = 0 < left && left < V ? left : V;
+        enum status status = OK;
+        if (K == first) a = f->u;
+        for (int i = K; i < all && status == OK; i += Q)
+            status = all - i == 1 ? front_tile(1, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse)
+                   : all - i == 2 ? front_tile(2, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse)
+                                  : front_tile(Q, f, all, n, K, w, i, a,
+                                               diagonal, l, inverse);
+        if (status != OK) return status;
+        a += (all - K) * V * w;
+    }
+    for (size_t i = 0; i < size; i++) f->rounded[i] = (float)f->l[i];
+    return OK;
 }
 
 /* Numbers i .. i + V - 1 of what is kept. */

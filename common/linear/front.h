@@ -8,13 +8,15 @@
  *     | l l   u   |       that factoring and solving read it from end to end.
  *     | l l   u u |       The last panel of pivots is as wide as it must be.
  *
- * tiles.h factors it.  What is kept of it is L, but for the triangle at the
- * diagonal of each panel, which is inverted and transposed: a solve then has no
- * number in it that waits for the one before.  It is kept in double precision,
- * where l is, or rounded to single precision, elsewhere.
+ * What is kept of it is L, but for the triangle at the diagonal of each panel,
+ * which is inverted and transposed: a solve then has no number in it that waits
+ * for the one before.  It is kept in double precision, where l is, or rounded
+ * to single precision, elsewhere.
  */
 #ifndef COMMON_FRONT_H
 #define COMMON_FRONT_H
+
+#include "base/status.h"
 
 #include <stddef.h>
 
@@ -41,6 +43,12 @@ void front_fill(const struct front *front, int n, const int place[],
  * when that has given it numbers. */
 void front_extend(const struct front *child, const int row[],
                   const struct front *parent, int after);
+
+/* Keep L of a front, and u := -L L^T of its rest.  Statuses as matrix_factor(),
+ * with the order n of the matrix and the diagonal entries of it at the pivots.
+ */
+enum status front_factor(const struct front *front, int n,
+                         const double diagonal[]);
 
 /* The pivots' part of x := L^-1 x, which subtracts from the rest; and of
  * x := L^-T x.  x is [front_row(pivots, rest)] and on to the end of a block. */

@@ -5,16 +5,13 @@
 #ifndef COMMON_INDEFINITE_H
 #define COMMON_INDEFINITE_H
 
-#include "linear/sparse.h"
+#include "base/status.h"
+
+#include <stddef.h>
 
 /* As matrix_solve_indefinite(), in the band a[j*stride + d] = A_j+d,j of half
  * bandwidth p. */
 enum status indefinite_solve(int n, int p, size_t stride, const double a[],
                              double b[], int *negative);
-
-/* ... for the blocks a of a pattern: its vertices, as the mesh numbers them,
- * make a band. */
-enum status indefinite_solve_sparse(const struct sparse *s, const double a[],
-                                    double b[], int *negative);
 
 #endif

@@ -1,12 +1,12 @@
 /* matrix.c - see matrix.h.  dense.h factors what is full, banded.h narrow
- * bands, tiles.h wide ones, sparse.h what is sparse, indefinite.h the rest. */
+ * bands, tiles.h wide ones, indefinite.h the rest; a sparse matrix brings
+ * its own functions (struct matrix_sparse). */
 #include "linear/matrix.h"
 
 #include "base/table.h"
 #include "linear/banded.h"
 #include "linear/dense.h"
 #include "linear/indefinite.h"
-#include "linear/sparse.h"
 #include "linear/tiles.h"
 
 #include <assert.h>
@@ -21,7 +21,7 @@
 static double *entry(const struct matrix *A, int i, int j)
 {
     if (A->storage == SPARSE) {
-        const int block = sparse_block(A->pattern, i / 2, j / 2);
+        const int block = A->sparse->block(A->pattern, i / 2, j / 2);
         return block < 0 ? NULL : &A->a[4 * block + j % 2 * 2 + i % 2];
     }
     if (A->storage == DENSE) return &A->a[(size_t)i * A->stride + (size_t)j];
@@ -55,22 +55,23 @@ struct matrix *matrix_alloc(enum storage storage, int n, int p)
     return A;
 }
 
-struct matrix *matrix_alloc_sparse(const struct sparse *pattern)
+struct matrix *matrix_alloc_with(const struct matrix_sparse *methods,
+                                 const struct sparse *pattern, int n,
+                                 size_t size)
 {
     struct matrix *A = allocate(1, sizeof *A);
-    const int n = 2 * pattern->n_vertex;
-    const size_t size = 4 * (size_t)pattern->start[pattern->n_vertex];
     *A = (struct matrix){.storage = SPARSE, .n = n, .p = n - 1, .stride = 3,
                          .size = size, .a = allocate_lines(size),
-                         .pattern = pattern};
+                         .sparse = methods, .pattern = pattern};
     return A;
 }
 
 struct matrix *matrix_copy(const struct matrix *A)
 {
-    struct matrix *copy = A->storage == SPARSE
-                              ? matrix_alloc_sparse(A->pattern)
-                              : matrix_alloc(A->storage, A->n, A->p);
+    struct matrix *copy =
+        A->storage == SPARSE
+            ? matrix_alloc_with(A->sparse, A->pattern, A->n, A->size)
+            : matrix_alloc(A->storage, A->n, A->p);
     memcpy(copy->a, A->a, A->size * sizeof *A->a);
     return copy;
 }
@@ -163,14 +164,14 @@ enum status matrix_factor(struct matrix *A)
     if (is_wide(A)) return tiles_factor(A->n, A->p, A->stride, A->a);
     if (A->storage != SPARSE) return banded_factor(A->n, A->p, A->a);
     if (!A->factor)
-        A->factor = allocate_lines(sparse_size(A->pattern, A->single));
-    return sparse_factor(A->pattern, A->a, A->single, A->factor);
+        A->factor = allocate_lines(A->sparse->size(A->pattern, A->single));
+    return A->sparse->factor(A->pattern, A->a, A->single, A->factor);
 }
 
 void matrix_solve(const struct matrix *L, double b[])
 {
     if (L->storage == SPARSE)
-        sparse_solve(L->pattern, L->single, L->factor, b);
+        L->sparse->solve(L->pattern, L->single, L->factor, b);
     else if (L->storage == DENSE)
         dense_solve(L->n, L->a, b);
     else if (is_wide(L))
@@ -183,7 +184,7 @@ enum status matrix_solve_indefinite(const struct matrix *A, double b[],
                                     int *negative)
 {
     if (A->storage == SPARSE)
-        return indefinite_solve_sparse(A->pattern, A->a, b, negative);
+        return A->sparse->solve_indefinite(A->pattern, A->a, b, negative);
     assert(A->storage != DENSE);
     return indefinite_solve(A->n, A->p, A->stride, A->a, b, negative);
 }
@@ -212,7 +213,7 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[])
 void matrix_multiply(const struct matrix *A, const double x[], double y[])
 {
     if (A->storage == SPARSE) {
-        sparse_multiply(A->pattern, A->a, x, y);
+        A->sparse->multiply(A->pattern, A->a, x, y);
         return;
     }
     for (int i = 0; i < A->n; i++) {
@@ -225,7 +226,8 @@ void matrix_multiply(const struct matrix *A, const double x[], double y[])
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    const size_t more = A->factor ? sparse_size(A->pattern, A->single) : 0;
+    const size_t more = A->factor ? A->sparse->size(A->pattern, A->single)
+                                  : 0;
     return (A->size + more) * sizeof *A->a;
 }
 

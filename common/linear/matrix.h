@@ -36,6 +36,21 @@ struct sparse; /* sparse.h: a pattern and the order of its elimination */
 enum storage { DENSE, BANDED, SPARSE, PLAIN };
 enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
 
+/* What sparse.h does with a matrix of its own; a program without any is built
+ * without it.  Its functions of these names say what each does. */
+struct matrix_sparse {
+    int (*block)(const struct sparse *s, int i, int j);
+    void (*multiply)(const struct sparse *s, const double a[],
+                     const double x[], double y[]);
+    size_t (*size)(const struct sparse *s, int single);
+    enum status (*factor)(const struct sparse *s, const double a[], int single,
+                          double memory[]);
+    void (*solve)(const struct sparse *s, int single, double memory[],
+                  double b[]);
+    enum status (*solve_indefinite)(const struct sparse *s, const double a[],
+                                    double b[], int *negative);
+};
+
 struct matrix {
     enum storage storage;
     int n;         /* order */
@@ -44,7 +59,8 @@ struct matrix {
                     * from a block's entry (0, 0) to (1, 1) */
     size_t size;   /* numbers of a */
     double *a;     /* entries, see above; owned */
-    const struct sparse *pattern; /* of sparse storage; borrowed */
+    const struct matrix_sparse *sparse; /* of sparse storage; borrowed, */
+    const struct sparse *pattern;       /* and so is this */
     int single;     /* sparse: L is rounded to single precision */
     double *factor; /* sparse: room to work and L, or NULL; owned */
 };
@@ -56,9 +72,13 @@ struct matrix_cost {
     double solve;   /* flops of the two triangular solves */
 };
 
-/* A zero matrix; p is ignored when dense.  The caller frees it. */
+/* A zero matrix; p is ignored when dense.  The caller frees it.  sparse.c has
+ * the second, by the third, whose size is that of a. */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_alloc_sparse(const struct sparse *pattern);
+struct matrix *matrix_alloc_with(const struct matrix_sparse *methods,
+                                 const struct sparse *pattern, int n,
+                                 size_t size);
 struct matrix *matrix_copy(const struct matrix *A);
 
 /*

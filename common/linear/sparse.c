@@ -8,7 +8,9 @@
  */
 #include "linear/sparse.h"
 
-#include "linear/tiles.h"
+#include "linear/front.h"
+#include "linear/indefinite.h"
+#include "linear/matrix.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -204,7 +206,7 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
         }
         for (int after = 0; after < 2; after++) {
             if (after)
-                status = tiles_front(&front, 2 * s->n_vertex, diagonal);
+                status = front_factor(&front, 2 * s->n_vertex, diagonal);
             for (int c = 0; c < 2; c++) {
                 const int k = piece->child[c];
                 if (k < 0) continue;
@@ -263,4 +265,55 @@ void sparse_solve(const struct sparse *s, int single, double memory[],
         }
         memcpy(pivot, x, (size_t)p * sizeof *x);
     }
+}
+
+/* A block of a sparse matrix, by columns, whose first entry is (i, j) of the
+ * band. */
+static void add_block(const double block[4], int i, int j, size_t stride,
+                      double band[])
+{
+    for (int column = j; column < j + 2; column++)
+        for (int row = i; row < i + 2; row++, block++) {
+            const int low = row > column ? row : column;
+            const size_t high = (size_t)(row + column - low);
+            if (*block != 0.0)
+                band[high * stride + (size_t)low - high] += *block;
+        }
+}
+
+enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
+                                    double b[], int *negative)
+{
+    const int n = 2 * s->n_vertex;
+    int *rank = allocate((size_t)s->n_vertex, sizeof *rank), next = 0, p = 1;
+    for (int v = 0; next < s->n_vertex; v++)
+        if (s->place[v] >= 0) rank[s->place[v]] = next++;
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = s->start[v]; k < s->start[v + 1]; k++)
+            if (2 * abs(rank[s->row[k]] - rank[v]) + 1 > p)
+                p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
+    const size_t row = (size_t)p + 1;
+    double *band = allocate((size_t)n * row, sizeof *band);
+    double *x = allocate((size_t)n, sizeof *x);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int k = s->start[v]; k < s->start[v + 1]; k++)
+            add_block(&a[4 * k], 2 * rank[s->row[k]], 2 * rank[v], row, band);
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&x[2 * rank[v]], &b[2 * v], 2 * sizeof *b);
+    const enum status status = indefinite_solve(n, p, row, band, x, negative);
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&b[2 * v], &x[2 * rank[v]], 2 * sizeof *b);
+    free(band);
+    free(rank);
+    free(x);
+    return status;
+}
+
+struct matrix *matrix_alloc_sparse(const struct sparse *s)
+{
+    static const struct matrix_sparse methods = {
+        sparse_block,  sparse_multiply, sparse_size,
+        sparse_factor, sparse_solve,    sparse_solve_indefinite};
+    return matrix_alloc_with(&methods, s, 2 * s->n_vertex,
+                             4 * (size_t)s->start[s->n_vertex]);
 }

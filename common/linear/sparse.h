@@ -67,4 +67,9 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
 void sparse_solve(const struct sparse *s, int single, double memory[],
                   double b[]);
 
+/* As matrix_solve_indefinite(), for the blocks a: the vertices, as the mesh
+ * numbers them, make a band. */
+enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
+                                    double b[], int *negative);
+
 #endif

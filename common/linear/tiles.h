@@ -1,6 +1,5 @@
 /*
- * tiles.h - Cholesky factorisation of a wide band or a front, when seconds
- * count.
+ * tiles.h - Cholesky factorisation of a wide band, when seconds count.
  *
  * The lower triangle by columns, every column with room to spare:
  *
@@ -13,10 +12,8 @@
 #ifndef COMMON_TILES_H
 #define COMMON_TILES_H
 
-#include "linear/front.h"
 #include "base/status.h"
-
-#include <stddef.h>
+#include "linear/vec.h"
 
 /* From this half bandwidth on the routines below may be used. */
 enum { TILES_WIDE = 15 };
@@ -32,10 +29,13 @@ enum status tiles_factor(int n, int p, size_t stride, double a[]);
 /* b := A^{-1} b, for L from tiles_factor(). */
 void tiles_solve(int n, int p, size_t stride, const double l[], double b[]);
 
-/* Keep L of a front, and u := -L L^T of its rest.  Statuses as matrix_factor(),
- * with the order n of the matrix and the diagonal entries of it at the pivots.
- */
-enum status tiles_front(const struct front *front, int n,
-                         const double diagonal[]);
+/* Factor the triangle at the diagonal of a panel of w columns, of a band or a
+ * front.  t[c] is column c of it, after the columns before the panel have been
+ * subtracted; it becomes L_cc times column c of L.  For the tiles below it,
+ * l[c][b] := L_bc / L_cc and inverse[c] := 1 / L_cc.  A_cc is
+ * diagonal[c * apart]; statuses as tiles_factor(). */
+enum status tiles_triangle(int n, int w, const double diagonal[],
+                           ptrdiff_t apart, vec t[W], vec l[W],
+                           double inverse[W]);
 
 #endif

@@ -1,5 +1,6 @@
 /*
- * vec.h - V numbers in one register, for tiles.c and front.c.
+ * vec.h - V numbers in one register, and what tiles.c and front.c both do with
+ * a tile of them.
  *
  * A vec is an extension of C that gcc and clang have for any processor; to both
  * of them it may alias the numbers.  Loops over vecs are unrolled, with
@@ -8,6 +9,9 @@
  */
 #ifndef COMMON_VEC_H
 #define COMMON_VEC_H
+
+#include <stddef.h>
+#include <stdint.h>
 
 #ifndef VEC_WIDTH
 #if defined __AVX512F__
@@ -40,5 +44,27 @@ typedef double two __attribute__((vector_size(16), aligned(8)));
 #else
 #define UNROLL _Pragma("GCC unroll 8")
 #endif
+
+/* t -= x y for n columns of L, next apart; of q vecs (a constant), down apart.
+ * What is wanted 16 columns later is fetched from memory ahead of time. */
+INLINE void columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
+                    const double *x, const double *y, vec t[W][Q])
+{
+    const uintptr_t ahead = 16 * sizeof *x * (uintptr_t)next;
+    for (; n > 0; n--, x += next, y += next) {
+        __builtin_prefetch((const void *)((uintptr_t)x + ahead));
+        UNROLL for (int c = 0; c < W; c++)
+            UNROLL for (int r = 0; r < q; r++)
+                t[c][r] -= y[c] * VEC(x[r * down]);
+    }
+}
+
+/* t := t L^-T, but for the factors 1 / L_cc, with l of tiles_triangle(). */
+INLINE void substitute(const int q, const vec l[W], vec t[W][Q])
+{
+    UNROLL for (int c = 0; c < W; c++)
+        UNROLL for (int b = c + 1; b < W; b++)
+            UNROLL for (int r = 0; r < q; r++) t[b][r] -= l[c][b] * t[c][r];
+}
 
 #endif

@@ -7,7 +7,7 @@ if (!exists("reference")) reference = data
 set terminal svg size 560,400
 set output out
 unset key
-set xrange [-0.05:1.05]
+set xrange [-0.1:1.1]
 set offsets 0, 0, 0.1, 0.1
 set xlabel "x (m)"
 set ylabel "u (m)"
@@ -18,4 +18,4 @@ plot reference index "nodes" using "x":"u" with lines lw 7 lc rgb "#DDDDDD", \
          with vectors head filled size 0.02,20 lw 2.5 lc rgb "#D55E00", \
      data index "nodes" using "x":(column("u") + f(column("reaction")) \
          + (column("reaction") > 0 ? 0.05 : -0.05)): \
-         (sprintf("%.4g", column("reaction"))) with labels tc rgb "#D55E00"
+         (sprintf("r = %.4g", column("reaction"))) with labels tc rgb "#D55E00"

@@ -1,6 +1,5 @@
 # damping.gp - energy of the linear bar in its first mode, in time; the number
-# behind a name is its steps in a frame of 1/30 s; the key is in the order of
-# the curves.
+# behind a name is its steps in a frame of 1/30 s.
 # Expected: 1, and (1 + omega^2 dt^2)^-1 per step for backward Euler.
 # Reads   data  tables damping, first_mode
 # Writes  out   SVG
@@ -11,28 +10,26 @@ set terminal svg size 680,480
 set output out
 stats data index "first_mode" using "omega" nooutput
 w = STATS_max
-set key above left vertical maxrows 4 reverse Left samplen 2
+unset key
+set label 1 "midpoint 1, symplectic Euler 64, BDF2 16, backward Euler 256" at 0.004,2
+set label 2 "backward Euler, 16 steps in a frame" at 0.21,0.42
+set label 3 "BDF2, 1" at 0.235,0.02 right
+set label 4 "backward Euler, 1" at 0.108,3e-3 right
+set label 5 "dashed: expected" at 0.395,1.6e-4 right
 set logscale y
 set format y "10^{%T}"
 set xrange [0:0.4]
-set yrange [1e-4:2]
+set yrange [1e-4:4]
 set xlabel "time (s)"
 set ylabel "energy over energy at the start"
-plot data index "damping" using "t":"midpoint_1" with linespoints ls 3 \
-         title "midpoint, 1 per frame", \
-     data index "damping" using "t":"symplectic_64" with linespoints ls 2 \
-         title "symplectic Euler, 64", \
-     data index "damping" using "t":"bdf2_16" with linespoints ls 4 \
-         title "BDF2, 16", \
-     data index "damping" using "t":"backward_256" with linespoints ls 1 pt 6 \
-         title "backward Euler, 256", \
-     data index "damping" using "t":"backward_16" with linespoints ls 1 pt 4 \
-         title "backward Euler, 16", \
-     data index "damping" using "t":"bdf2_1" with linespoints ls 4 dt 3 \
-         title "BDF2, 1", \
-     data index "damping" using "t":"backward_1" with linespoints ls 1 \
-         title "backward Euler, 1", \
-     (1 + (w / 30)**2)**(-30 * x) with lines ls 8 title "expected", \
-     (1 + (w / 480)**2)**(-480 * x) with lines ls 8 notitle, \
-     (1 + (w / 7680)**2)**(-7680 * x) with lines ls 8 notitle
+plot data index "damping" using "t":"midpoint_1" with linespoints ls 3, \
+     data index "damping" using "t":"symplectic_64" with linespoints ls 2, \
+     data index "damping" using "t":"bdf2_16" with linespoints ls 4, \
+     data index "damping" using "t":"backward_256" with linespoints ls 1 pt 6, \
+     data index "damping" using "t":"backward_16" with linespoints ls 1 pt 4, \
+     data index "damping" using "t":"bdf2_1" with linespoints ls 4 dt 3, \
+     data index "damping" using "t":"backward_1" with linespoints ls 1, \
+     (1 + (w / 30)**2)**(-30 * x) with lines ls 8, \
+     (1 + (w / 480)**2)**(-480 * x) with lines ls 8, \
+     (1 + (w / 7680)**2)**(-7680 * x) with lines ls 8
 set output

@@ -36,7 +36,7 @@ set tmargin at screen 0.60
 set bmargin at screen 0.11
 set size noratio
 set border 3 back ls 9
-set tics nomirror
+set tics nomirror textcolor rgb "black"
 set grid back ls 9
 set xrange [0.02:0.05]
 set yrange [-0.02:0.18]

@@ -3,7 +3,7 @@
 # Reads   data  tables log, cubic, signs
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,520
+set terminal svg size 900,500
 set output out
 zero(m) = system("awk -F'\t' '$1 == \"".m."\" && $2 == \"cubic\" { print $3 }' '".data."'") + 0.0
 high = zero("flip")
@@ -18,23 +18,16 @@ set xlabel "singular value s_1"
 set samples 400
 set style fill solid noborder
 colour(n) = n == 0 ? 0xE3EEF6 : n == 1 ? 0xF2C9A8 : 0xD55E00
-set multiplot layout 1,2 margins 0.07,0.98,0.12,0.84 spacing 0.08,0
+set multiplot layout 1,2 margins 0.07,0.98,0.12,0.92 spacing 0.08,0
 set label 1 "log law" at graph 0.5, 1.05 center font ",15"
 set label 2 "not defined" at 1.5, -0.5 center front
-set label 3 "none" at 2.0, 1.9 center front
+set label 3 "none is negative" at 2.0, 1.9 center front
 set label 4 "one: the twist" at 0.35, 0.5 left front
 set label 5 "J = 1" at 2.5, 0.55 front
-set label 11 "■" at screen 0.27, 0.965 textcolor rgb "#CFE0EC"
-set label 12 "none is negative" at screen 0.295, 0.965
-set label 13 "■" at screen 0.47, 0.965 textcolor rgb "#F2C9A8"
-set label 14 "one" at screen 0.495, 0.965
-set label 15 "■" at screen 0.57, 0.965 textcolor rgb "#D55E00"
-set label 16 "two" at screen 0.595, 0.965
 set ylabel "singular value s_2"
 plot data index "log" using 1:2:($1 - 0.0155):($1 + 0.0155):2:3:(colour($4)) \
          with boxxyerror lc rgb variable, \
      [0.33:3] 1 / x with lines lc rgb "black" lw 2
-do for [i = 11:16] { unset label i }
 set label 1 "cubic law"
 set label 2 "two: the twist, a scaling" at 1.5, -0.5 center textcolor rgb "white" front
 set label 8 "J = 1" at 2.5, 0.55 front

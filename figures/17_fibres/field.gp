@@ -46,7 +46,7 @@ do for [i = 1:3] {
     if (i == 3) {
         set colorbox user horizontal origin screen 0.40, screen 0.075 \
             size screen 0.28, screen 0.03
-        set cbtics 0.08 scale 0.4 offset 0, 0.5 font ",11"
+        set cbtics 0.08 scale 0.4 textcolor rgb "black" offset 0, 0.5 font ",11"
         set label 3 "stretch l of the fibres" at screen 0.385, screen 0.09 right font ",12"
     }
     plot of("outline", Block[i]) using 2:3 with filledcurves closed fc rgb "#F4EDE4", \

@@ -48,7 +48,7 @@ set palette defined (1.0 "#0072B2", 1.25 "#BBD6E8", 1.5 "#F2E6DA", 1.9 "#D55E00"
 set cbrange [1.0:1.9]
 set pm3d map corners2color c1 border lc rgb "#555555" lw 0.3
 set colorbox user horizontal origin screen 0.60, screen 0.24 size screen 0.31, screen 0.03
-set cbtics 0.1 scale 0.4
+set cbtics 0.1 scale 0.4 textcolor rgb "black"
 set cblabel "stretch l of the fibres" offset 0, 0.3
 longest = system("awk -F'\t' '$0 == \"# strip\" { on = 1 } NF == 0 { on = 0 } \
     on && $3 + 0 > most { most = $3 + 0 } END { print most }' '".data."'") + 0.0

@@ -28,7 +28,7 @@ do for [k = 1:4] {
     if (k == 4) {
         set colorbox user origin screen 0.925, screen 0.16 \
             size screen 0.014, screen 0.58
-        set cbtics 0.1 offset -0.5
+        set cbtics 0.1 offset -0.5 textcolor rgb "black"
         set cblabel "speed (m/s)" offset -0.5 }
     set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5
     plot data index "disc" using \

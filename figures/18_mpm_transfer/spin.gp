@@ -32,7 +32,7 @@ set yrange [-0.34:0.34]
 set palette defined (0 "#C6DBEF", 0.5 "#4292C6", 1 "#08306B")
 set cbrange [0:0.3]
 set colorbox user origin screen 0.925, screen 0.2 size screen 0.016, screen 0.6
-set cbtics 0.1 offset -0.5
+set cbtics 0.1 offset -0.5 textcolor rgb "black"
 set cblabel "speed (m/s)" offset -0.5
 set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5
 speed(x) = sqrt(column("v_x")**2 + column("v_y")**2)

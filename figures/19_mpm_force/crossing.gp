@@ -35,9 +35,9 @@ set xlabel "particles per cell"
 set yrange [1e-4:2]
 unset ylabel
 unset key
-set label 1 "linear, slope 1" at 3.1,0.95 font ",12"
-set label 2 "quadratic, 2" at 4.3,0.12 font ",12"
-set label 3 "cubic, 3" at 4.9,0.009 font ",12"
+set label 1 "linear, slope 1" at 4.6,1.0 font ",12" tc ls 1
+set label 2 "quadratic, 2" at 5.5,0.13 font ",12" tc ls 2
+set label 3 "cubic, 3" at 6,0.009 font ",12" tc ls 3
 plot for [s = 1:3] data index "ppc" using "ppc":Name[s] with points ls s ps 1, \
      for [s = 1:3] [2:17] (s == 1 ? 1.94 : s == 2 ? 1.55 : 0.82) / x**s \
          with lines ls 8
@@ -50,8 +50,8 @@ set yrange [100:1e5]
 set xtics ("1/128" 1./128, "1/32" 1./32, "1/8" 1./8)
 set xlabel "h (m)"
 set ylabel "acceleration (m/s²)" offset 1
-set label 1 "linear" at 0.028,2.2e4 font ",12"
-set label 2 "quadratic" at 0.0072,4.2e3 font ",12"
-set label 3 "cubic" at 0.028,1.2e3 font ",12"
+set label 1 "linear" at 0.028,2.2e4 font ",12" tc ls 1
+set label 2 "quadratic" at 0.0072,4.6e3 font ",12" tc ls 2
+set label 3 "cubic" at 0.028,1.2e3 font ",12" tc ls 3
 plot for [s = 1:3] data index "refine" using "h":Name[s] with linespoints ls s
 unset multiplot

@@ -16,6 +16,7 @@ set cbrange [0.98:1.02]
 set cbtics 0.01 scale 0.3
 set cblabel "J" rotate by 0 offset -1
 set xlabel "x (m)"
+set ylabel "y (m)"
 set xtics 0.2
 set ytics 0.1
 # half a side: nearly half of the way from the first particle to the second

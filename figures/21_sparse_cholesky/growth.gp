@@ -9,7 +9,7 @@ stats data index "crossovers" using "flops" nooutput name "F"
 stats data index "crossovers" using "entries" nooutput name "E"
 of(k) = strcol("storage") eq k ? column("n") : NaN
 set datafile missing "-"
-set multiplot layout 1,2 margins 0.075,0.985,0.13,0.85 spacing 0.095,0
+set multiplot layout 1,2 margins 0.085,0.985,0.13,0.85 spacing 0.105,0
 set logscale xy
 set format y "10^{%T}"
 set xtics (2, 4, 8, 16, 32, 64, 128, 256)

@@ -18,13 +18,14 @@ unset tics
 unset key
 set size ratio -1
 set multiplot layout 1,3 margins 0.01,0.99,0.05,0.83 spacing 0.02,0
+ink(depth) = depth == 1 || depth == 2 || depth == 5 ? 0x000000 : 0xFFFFFF
 set title "Dissection: the place of every vertex,\none colour for each depth of cut"
 set xrange [0.3:11.7]
 set yrange [-0.7:12.7]
 plot data index "grid" using "i":"j":"depth" with points pt 7 ps 1.75 \
          lc palette, \
-     data index "grid" using "i":"j":(sprintf("%d", column("place"))) \
-         with labels font ",8" tc rgb "white"
+     data index "grid" using "i":"j":(sprintf("%d", column("place"))): \
+         (ink(column("depth"))) with labels font ",8" tc rgb variable
 set border 15 ls 9
 set xrange [-3:145]
 set yrange [145:-3]

@@ -20,5 +20,5 @@ plot reference index "ladder" using "rung":"estimate" with lines lw 7 \
          with boxes ls (i == 5 ? 6 : i) title (i == 5 ? "mesh" : Part[i]), \
      data index "ladder" using "rung":"estimate" with linespoints lw 2 pt 7 \
          lc rgb "black" title "estimate", \
-     data index "ladder" using (column("rung")):(column("estimate") + 0.1): \
-         (strcol("verdict")) with labels notitle
+     data index "ladder" using (column("rung")):(column("estimate") + 0.06): \
+         (strcol("verdict")) with labels left offset 0.5, 0.5 notitle

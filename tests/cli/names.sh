@@ -36,7 +36,7 @@ system='_exit access atoi chdir chmod clock_gettime close closedir dup2 exit exe
 
 compile() { # compile FLAGS...: $file to the judge $dir/judge
     "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' FILE="$file" \
-        INTO="$dir/judge" SLUG="$slug" "$@" 2>&1
+        INTO="$dir/judge" SLUG="$slug" ANY_FLAGS=1 "$@" 2>&1
 }
 judged() { # judged WHAT
     rm -f "$dir/judge"

@@ -28,6 +28,8 @@ last=$(ls lessons/[0-9]*.md | tail -n 1)
 sh tests/tools/lint.sh >lint.before
 said=$("$MAKE" new-98 NAME=spring 2>&1)
 result $? 'the files are written, filled and drawn' "$said"
+! echo "$said" | grep -q 'your file'
+result $? 'what is said is said to an author' "$said"
 for f in solutions/98_spring.c solutions/98_spring.md lessons/98_spring.c \
     lessons/98_spring.md tests/checks/98_spring.c tests/mistakes/98_spring.txt \
     figures/98_spring/order.c figures/98_spring/order.gp \

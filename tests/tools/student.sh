@@ -25,10 +25,10 @@ title() { sed -n '1s/^# Lesson [0-9]*[: ]*//p' "lessons/$1.md"; }
 # The stamp of a pass holds the sum of the file that passed.
 passed() { [ -f "$state.pass" ] && [ "$(cat "$state.pass")" = "$(sum "$mine")" ]; }
 
-save_mine() { # keep a copy of the student's file; say where
+save_mine() { # save_mine WHOSE: keep a copy of the file; say where
     [ -f "$mine" ] || return 0
     copy=$BUILD/saved/$slug.$(date +%Y%m%d-%H%M%S).$$.c
-    cp "$mine" "$copy" && echo "  your file is kept as $copy"
+    cp "$mine" "$copy" && echo "  $1 is kept as $copy"
 }
 
 # ---- judging: everything is done in $folder ---------------------------------
@@ -337,7 +337,7 @@ reset)
         rm -f "$part"
         echo "$mine is the starter already."
     else
-        save_mine
+        save_mine "your file"
         mv "$part" "$mine"
         rm -f "$state".*
         echo "$mine is the starter again."
@@ -350,7 +350,7 @@ starters)
         mine=lessons/$slug.c part=$mine.$$.part
         starter "$slug" >"$part" || exit 1
         if ! cmp -s "$part" "$mine"; then
-            save_mine
+            save_mine "the one before"
             mv "$part" "$mine"
             echo "  starter  $mine"
         fi

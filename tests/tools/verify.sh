@@ -125,7 +125,8 @@ behave)
         direct() { # direct WHAT VERDICT: the program on stdin
             cat >"$dir/$slug.c"
             said=$("$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' \
-                FILE="$dir/$slug.c" INTO="$dir/judge" SLUG="$slug" 2>&1 &&
+                FILE="$dir/$slug.c" INTO="$dir/judge" SLUG="$slug" \
+                ANY_FLAGS=1 2>&1 &&
                 judge_one "$dir/judge")
             rm -f "$dir/judge"
             said "$1" "$2"

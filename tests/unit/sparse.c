@@ -387,6 +387,7 @@ static void the_verbs_are_those_of_dense_storage(void)
         for (int i = 0; i < p.n; i++)
             ck_assert(matrix_get(C, i, 0) == 0.5 * matrix_get(B, i, 0));
         ck_assert_int_eq(matrix_factor(A), OK);
+        ck_assert_int_eq(A->p, A->n - 1);
         ck_assert_uint_eq(matrix_bytes(A), 8 * (entries + p.sparse->factor +
                                                 p.sparse->room));
         matrix_zero(A);
