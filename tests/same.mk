@@ -22,14 +22,12 @@ $(T)/$1/clock.o: tests/tools/clock.c common/base/clock.h $(RULES)
 $(T)/$1/libworkbook.a: $(T)/$1/clock.o $(WITH_VEC:%=$(T)/$1/%) \
         $(addprefix $2/,$(filter-out %/clock.o $(WITH_VEC),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
-$(PARTS:$(BUILD)/%=$(T)/$1/%): $(T)/$1/%: $2/%.o $(T)/$1/libworkbook.a
-	$(Q)mkdir -p $$(@D) && $$(CC) $$(CFLAGS) $$^ -o $$@ $$(LIBS)
-$(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $(T)/$1/solutions/% \
-        $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
+$(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/solutions/%.o \
+        $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,run,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
-$(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $(T)/$1/figures/% \
-        $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
+$(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/figures/%.o \
+        $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,study,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
 $(T)/same-$1.result: $(LESSONS:%=$(T)/$1/data/%.tsv) $(COUNTED:%=$(T)/$1/data/%.tsv) \
@@ -41,9 +39,10 @@ $(T)/same-$1.result: $(LESSONS:%=$(T)/$1/data/%.tsv) $(COUNTED:%=$(T)/$1/data/%.
 	$(Q)BUILD='$(BUILD)' SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' \
 	    sh tests/tools/same.sh $1 > $$@
 endef
-# A claim that does not hold there leaves no table, and its words.  Where the main
-# build has the flags and the vectors of v8, hence its code, the tables are those
-# of the main build already, but for those with seconds, which name the machine.
+# A program is linked to be run once.  A claim that does not hold there leaves no
+# table, and its words.  Where the main build has the flags and the vectors of v8,
+# hence its code, the tables are those of the main build already, but for those
+# with seconds, which name the machine.
 V8_HERE = $(eval V8_HERE := $(shell \
               [ '$(strip $(NATIVE))' = '$(strip $(ALL_NATIVE))' ] && $(CC) \
               $(NATIVE) -Icommon -dM -E -include linear/vec.h -x c /dev/null | \
@@ -51,13 +50,19 @@ V8_HERE = $(eval V8_HERE := $(shell \
 MAIN = $(BUILD)/data/$*.tsv
 SAME_RUN = mkdir -p $(@D) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \
            '^. machine: ' $(MAIN); then : > $@.said; cp $(MAIN) $@.part; else) \
-           { $< > $@.part 2> $@.said || : > $@.part; } \
+           { $(CC) $(CFLAGS) $(filter %.o %.a,$^) -Wl,-S -o $(@:.tsv=) $(LIBS) && \
+           { $(@:.tsv=) > $@.part 2> $@.said || : > $@.part; } && rm $(@:.tsv=); } \
            $(if $(and $(filter v8,$1),$(V8_HERE)),; fi) && mv $@.part $@
 $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))
 $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(WITH_VEC:%=$(BUILD)/%), \
     $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c $(RULES)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
+	$(Q)mkdir -p $(@D) && { $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT); } \
+	    2> $@.said || { cat $@.said >&2; false; }
+# What clang says of these it need not be asked for again.
+SEEN_HERE = $(if $(filter clang,$(NARROW)),$(filter-out $(WITH_VEC:.o=), \
+                $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE) $(PARTS:=.o))))
+$(T)/build-clang.result: $$(patsubst %,$(T)/clang/%.o,$$(SEEN_HERE))
 -include $(wildcard $(T)/*/common/*/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)
 # the figures in the tree are no prerequisites: they would be drawn
 .PHONY: always

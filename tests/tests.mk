@@ -191,7 +191,9 @@ programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
 studies: $(COUNTED:%=$(BUILD)/figures/%)
 
 # Does another compiler warn?  LOOK says how far it goes; nothing is linked.
+# What is SEEN already has left nothing in a file OBJECT.said.
 LOOK = -fsyntax-only
+SEEN =
 HEADERS := $(wildcard common/*/*.h figures/*/*.h tests/*/*.h)
 LOOKED := $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
           $(STUDIES:%=figures/%) $(UNITS:%=tests/unit/%) tests/unit/unit \
@@ -208,7 +210,7 @@ $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
 	$(Q)$(LOOK_AT) -DPROGRAM='"solutions/$*.c"' -DNAMES='"$@.h"' $(LOOK) $< \
 	    && : > $@
 .PHONY: look
-look: $(LOOKED:%=$(BUILD)/looked/%)
+look: $(patsubst %,$(BUILD)/looked/%,$(filter-out $(SEEN),$(LOOKED)))
 
 # what any test may rest on
 EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
@@ -262,10 +264,18 @@ $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
 $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
+# Objects that are the same without the flags for this machine, where the others
+# are those of the Makefile.
+NOT_NATIVE = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename \
+                 $(notdir $o)))),,$o))
+READY = $(if $(SANITIZED)$(filter-out file,$(origin CFLAGS)),,$(NOT_NATIVE) \
+            $(PROGRAMS:=.o) $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
+VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_HERE)' \
+           sh tests/tools/build_variants.sh
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
-	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' \
-	    sh tests/tools/build_variants.sh $* > $@
+	$(SHARED)$(Q)mkdir -p $(@D) && $(VARIANTS) $* > $@
+$(T)/build-valgrind.result: $$(READY)
 
 include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
@@ -285,10 +295,9 @@ test: $(FIRST) $(RESULTS)
 	@cat $^ | sh tests/tools/count.sh
 
 # all that computes for long, too
-memcheck:
-	$(SHARED)@for kind in sanitize valgrind; do BUILD='$(BUILD)' sh \
-	    tests/tools/build_variants.sh $$kind whole; done | sh \
-	    tests/tools/count.sh
+memcheck: $$(READY)
+	$(SHARED)@for kind in sanitize valgrind; do $(VARIANTS) $$kind whole; done | \
+	    sh tests/tools/count.sh
 
 include tests/many.mk
 include tests/mutants.mk

@@ -191,17 +191,39 @@ page() { [ "$1" = workbook.md ] && echo index.html || echo "${1%.md}.html"; }
 rule 'every chapter has its page' \
     "$(for f in $chapters; do [ -s "$tmp/book/$(page "$f")" ] || echo "$f"; done)"
 pages=$(cd "$tmp/book" && find . -name '*.html')
+# "TO PAGE: AIM" of every link whose aim is a file, and "- PAGE: AIM" where the
+# page that it leads to has no such place
+aims() {
+    awk 'function plain(path) {
+            sub(/^\.\//, "", path)
+            while (sub(/[^\/.][^\/]*\/\.\.\//, "", path)) continue
+            return path
+        }
+        FNR == 1 { page = plain(FILENAME); folder = page
+                   if (!sub(/[^\/]*$/, "", folder)) folder = "" }
+        { text = $0
+          while (match(text, / id="[^"]*"/)) {
+              place[page, substr(text, RSTART + 5, RLENGTH - 6)] = 1
+              text = substr(text, RSTART + RLENGTH)
+          }
+          text = $0
+          while (match(text, /(src|href)="[^"]*"/)) {
+              aim = substr(text, RSTART, RLENGTH - 1)
+              text = substr(text, RSTART + RLENGTH)
+              sub(/^[a-z]*="/, "", aim)
+              if (aim ~ /^https*:/ || seen[page, aim]++) continue
+              id = to = aim
+              sub(/#.*/, "", to)
+              to = to == "" ? page : plain(folder to)
+              print to " " page ": " aim
+              if (sub(/^[^#]*#/, "", id)) { wanted[++n] = to SUBSEP id
+                                            who[n] = page ": " aim }
+          } }
+        END { for (k = 1; k <= n; k++) if (!(wanted[k] in place)) print "- " who[k] }' "$@"
+}
 rule 'every link and every picture has its aim in the book' \
-    "$(cd "$tmp/book" && for f in $pages; do
-        grep -oE '(src|href)="[^"]*"' "$f" | sed 's/.*="//; s/"$//' |
-            grep -v '^https*:' | sort -u | while IFS= read -r aim; do
-                to=$(dirname "$f")/${aim%%#*} id=${aim#*#}
-                [ "${aim%%#*}" ] || to=$f
-                [ -s "$to" ] || { echo "$f: $aim"; continue; }
-                [ "$id" = "$aim" ] || grep -qF " id=\"$id\"" "$to" ||
-                    echo "$f: $aim"
-            done
-    done)"
+    "$(cd "$tmp/book" && aims $pages | while read -r to what; do
+        [ -s "$to" ] || echo "$what"; done)"
 
 # What the reader sees: no code, no TeX beside its MathML, no linked label.
 seen() {
@@ -212,11 +234,16 @@ rule 'no dollar and no backquote is left of a formula or of code' \
     "$(cd "$tmp/book" && for f in $pages; do
         seen "$f" | grep -n '[$`]' | sed "s|^|$f:|"; done | cut -c 1-200)"
 rule 'every tag that opens is closed, and no piece of one is left' \
-    "$(cd "$tmp/book" && for f in $pages; do
-        for tag in p a div table td li details math; do
-            [ "$(grep -oE "<$tag[ >]" "$f" | wc -l)" = \
-                "$(grep -oF "</$tag>" "$f" | wc -l)" ] || echo "$f: $tag"
-        done
+    "$(cd "$tmp/book" && awk -v tags='p a div table td li details math' '
+        function tell(    k) { for (k = 1; k <= n; k++) {
+            if (open[k]) print page ": " tag[k]
+            open[k] = 0 } }
+        BEGIN { n = split(tags, tag, " ") }
+        FNR == 1 { tell(); page = FILENAME }
+        /</ { for (k = 1; k <= n; k++)
+                  open[k] += gsub("<" tag[k] "[ >]", "&") - gsub("</" tag[k] ">", "&") }
+        END { tell() }' $pages
+    for f in $pages; do
         seen "$f" | sed 's/<[^<>]*>//g' | grep '[<>]' | sed "s|^|$f: |"
     done)"
 rule 'no label is without its link' \

@@ -4,7 +4,8 @@
 # KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
 # UBSan), valgrind (no leak, no invalid access, nothing read that was not
 # written).  What computes for long is run in part, unless it is to be the whole.
-# Prints ok, FAIL, skip lines.
+# READY: objects that valgrind's build has in common with the main one; SEEN: what
+# clang has compiled for same.mk.  Prints ok, FAIL, skip lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -24,7 +25,16 @@ gcc | clang)
     # some of gcc's warnings come with its optimizer, all of clang's before
     look=-fsyntax-only
     if [ $kind = gcc ]; then look='-S -o /dev/null'; fi
-    said=$("$MAKE" look BUILD="$dir" CC="$kind" CFLAGS=-O1 LOOK="$look" 2>&1)
+    # what clang has SEEN for same.mk has left its words there
+    seen=
+    if [ $kind = clang ]; then seen=${SEEN:-}; fi
+    said=$("$MAKE" look BUILD="$dir" CC="$kind" CFLAGS=-O1 LOOK="$look" \
+        SEEN="$seen" 2>&1 && for name in $seen; do
+            [ ! -s "$BUILD/test/clang/$name.o.said" ] || {
+                cat "$BUILD/test/clang/$name.o.said"
+                exit 1
+            }
+        done)
     result $? 'everything compiles without a warning' "$said" ;;
 sanitize)
     checks='-fsanitize=address,undefined -fno-sanitize-recover=all'
@@ -44,8 +54,19 @@ valgrind)
         echo 'skip valgrind: not on this machine'
         exit 0
     fi
-    # without the flags for this machine: valgrind does not know AVX-512
-    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O1 -g' NATIVE= 2>&1)
+    # without the flags for this machine: valgrind does not know AVX-512; what is
+    # READY in the main build has none, and is taken from there
+    for object in ${READY:-}; do
+        to=$dir/${object#"$BUILD"/}
+        [ -d "${to%/*}" ] || mkdir -p "${to%/*}"
+        cp -p "$object" "$to"
+    done
+    if [ -n "${READY:-}" ]; then
+        cp -p "$BUILD/flags" "$dir"
+        ANY_FLAGS=1
+        export ANY_FLAGS
+    fi
+    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O2 -g' NATIVE= 2>&1)
     result $? 'everything compiles for any machine' "$said" ;;
 esac
 [ $kind = sanitize ] || [ $kind = valgrind ] || exit 0

@@ -82,7 +82,7 @@ rule 'only options, pointer, study, table and status print in common/' \
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \
-    "$(for f in $sources; do awk -v f="$f" 'length > 80 { print f ":" FNR }' "$f"; done)"
+    "$(awk 'length > 80 { print FILENAME ":" FNR }' $sources)"
 rule 'no // comments' "$(grep -nE '(^|[^:"])//' $sources)"
 rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile | grep -vE 'filter|error')"
 rule 'ulimit sets one limit at a time (dash takes no more)' \
@@ -90,19 +90,18 @@ rule 'ulimit sets one limit at a time (dash takes no more)' \
         tests/tools/*.sh tests/cli/*.sh)"
 sh tests/tools/sizes.sh lint | concerns
 rule 'a header of at most 25 lines tells what a program is for' \
-    "$(for f in solutions/*.c $studies; do
-        awk -v f="$f" 'NR == 1 && !/^\/\*/ { print f ": none" }
-            /\*\// { if (NR > 25) print f ": " NR; exit }' "$f"; done)"
+    "$(awk 'FNR == 1 { ended = 0; if (!/^\/\*/) print FILENAME ": none" }
+            /\*\// && !ended++ { if (FNR > 25) print FILENAME ": " FNR }' \
+        solutions/*.c $studies)"
 # longest FILES ALLOWED PATTERN: functions that begin with PATTERN and are longer
 longest() {
-    for f in $1; do
-        awk -v f="$f" -v most="$2" -v pattern="$3" '
-            !start && $0 ~ pattern && !/;$/ { start = NR; name = $0; body = 0 }
-            /^\{/ || / = \{$/ { body = 1 }
-            start && !body && /;$/ { start = 0 } # a declaration
-            /^}/ { if (start && NR - start + 1 > most)
-                       print f ": " NR - start + 1 ": " name; start = 0 }' "$f"
-    done
+    awk -v most="$2" -v pattern="$3" '
+        FNR == 1 { start = 0 }
+        !start && $0 ~ pattern && !/;$/ { start = NR; name = $0; body = 0 }
+        /^\{/ || / = \{$/ { body = 1 }
+        start && !body && /;$/ { start = 0 } # a declaration
+        /^}/ { if (start && NR - start + 1 > most)
+                   print FILENAME ": " NR - start + 1 ": " name; start = 0 }' $1
 }
 rule 'main() has at most 50 lines' \
     "$(longest "$(ls solutions/*.c)" 50 '^int main[(]')"
@@ -220,7 +219,7 @@ rule 'every picture and file that the text names is there' \
 
 # ---- equation labels ----------------------------------------------------------
 labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | sort -u; }
-undefined() { while read -r c; do echo "$defined" | grep -qxF "$c" || echo "$c"; done; }
+undefined() { grep -vxF -e "$defined"; }
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 defined=$(sed -n 's/^| \(<a [^>]*><.a>\)*\[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\2/p' "$equations")
 cited=$(cat common/*/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
@@ -228,7 +227,7 @@ rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule "every label cited by code is defined in $equations" \
     "$(echo "$cited" | undefined)"
 rule "every label of $equations is cited by code" \
-    "$(for d in $defined; do echo "$cited" | grep -qxF "$d" || echo "$d"; done)"
+    "$(echo "$defined" | grep -vxF -e "$cited")"
 rule "every label cited in the book is defined in $equations" \
     "$(cat $book | labels | undefined)"
 rule 'a label is a link, by itself: no other one, no bracket and no colon behind it' \
@@ -255,11 +254,13 @@ for slug in $lessons; do
     [ "$(grep -c '^mistake: ' "$list")" -ge 5 ] || missing="$missing five-mistakes"
     grep -q '^verdict: NONFINITE' "$list" || missing="$missing NONFINITE-mistake"
     grep -q '^equivalent: ' "$list" || missing="$missing equivalent-program"
-    hints=solutions/$slug.md
+    hints=solutions/$slug.md there=$(grep -o '<summary>Hint.*' "$hints")
     for slot in $(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c"); do
         for level in 1 2 3; do
-            grep -q "<summary>Hint $level: slot $slot" "$hints" ||
-                missing="$missing hint-$level-for-$slot"
+            case $there in
+            *"<summary>Hint $level: slot $slot"*) ;;
+            *) missing="$missing hint-$level-for-$slot" ;;
+            esac
         done
     done
     grep -q '<summary>Answer' "$hints" || missing="$missing answer"
@@ -315,14 +316,16 @@ echo "${unfit:-ok lint: every deliberate mistake fits its file}"
 
 # ---- figures ------------------------------------------------------------------
 plots=$(ls figures/*/*.gp)
-picture() { # what a script makes
-    if grep -q '^set terminal gif' "$1"; then echo "${1%.gp}.gif"; else echo "${1%.gp}.svg"; fi
-}
+moving=$(grep -l '^set terminal gif' $plots)
+pictures=$(for f in $plots; do # what the scripts make
+    case " $(echo $moving) " in
+    *" $f "*) echo "${f%.gp}.gif" ;;
+    *) echo "${f%.gp}.svg" ;;
+    esac; done)
 rule 'every figure is committed' \
-    "$(for f in $plots; do [ -s "$(picture "$f")" ] || echo "$f"; done)"
+    "$(for f in $pictures; do [ -s "$f" ] || echo "$f"; done)"
 rule 'every figure is in the book' \
-    "$(for f in $plots; do
-        echo "$links" | grep -q ":$(picture "$f")\$" || echo "$f"; done)"
+    "$(echo "$pictures" | grep -vxF -e "$(echo "$links" | sed 's/.*://')")"
 rule 'the map of the course shows what the chapters say (make figures)' \
     "$( (awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md |
         cmp - figures/map.svg) 2>&1)"
