@@ -79,17 +79,20 @@ COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # of its name, or from the solution of its folder.  A picture with seconds in it
 # names the machine: of this machine it is drawn under build/figures/.
 SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
-MOVING  := $(patsubst figures/%.gp,%,$(shell grep -l '^set terminal gif' \
-               /dev/null figures/*/*.gp))
-TIMED   := $(sort $(filter $(SPEED),$(SCRIPTS)) $(patsubst figures/%.gp,%, \
-               $(shell grep -l 'machine.data' /dev/null figures/*/*.gp)))
-SQUARES := $(patsubst figures/%.gp,%,$(shell grep -l 'square.gp"' \
-               /dev/null figures/*/*.gp))
+KINDS_OF_SCRIPT := $(sort $(shell awk ' \
+    /^set terminal gif/ { print "moving=" FILENAME } \
+    /machine.data/ { print "timed=" FILENAME } \
+    /square.gp"/ { print "square=" FILENAME } \
+    /^. Yours  / { print "asking=" FILENAME }' /dev/null figures/*/*.gp))
+scripts_that_are = $(patsubst $1=figures/%.gp,%,$(filter \
+                       $1=%,$(KINDS_OF_SCRIPT)))
+MOVING  := $(call scripts_that_are,moving)
+TIMED   := $(sort $(filter $(SPEED),$(SCRIPTS)) $(call scripts_that_are,timed))
+SQUARES := $(call scripts_that_are,square)
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 # ..., which may need options to print it: the line "Yours" says which.
 OPTIONS_OF = sed -n 's/^\# Yours *the lesson with //p'
-ASKING  := $(filter-out $(STUDIES),$(patsubst figures/%.gp,%,$(shell grep -l \
-               '^. Yours  ' /dev/null figures/*/*.gp)))
+ASKING  := $(filter-out $(STUDIES),$(call scripts_that_are,asking))
 data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES) $(ASKING)),$1,$(patsubst \
               %/,%,$(dir $1))).tsv
 FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
@@ -236,7 +239,8 @@ $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 
 # A judge is a lesson's checks with the judged program compiled in.
 JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
-          compare cells tables claims guard output predict child confine sight)
+          compare cells tables claims guard output predict child confine sight \
+          kept)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)

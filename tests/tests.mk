@@ -30,12 +30,13 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them, compiled and linked as quickly as can be, but where the
-# program itself computes for long.  Where an entry does not fit the solution any
+# There are many of them, compiled and linked as quickly as can be, without a
+# thought of warnings, but where the program itself computes for long.  Where an entry does not fit the solution any
 # more, there is none, and lint says why.
 LONG := 18_% 22_%
-QUICK = -g0 -w -Wl,-S
-quick = $(if $(filter $(LONG),$1),-O1,-O0) $$(QUICK)
+HASTY = -g0 -w -Wl,-S
+unwarned = $(filter-out $(STRICT),$1)
+quick = $(if $(filter $(LONG),$1),-O1,-O0) $$(HASTY)
 define variant_rules
 $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
         solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
@@ -45,11 +46,12 @@ $(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
 	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$(PART) && \
 	    $$(MOVED) || rm -f $$@ $$(@:.c=.why)
 $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)[ ! -f $$< ] || { $$(COMPILE) $(call quick,$1) $$< $$(PLACED); }
+	$(Q)[ ! -f $$< ] || { $$(call unwarned,$$(COMPILE)) \
+	    $(call quick,$1) $$< $$(PLACED); }
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
         tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
-	$(Q)[ ! -f $$< ] || { $$(call build_judge,$$<,$(patsubst \
-	    %/,%,$(dir $1)),$(call quick,$1)); }
+	$(Q)[ ! -f $$< ] || { $$(call unwarned,$$(call build_judge,$$<,$(patsubst \
+	    %/,%,$(dir $1)),$(call quick,$1))); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson and their judges, or those alone that the check
@@ -132,10 +134,22 @@ endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 .PHONY: lint
 lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
+# What the programs that a judge of these compares with print, with each of the
+# lesson's options, is found out once.  Nothing that a student asks for reads it.
+define kept_rule
+$(T)/kept/$1.all: $(BUILD)/solutions/$1.judge $(BUILD)/solutions/$1 \
+        $(call mistakes_of,$1)
+	$(Q)rm -rf $(T)/kept/$1 && mkdir -p $(T)/kept/$1 && set -- && \
+	    for program in $$(wordlist 2,99,$$^); do \
+	        [ ! -x "$$$$program" ] || set -- "$$$$@" "$$$$program"; done && \
+	    $$< --keep $(T)/kept/$1 "$$$$@" && : > $$@
+endef
+$(foreach l,$(LESSONS),$(eval $(call kept_rule,$l)))
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
         $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
-        tests/tools/verify.sh
+        $(T)/kept/$(patsubst %/,%,$(dir $1)).all \
+        tests/tools/verify.sh tests/tools/verify.awk
 	$$(call say,test,$1)
 	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
 endef
@@ -171,8 +185,8 @@ $(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
         $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
 	$$(call say,test,common/ with $1)
 	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
-	        > $(BUILD)/unit/$1.c && $$(PLAIN) -O0 $$(QUICK) \
-	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE)) \
+	        > $(BUILD)/unit/$1.c && $$(call unwarned,$$(PLAIN)) -O0 $$(HASTY) \
+	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE:-O3=-O1)) \
 	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
 	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
 	    /^FAIL [a-z]*: $4:/ { caught = 1 } \

@@ -117,6 +117,8 @@ void child_restart_clock(void)
     running.idle = 0.0;
 }
 
+void child_spend(double seconds) { running.spent -= seconds; }
+
 double child_seconds(void) { return all_seconds() - running.spent; }
 
 static void doze(long microseconds)

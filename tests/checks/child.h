@@ -69,8 +69,10 @@ void child_am_inside(void);
  * status.  Ctrl-C and its like end it. */
 int child_command(const char *command);
 
-/* Begin to count seconds anew; the CPU seconds of all children since then. */
+/* Begin to count seconds anew; the CPU seconds of all children since then; and
+ * seconds that are to count as well. */
 void child_restart_clock(void);
 double child_seconds(void);
+void child_spend(double seconds);
 
 #endif

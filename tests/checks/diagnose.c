@@ -113,8 +113,7 @@ static int explains(const char *name, const struct both both[], int got)
     snprintf(program, sizeof program, "%s/%s", judging.mistakes, name);
     int same = 1, tells = 0;
     for (int i = 0; i < judging.lesson->n_run && same; i++) {
-        const char *options = judging.lesson->runs[both[i].run];
-        struct output *other = output_of(program, options, judging.work);
+        struct output *other = output_kept(program, both[i].run);
         same = coincide(both[i].mine, other);
         tells |= (got || other->status == 0) && !coincide(both[i].right, other);
         output_free(other);
@@ -146,7 +145,7 @@ static void find_suspects(const char *check, int got, size_t size,
         const double before = child_seconds();
         both[r].run = r;
         both[r].mine = output_of_subject(options);
-        both[r].right = output_of(judging.reference, options, judging.work);
+        both[r].right = output_kept(judging.reference, r);
         both[r].seconds = child_seconds() - before;
     }
     /* the cheapest run tells most of them apart */

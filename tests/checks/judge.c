@@ -261,6 +261,12 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         cells_print(argv[2], argv[3]);
         return 0;
     }
+    if (argc > 3 && strcmp(argv[1], "--keep") == 0) {
+        judging.kept = absolute(argv[2]);
+        child_work_in(judging.kept);
+        for (int a = 3; a < argc; a++) keep_outputs(absolute(argv[a]));
+        return 0;
+    }
     be_the_subject(lesson, argc, argv);
     judging.file = value_of(argc, argv, "--file");
     read_predictions(value_of(argc, argv, "--source"));
@@ -270,6 +276,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.prepare = value_of(argc, argv, "--prepare");
     judging.result = value_of(argc, argv, "--result");
     judging.report = value_of(argc, argv, "--report");
+    judging.kept = absolute(value_of(argc, argv, "--kept"));
     const char *work = value_of(argc, argv, "--work");
     if (n > MAX_CLAIMS)
         quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
@@ -278,7 +285,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     if (!judging.file || !judging.reference)
         quit("usage: %s --file FILE [--source FILE] [--subject JUDGE] "
              "--reference PROGRAM [--mistakes FOLDER] [--prepare COMMAND] "
-             "[--result FILE] [--report FILE] [--work FOLDER]", argv[0]);
+             "[--result FILE] [--report FILE] [--kept FOLDER] "
+             "[--work FOLDER]", argv[0]);
     make_work(work ? work : argv[0]);
     child_on_interrupt(remove_work);
     child_work_in(judging.work);

@@ -2,7 +2,8 @@
  * judging.h - what the parts of the judge know of each other; checks see only
  * judge.h.  claims.c and tables.c are what a check may call; compare.c adds the
  * last check, and cells.c prints what it compares; verdict.c runs one in a
- * child (output.h, child.h); report.c writes for machines; diagnose.c looks for
+ * child (output.h, child.h); kept.c spares runs of the workbook's programs;
+ * report.c writes for machines; diagnose.c looks for
  * known mistakes; judge.c runs all and prints.  Each calls those named before
  * it only.
  */
@@ -26,6 +27,8 @@ struct judging {
                             * the check of, and judges of the JUDGED= */
     const char *result;    /* file for "verdict check slot mistakes" */
     const char *report;    /* file for all that is said; NULL: none */
+    const char *kept;      /* folder with what the reference and the known
+                            * mistakes have printed; NULL: run them */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 };
 extern struct judging judging;
@@ -61,6 +64,19 @@ void keep_figures(const struct figures *figures);
 
 /* The output of the program under test. */
 struct output *output_of_subject(const char *options);
+
+/* ---- kept.c */
+
+/*
+ * `make test` asks again and again what a reference or a known mistake prints:
+ * its rules have a judge run each program once, with all options of the lesson,
+ * and keep that in the folder judging.kept.  A judge of a student's program is
+ * given no such folder.
+ */
+void keep_outputs(const char *program);
+/* What the program prints in run r of the lesson: kept, or else run now.  What
+ * is kept has cost the seconds that it took. */
+struct output *output_kept(const char *program, int r);
 
 /* ---- compare.c */
 

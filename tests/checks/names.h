@@ -35,12 +35,15 @@
 #define find_table judge_find_table
 #define is_missing judge_is_missing
 #define row_allows judge_row_allows
+#define output_run judge_output_run
 #define column_rule judge_column_rule
 #define find_column judge_find_column
 #define guards_hold judge_guards_hold
 #define output_free judge_output_free
 #define output_read judge_output_read
 #define cells_print judge_cells_print
+#define child_spend judge_child_spend
+#define output_kept judge_output_kept
 #define expect_close judge_expect_close
 #define keep_figures judge_keep_figures
 #define guarded_copy judge_guarded_copy
@@ -52,6 +55,7 @@
 #define child_work_in judge_child_work_in
 #define guarded_alloc judge_guarded_alloc
 #define write_report judge_write_report
+#define keep_outputs judge_keep_outputs
 #define tables_differ judge_tables_differ
 #define print_wrapped judge_print_wrapped
 #define child_confine judge_child_confine
@@ -64,6 +68,7 @@
 #define guarded_indices judge_guarded_indices
 #define predictions_read judge_predictions_read
 #define child_set_limits judge_child_set_limits
+#define output_read_back judge_output_read_back
 #define output_of_subject judge_output_of_subject
 #define child_look_around judge_child_look_around
 #define child_on_interrupt judge_child_on_interrupt

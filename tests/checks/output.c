@@ -245,17 +245,12 @@ static void be_program(void *context)
     _exit(127);
 }
 
-struct output *output_of(const char *program, const char *options,
-                         const char *folder)
+struct ending output_run(const char *program, const char *options,
+                         const char *out, const char *err)
 {
     enum { MAX_WORDS = 64 };
-    char out[PATH_SIZE], err[PATH_SIZE], words[1024], *argv[MAX_WORDS + 1];
+    char words[1024], *argv[MAX_WORDS + 1];
     int argc = 0;
-    struct output *output = calloc(1, sizeof *output);
-
-    if (!output) quit("out of memory");
-    snprintf(out, sizeof out, "%s/out.%ld", folder, (long)getpid());
-    snprintf(err, sizeof err, "%s/err.%ld", folder, (long)getpid());
     if (snprintf(words, sizeof words, "%s", options) >= (int)sizeof words)
         quit("options of more than %zu characters: %s", sizeof words, options);
     argv[argc++] = (char *)(program ? program : "program");
@@ -267,7 +262,14 @@ struct output *output_of(const char *program, const char *options,
     argv[argc] = NULL;
 
     struct command command = {program, argc, argv};
-    const struct ending ending = child_run(be_program, &command, out, err);
+    return child_run(be_program, &command, out, err);
+}
+
+struct output *output_read_back(struct ending ending, const char *out,
+                                const char *err)
+{
+    struct output *output = calloc(1, sizeof *output);
+    if (!output) quit("out of memory");
     output->status = ending.status;
     output->limit = ending.limit;
     last_line(err, sizeof output->stderr_, output->stderr_);
@@ -278,6 +280,17 @@ struct output *output_of(const char *program, const char *options,
         if (file && fgetc(file) != EOF) output->printed = 1;
         if (file) fclose(file);
     }
+    return output;
+}
+
+struct output *output_of(const char *program, const char *options,
+                         const char *folder)
+{
+    char out[PATH_SIZE], err[PATH_SIZE];
+    snprintf(out, sizeof out, "%s/out.%ld", folder, (long)getpid());
+    snprintf(err, sizeof err, "%s/err.%ld", folder, (long)getpid());
+    const struct ending ending = output_run(program, options, out, err);
+    struct output *output = output_read_back(ending, out, err);
     remove(out);
     remove(err);
     return output;

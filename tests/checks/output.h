@@ -54,6 +54,11 @@ struct output {
  */
 struct output *output_of(const char *program, const char *options,
                          const char *folder);
+/* The same in two steps, by way of the files out and err. */
+struct ending output_run(const char *program, const char *options,
+                         const char *out, const char *err);
+struct output *output_read_back(struct ending ending, const char *out,
+                                const char *err);
 void output_free(struct output *output);
 
 /* The tables of a file, whatever else is in it: lines that belong to no table,

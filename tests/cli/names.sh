@@ -34,14 +34,11 @@ system='_exit access atoi chdir chmod clock_gettime close closedir dup2 exit exe
     recv remove rename rmdir sched_setscheduler setrlimit setsid signal sigaction
     snprintf socketpair strlen syscall time unlink wait waitpid write'
 
-compile() { # compile FLAGS...: $file to the judge $dir/judge
-    "$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' FILE="$file" \
-        INTO="$dir/judge" SLUG="$slug" ANY_FLAGS=1 "$@" 2>&1
-}
+. tests/tools/same_way.sh
 judged() { # judged WHAT
-    rm -f "$dir/judge"
-    said=$(compile) && said=$("$dir/judge" --file "$file" \
-        --reference "$BUILD/solutions/$slug" 2>&1)
+    same_way >"$dir/log" && "$dir/judge" --file "$file" \
+        --reference "$BUILD/solutions/$slug" >"$dir/log" 2>&1
+    said=$(cat "$dir/log")
     echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: OK"
     result $? "$nn: a program $1 is judged OK" "$(echo "$said" | tail -n 20)"
 }
@@ -73,7 +70,7 @@ after_includes "$(awk -v global=" $global " '{
 judged "with $(($(wc -l <"$dir/free"))) names of the checks"
 
 rm -f "$dir/judge"
-! said=$(compile NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
+! said=$(by_make NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
 result $? "$nn: without names of their own the checks do not compile" "$said"
 
 # functions of the system's names, which the lesson's headers do not have; the

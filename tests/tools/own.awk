@@ -1,15 +1,20 @@
-# own.awk - what a preprocessed program has of its own.
+# own.awk - the header that names.sh makes, from what a preprocessed program has
+# of its own.
 #
-#     cc -E PROGRAM | awk -f tests/tools/own.awk
+#     cc -E PROGRAM | PROGRAM=... [SYSTEM=...] awk -f tests/tools/names.awk \
+#         -f tests/tools/own.awk -v slug=NN_slug > HEADER
 #
-# prints a line for each
-#   refused WHY    what no lesson needs, and no judge can allow
-#   own NAME       defined at file scope, and in none of the headers
-#   linked NAME    a function that the linker sees, and a header of the system
-#                  names too
-#   word NAME      any word of the program itself
+# The program is read first, and has
+#   refused[WHY]   what no lesson needs, and no judge can allow
+#   only[NAME]     defined at file scope, and in none of the headers
+#   global[NAME]   a function that the linker sees; a header of the system may
+#                  name it, too
+#   word[NAME]     any word of the program itself
 # A name that is declared only, as that of a function of the system, is none of
 # these.  A line marker with 1 begins a file that is included, 2 goes back.
+#
+# The status is 1 for what is refused, and 3 when the program has macros of its
+# own: then it is asked for once more, with SYSTEM, a file of the system's.
 
 /^# / {
     if (/ 1( 3| 4)*$/) {
@@ -33,6 +38,7 @@
     refused["it puts something into a section of the object file"]
 }
 depth > 0 {
+    if ($0 == "") next
     header[++n_line] = $0
     is_system[n_line] = system_[depth]
     next
@@ -85,7 +91,7 @@ function at_file_scope(token) {
     if (token == "{" && last == ")" && called != "") {
         body = 1
         defined[called]
-        if (storage != "static") linked[called]
+        if (storage != "static") global[called]
     } else if (token == "{" && last ~ /^[A-Za-z_]/) {
         if (before ~ /^(struct|union|enum)$/) defined[last]
         listing = last == "enum" || before == "enum"
@@ -96,9 +102,7 @@ function at_file_scope(token) {
     last = token
 }
 
-END {
-    for (why in refused) print "refused " why
-    for (name in word) print "word " name
+function find_own(    all, k, n_token, part, t, name, candidates, named) {
     split("auto break case char const continue default do double else enum extern" \
           " float for goto if inline int long main register restrict return short" \
           " signed sizeof static struct switch typedef union unsigned void" \
@@ -111,7 +115,68 @@ END {
             if (part[t] in defined) named[part[t]] = named[part[t]] || is_system[k]
     }
     for (name in defined) {
-        if (!(name in named)) print "own " name
-        else if (name in linked && named[name]) print "linked " name
+        if (!(name in named)) only[name]
+        else if (!(name in global && named[name])) delete defined[name]
     }
+}
+
+# The names that the program defines or undefines as macros, macro[NAME]; `mine`
+# are those of them that the solution does not.  What a macro stands for whose
+# name is the lesson's keeps its name as well: by it alone there is a function of
+# the lesson, which is kept[NAME].
+function find_macros(solution,    line, name, also, k, n, text) {
+    while ((getline line < solution) > 0)
+        if (name = defines(line)) also[name]
+    close(solution)
+    while ((getline line < ENVIRON["PROGRAM"]) > 0) {
+        if (!(name = defines(line))) continue
+        text[++n] = line
+        macro[name]
+        if (name in also) continue
+        mine[name]
+        if (name in ours && !(name in word)) kept[name]
+    }
+    close(ENVIRON["PROGRAM"])
+    for (k = 1; k <= n; k++)
+        for (name in kept)
+            if (text[k] ~ "^[ \t\r\f\v]*#[ \t\r\f\v]*define[ \t\r\f\v]*" name)
+                keep_words(text[k])
+}
+function defines(line) {
+    if (!sub(/^[ \t\r\f\v]*#[ \t\r\f\v]*(define|undef)[ \t\r\f\v]+/, "", line))
+        return ""
+    match(line, /^[A-Za-z_][A-Za-z_0-9]*/)
+    return substr(line, 1, RLENGTH)
+}
+function keep_words(line,    part, n) {
+    sub(/^[ \t\r\f\v]*#[ \t\r\f\v]*define[ \t\r\f\v]*/, "", line)
+    n = split(line, part, /[^A-Za-z_0-9]+/)
+    while (n) ours[part[n--]]
+}
+
+END {
+    for (why in refused) {
+        print "refused: " why > "/dev/stderr"
+        exit 1
+    }
+    theirs = ENVIRON["SYSTEM"]
+    find_own()
+    names_of_solution("solutions/" slug ".c")
+    find_macros("solutions/" slug ".c")
+    for (name in mine) if (theirs == "") exit 3
+    print "#ifdef main"
+    for (name in defined) {
+        if (name in ours || name in macro) delete only[name]
+        else if (name in only) print "#define " name " program_own_" name
+        else print "#pragma redefine_extname " name " program_own_" name
+    }
+    print "#else"
+    for (name in only) print "#undef " name
+    for (name in mine) if (!(name in kept)) print "#undef " name
+    while (theirs != "" && (getline line < theirs) > 0) {
+        name = defines(line)
+        if (name in mine && !(name in kept)) print line
+    }
+    names_of_checks("tests/checks/" slug ".c")
+    print "#endif"
 }

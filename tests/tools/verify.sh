@@ -9,21 +9,24 @@ export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 kind=$1 slug=$2 name=${3:-}
 nn=${slug%%_*}
-list=tests/mistakes/$slug.txt
 judge_one() { # judge_one JUDGE [OPTIONS]: its verdict block
     one=$1
     shift
     "$one" "$@" --file "$kind ${name:-$slug}" --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" 2>&1
 }
+# A variant is judged with what its lesson's programs print, as it was kept.
 judge_variant() {
-    if [ ! -f "$BUILD/mistakes/$slug/$name.c" ]; then
+    program=$BUILD/mistakes/$slug/$name
+    if [ ! -f "$program.c" ]; then
         echo "FAIL $nn: $name does not fit the solution: make lint says where"
         exit 0
     fi
-    said=$(judge_one "$BUILD/mistakes/$slug/$name.judge")
+    judge_one "$program.judge" --kept "$BUILD/test/kept/$slug" >"$program.said"
+    awk -v kind="$kind" -v name="$name" -v nn="$nn" -f tests/tools/verify.awk \
+        "tests/mistakes/$slug.txt" "$program.c" "solutions/$slug.c" "$program.said"
+    rm -f "$program.said"
 }
-field() { awk -f tests/tools/variant.awk -v name="$name" -v get="$1" "$list"; }
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok $2"; else echo "FAIL $2: $3"; fi
 }
@@ -62,43 +65,8 @@ starter)
     [ "$(cat "lessons/$slug.c")" = "$wanted" ] ||
         [ "$(git show ":lessons/$slug.c" 2>/dev/null)" = "$wanted" ]
     result $? "$nn: starter is in step with its solution" "make starters" ;;
-mistake)
-    judge_variant
-    verdict=$(field verdict)
-    : "${verdict:=WRONG}"
-    for check in $(field caught-by,also-by); do
-        echo "$said" | grep -q "^  [A-Z][A-Z]*  *$check\$"
-        result $? "$nn: $name is caught by $check" "$said"
-    done
-    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: $verdict"
-    result $? "$nn: $name gives the verdict $verdict" "$said"
-    if [ "$(field shows)" != no ]; then # else no table has room for it
-        echo "$said" | grep -q "^ .*($name)" # alone, or one of several
-        result $? "$nn: $name is explained" "$said"
-    elif echo "$said" | grep -q 'known mistake'; then
-        echo "$said" | grep -q "^ .*($name)"
-        result $? "$nn: $name is not taken for another mistake" "$said"
-    fi
-    # a slot that is named is that of the first line which differs
-    slot=$(field slot)
-    [ -n "$slot" ] || slot=$(awk 'NR == FNR { line[FNR] = $0; next }
-        /\/\* SLOT / { slot = $3; sub(/\(.*/, "", slot) }
-        $0 != line[FNR] { print slot; exit }
-        /\/\* END / { slot = "" }' \
-        "$BUILD/mistakes/$slug/$name.c" "solutions/$slug.c")
-    named=$(echo "$said" | sed -n 's/^  In .* (slot \(.*\)):$/\1/p' | head -n 1)
-    if [ -n "$slot" ] && [ -n "$named" ]; then
-        [ "$slot" = "$named" ]
-        result $? "$nn: the verdict on $name names slot $slot" "$said"
-    fi
-    [ "$(echo "$said" | wc -l)" -le 24 ]
-    result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
-equivalent)
-    judge_variant
-    echo "$said" | tail -n 1 | grep -q "^VERDICT $nn: OK"
-    result $? "$nn: equivalent program $name is OK" "$said"
-    [ "$(echo "$said" | wc -l)" -le 24 ]
-    result $? "$nn: the verdict on $name fits on one screen" "$said" ;;
+mistake | equivalent)
+    judge_variant ;;
 behave)
     # behave WHAT LINE VERDICT: LINE as the first line of the first slot
     with_line() {
@@ -122,18 +90,19 @@ behave)
     case $nn in 03 | 13) ;; *)
         dir=$BUILD/test/behave.$nn
         rm -rf "$dir" && mkdir -p "$dir"
-        direct() { # direct WHAT VERDICT: the program on stdin
-            cat >"$dir/$slug.c"
-            said=$("$MAKE" "$dir/judge" BUILD="$BUILD" CFLAGS='-O0 -w' \
-                FILE="$dir/$slug.c" INTO="$dir/judge" SLUG="$slug" \
-                ANY_FLAGS=1 2>&1 &&
-                judge_one "$dir/judge")
-            rm -f "$dir/judge"
+        file=$dir/$slug.c
+        . tests/tools/same_way.sh
+        direct() { # direct WHAT VERDICT: the program in $file
+            same_way >"$dir/log" && judge_one "$dir/judge" >"$dir/log"
+            said=$(cat "$dir/log")
             said "$1" "$2"
         }
-        with_line "$crash" | direct 'segmentation fault' CRASHED
-        with_line "$quit" | direct 'early exit(0)' CRASHED
-        table | direct 'a program with a table of its own' OK
+        with_line "$crash" >"$file"
+        direct 'segmentation fault' CRASHED
+        with_line "$quit" >"$file"
+        direct 'early exit(0)' CRASHED
+        table >"$file"
+        direct 'a program with a table of its own' OK
         rm -rf "$dir"
         exit 0 ;;
     esac

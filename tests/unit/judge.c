@@ -18,6 +18,8 @@
 
 #include "../checks/tables.c"
 
+#include "../checks/kept.c"
+
 #include "../checks/compare.c"
 
 #include "../checks/cells.c"

@@ -1,0 +1,60 @@
+/* kept.c - outputs of programs that are no student's; see judging.h. */
+#include "judging.h"
+
+#include "child.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* The file `what` of run r of a program, in a folder of the program's name. */
+static const char *kept_file(const char *program, int r, const char *what,
+                             char path[PATH_SIZE])
+{
+    const char *slash = strrchr(program, '/');
+    if (snprintf(path, PATH_SIZE, "%s/%s/%d.%s", judging.kept,
+                 slash ? slash + 1 : program, r, what) >= PATH_SIZE)
+        quit("a path of more than %d characters", PATH_SIZE);
+    return path;
+}
+
+void keep_outputs(const char *program)
+{
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+    *strrchr(kept_file(program, 0, "ending", path), '/') = '\0';
+    if (mkdir(path, 0777) < 0)
+        quit("cannot make %s: %s", path, strerror(errno));
+    for (int r = 0; r < judging.lesson->n_run; r++) {
+        const double before = child_seconds();
+        const struct ending ending =
+            output_run(program, judging.lesson->runs[r],
+                       kept_file(program, r, "out", out),
+                       kept_file(program, r, "err", err));
+        FILE *file = fopen(kept_file(program, r, "ending", path), "w");
+        if (!file ||
+            fprintf(file, "%d %d %.17g\n", ending.status, (int)ending.limit,
+                    child_seconds() - before) < 0 ||
+            fclose(file) != 0)
+            quit("cannot write %s", path);
+    }
+}
+
+struct output *output_kept(const char *program, int r)
+{
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
+    struct ending ending = {0, NO_LIMIT};
+    double seconds = 0.0;
+    int limit = 0;
+    FILE *file = NULL;
+    if (judging.kept) file = fopen(kept_file(program, r, "ending", path), "r");
+    if (!file)
+        return output_of(program, judging.lesson->runs[r], judging.work);
+    if (fscanf(file, "%d %d %lf", &ending.status, &limit, &seconds) != 3)
+        quit("cannot read %s", path);
+    fclose(file);
+    ending.limit = (enum limit)limit;
+    child_spend(seconds);
+    return output_read_back(ending, kept_file(program, r, "out", out),
+                            kept_file(program, r, "err", err));
+}
