@@ -297,6 +297,16 @@ $(ASKING:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: figures/%.gp \
 	$(Q)mkdir -p $(@D) && $(WHOLE) \
 	    $(filter-out %.gp,$^) $$($(OPTIONS_OF) $<) > $(PART) && $(MOVED)
 
+# The numbers of a chapter's Example: its lesson's, with the ARGS that stand there.
+EXAMPLES := $(patsubst lessons/%.md,%,$(shell grep -l '^## Example$$' /dev/null \
+                lessons/[0-9]*.md))
+ARGS_OF = sed -n '/^\#\# Example$$/,/^\#\# On paper$$/s/.*ARGS=.\([^`]*\).`.*/\1/p'
+$(EXAMPLES:%=$(BUILD)/data/%/example.tsv): $(BUILD)/data/%/example.tsv: \
+        $(BUILD)/solutions/% lessons/%.md
+	$(call say,run,$* example)
+	$(Q)mkdir -p $(@D) && $(WHOLE) $< $$($(ARGS_OF) lessons/$*.md) > $(PART) && \
+	    $(MOVED)
+
 # A script that warns has failed: gnuplot exits with 0 when its data is missing.
 DRAW = $(Q)mkdir -p $(@D) && sh tests/tools/figure.sh
 define figure_rule

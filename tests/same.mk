@@ -13,6 +13,7 @@ vec_flags = $(if $(filter v8,$1),$(ALL_NATIVE) -DVEC_WIDTH=8,-DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O1
 
+RUNS := $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
 $(WITH_VEC:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
@@ -26,13 +27,17 @@ $(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/solutions/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,run,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
+$(EXAMPLES:%=$(T)/$1/data/%/example.tsv): $(T)/$1/data/%/example.tsv: \
+        $2/solutions/%.o $(T)/$1/libworkbook.a lessons/%.md \
+        $(if $(filter v8,$1),$(BUILD)/data/%/example.tsv)
+	$(call say,run,$1 $$* example)
+	$(Q)$$(call SAME_RUN,$1,$$$$($$(ARGS_OF) lessons/$$*.md),/example)
 $(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/figures/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,study,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
-$(T)/same-$1.result: $(LESSONS:%=$(T)/$1/data/%.tsv) $(COUNTED:%=$(T)/$1/data/%.tsv) \
-        $(if $(filter-out v8,$1),$(LESSONS:%=$(T)/v8/data/%.tsv) \
-        $(COUNTED:%=$(T)/v8/data/%.tsv)) $(DATA) $(BOOK) \
+$(T)/same-$1.result: $(RUNS:%=$(T)/$1/data/%.tsv) \
+        $(if $(filter-out v8,$1),$(RUNS:%=$(T)/v8/data/%.tsv)) $(DATA) $(BOOK) \
         $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
         tests/tools/same.sh tests/tools/same.awk tests/tools/workbook.awk
 	$(call say,test,the same numbers: $1)
@@ -47,11 +52,12 @@ V8_HERE = $(eval V8_HERE := $(shell \
               [ '$(strip $(NATIVE))' = '$(strip $(ALL_NATIVE))' ] && $(CC) \
               $(NATIVE) -Icommon -dM -E -include linear/vec.h -x c /dev/null | \
               grep -q 'VEC_WIDTH 8$$' && echo yes))$(V8_HERE)
-MAIN = $(BUILD)/data/$*.tsv
+# $(call SAME_RUN,BUILD,options,/example where it is one)
+MAIN = $(BUILD)/data/$*$3.tsv
 SAME_RUN = mkdir -p $(@D) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \
            '^. machine: ' $(MAIN); then : > $@.said; cp $(MAIN) $@.part; else) \
-           { $(CC) $(CFLAGS) $(filter %.o %.a,$^) -Wl,-S -o $(@:.tsv=) $(LIBS) && \
-           { $(@:.tsv=) > $@.part 2> $@.said || : > $@.part; } && rm $(@:.tsv=); } \
+           { $(CC) $(CFLAGS) $(filter %.o %.a,$^) -Wl,-S -o $@.program $(LIBS) && \
+           { $@.program $2 > $@.part 2> $@.said || : > $@.part; } && rm $@.program; } \
            $(if $(and $(filter v8,$1),$(V8_HERE)),; fi) && mv $@.part $@
 $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))

@@ -86,7 +86,8 @@ $(BUILD)/grade/%/judged: ; @$(SHARED)$(GRADE) one $(@D)
 
 # The book is filled from the tables of the solutions and of the studies.
 BOOK := $(wildcard workbook.md lessons/*.md solutions/*.md figures/*/README.md)
-DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(COUNTED) many/many)
+DATA := $(patsubst %,$(BUILD)/data/%.tsv,$(LESSONS) $(EXAMPLES:=/example) $(COUNTED) \
+            many/many)
 workbook: $(DATA)
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill
 # of one lesson: only the data that its two files show

@@ -2,7 +2,8 @@
 #
 #     awk -f tests/tools/words.awk lessons/*.md
 #
-# prints "WORDS FILE"; with -v most=1200 only the files that show more.  A word
+# prints "WORDS FILE", without the worked example, or with -v part=Example the
+# words of that alone; with -v most=1200 only the files that show more.  A word
 # has a letter or a digit in it, and a formula between dollars is one word.  Not
 # counted: tables, fences (code and displayed formulas), what is folded (but for
 # what was measured, which is text), comments, link definitions, where a link
@@ -16,7 +17,10 @@ FNR == 1 {
     report()
     file = FILENAME
     words = fence = folded = comment = 0
+    within = ""
 }
+/^## / { within = $2 }
+part != "" && within != part || part == "" && within == "Example" { next }
 /^ *```/ { fence = !fence; next }
 fence { next }
 /^<details><summary>Measured/ || /^Read as far as this list/ { next }
