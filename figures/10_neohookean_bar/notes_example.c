@@ -1,5 +1,5 @@
 /*
- * example.c - the notes' example, u(0, t) = sin t with a free right end.
+ * notes_example.c - the notes' example, u(0, t) = sin t with a free right end.
  *
  * The bar moves as a whole, u = sin t.  Each step in time starts at the last u,
  * with the whole jump of the left end in the first element: the cubic law takes

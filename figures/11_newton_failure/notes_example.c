@@ -1,5 +1,5 @@
 /*
- * example.c - which time steps does the notes' example survive?
+ * notes_example.c - which time steps does the notes' example survive?
  *
  * u(0, t) = sin t on a bar of length 1, free at the other end, each step of
  * Newton's method started from the state of the step before, until t >= 6.3:
