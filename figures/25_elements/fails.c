@@ -26,7 +26,7 @@ int main(void)
                 {32, 1.0}, {32, 1.5}, {32, 2.0}};
     const struct hang limit = hang_of(HANG_QUADRATIC, 64, 3.0, 0.3);
     double error[COUNT(grading)], step[3][3], order[3];
-    struct trial pushed[COUNT(push)];
+    struct work pushed[COUNT(push)];
 
     table_begin("error", "m error");
     for (int k = 0; k < COUNT(grading); k++) {
@@ -48,7 +48,8 @@ int main(void)
     table_end();
     table_begin("push", "n m ends min_J");
     for (int k = 0; k < COUNT(push); k++) {
-        pushed[k] = trial_of(PUSH, LINEAR_TRIANGLE, push[k].n, push[k].m);
+        pushed[k] = trial_of(TRIAL_PUSH, LINEAR_TRIANGLE, push[k].n, push[k].m)
+                        .end;
         table_row(push[k].n, push[k].m, status_name(pushed[k].status),
                   pushed[k].status == OK ? cell_rounded(2, pushed[k].min_J)
                                          : cell_word(MISSING));

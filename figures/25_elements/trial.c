@@ -2,143 +2,68 @@
 #include "trial.h"
 
 #include "linear/sparse.h"
-#include "motion/integrate.h"
-#include "plane/quadratic.h"
 
-#include <gsl/gsl_math.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LOAD_STEPS = 8, MOTION_STEPS = 32 };
+enum { LOAD_STEPS = 16, MOTION_STEPS = 32 };
 
 static const struct {
     const char *name;
-    int slender, both; /* both: both ends are held */
-    double end;        /* (s); 0: at rest */
+    enum work_scene scene;
+    enum { HANGS, RESTS, MOVES } does;
 } scenes[TRIAL_SCENES] = {
-    {"weight", 1, 0, 0.0}, {"pull", 1, 1, 0.0}, {"column", 8, 1, 0.0},
-    {"shake", 1, 0, 0.4}, {"swing", 1, 1, 0.03}, {"explicit", 1, 1, 0.03},
-    {"push", 1, 1, 0.08},
+    [TRIAL_WEIGHT] = {"weight", WEIGHT, HANGS},
+    [TRIAL_PULL] = {"pull", SLOW_PULL, RESTS},
+    [TRIAL_COLUMN] = {"column", BUCKLE, RESTS},
+    [TRIAL_SHAKE] = {"shake", SHAKE, MOVES},
+    [TRIAL_SWING] = {"swing", SWING, MOVES},
+    [TRIAL_EXPLICIT] = {"explicit", SWING, MOVES},
+    [TRIAL_PUSH] = {"push", PUSH, MOVES},
 };
 
 const char *trial_name(enum trial_scene scene) { return scenes[scene].name; }
 
 int trial_coarsest(enum trial_scene scene)
 {
-    return scenes[scene].slender == 1 ? 4 : 8;
+    return work_coarsest(scenes[scene].scene);
 }
 
-/* What one trial works with. */
-struct body_at_work {
-    enum trial_scene scene;
-    struct mesh *mesh;
-    struct body *body;
-    int *held;
-    size_t n_dof;
-    double *g, *f; /* where the held vertices are (m); nodal forces (N) */
-    struct state now;
-};
-
-/* f := the nodal forces of 1 N/m^2 downwards. */
-static void weigh(struct body_at_work *w)
+struct scene *trial_alloc(enum trial_scene scene, enum element element, int n,
+                          double m)
 {
-    const struct body *body = w->body;
-    const double density[2] = {0.0, -1.0};
-    if (body->element == QUADRATIC_TRIANGLE) {
-        quadratic_load(w->mesh, density, w->f);
-        return;
-    }
-    for (int e = 0; e < body->n_element; e++)
-        for (int a = 0; a < 3; a++)
-            w->f[2 * body->vertex[3 * e + a] + 1] +=
-                body->area[e] / 3.0 * density[1];
-}
-
-static struct body_at_work make(enum trial_scene scene, enum element element,
-                                int n, double m)
-{
-    const int quadratic = element == QUADRATIC_TRIANGLE;
-    const int cells = quadratic ? 2 * n : n, slender = scenes[scene].slender;
-    struct body_at_work w = {.scene = scene};
-    w.mesh = mesh_rectangle(cells, cells / slender, 1.0, 1.0 / slender);
-    w.n_dof = 2 * (size_t)w.mesh->n_vertex;
-    w.held = allocate(w.n_dof, sizeof *w.held);
-    w.g = allocate(w.n_dof, sizeof *w.g);
-    w.f = allocate(w.n_dof, sizeof *w.f);
-    for (int j = 0; j <= w.mesh->rows; j++) {
-        w.held[j * (cells + 1)] = 1;
-        w.held[j * (cells + 1) + cells] = scenes[scene].both;
-    }
-    mesh_grade(w.mesh, m, MESH_LEFT | MESH_BOTTOM | MESH_TOP |
-                              (scenes[scene].both ? MESH_RIGHT : 0));
-    if (quadratic) quadratic_straighten(w.mesh);
-    w.body = body_alloc_of(element, w.mesh,
-                           material_notes(scene == WEIGHT ? CUBIC : LOG),
-                           scenes[scene].end > 0.0 ? 1.0 : 0.0, LUMPED,
-                           w.held);
-    body_store(w.body, SPARSE);
-    if (scene == WEIGHT) weigh(&w);
-    w.now = state_make((int)w.n_dof);
-    return w;
-}
-
-static void end(struct body_at_work *w)
-{
-    state_free(&w->now);
-    body_free(w->body);
-    mesh_free(w->mesh);
-    free(w->held), free(w->g), free(w->f);
-}
-
-/* g := the held vertices after the fraction s of the way. */
-static void hold(struct body_at_work *w, double s)
-{
-    for (int a = 0; a < w->mesh->n_vertex; a++) {
-        const double *X = &w->mesh->X[2 * a];
-        double *at = &w->g[2 * a];
-        if (!w->held[a]) continue;
-        if (w->scene == PULL) at[0] = 0.42 * s * X[0];
-        if (w->scene == COLUMN) at[0] = -X[0] * (0.1 + 0.1 * X[1]) * s;
-        if (w->scene == PUSH && X[0] > 0.0)
-            at[0] = -0.6 * (s - sin(2.0 * M_PI * s) / (2.0 * M_PI));
-        if (w->scene == SHAKE) at[1] = 0.15 * (1.0 - cos(2.0 * M_PI * s));
-    }
+    const struct work_setting set = {
+        .scene = scenes[scene].scene, .law = LOG, .dynamic = 1,
+        .n = element == QUADRATIC_TRIANGLE ? 2 * n : n, .element = element,
+        .grade = m};
+    struct scene *s = work_alloc(&set);
+    if (scenes[scene].does != MOVES) s->body->rho = 0.0;
+    body_store(s->body, SPARSE);
+    return s;
 }
 
 /* Small displacements: one system. */
-static void hang(struct body_at_work *w, struct trial *trial)
+static void hang(struct scene *s, struct work *end)
 {
-    double *q = allocate(w->n_dof, sizeof *q);
-    trial->systems = 1;
-    trial->status =
-        body_assemble(w->body, at_rest(w->f), w->now.u, EXACT, q);
-    if (trial->status == OK)
-        trial->status = body_increment(w->body, w->body->K, q, w->now.u);
+    double *q = allocate((size_t)s->n_dof, sizeof *q);
+    end->systems = 1;
+    end->status = body_assemble(s->body, at_rest(s->f), s->u, EXACT, q);
+    if (end->status == OK)
+        end->status = body_increment(s->body, s->body->K, q, s->u);
     free(q);
 }
 
-static void load(struct body_at_work *w, struct trial *trial)
+static void load(struct scene *s, enum work_scene scene, struct work *end)
 {
     const struct step_control control = step_method("all");
-    for (int k = 1; k <= LOAD_STEPS && trial->status == OK; k++) {
-        hold(w, (double)k / LOAD_STEPS);
-        step_boundary(w->body, w->g, 1, w->now.u);
+    for (int k = 1; k <= LOAD_STEPS && end->status == OK; k++) {
+        work_hold(s, scene, work_end(scene) * k / LOAD_STEPS);
+        step_boundary(s->body, s->g, 1, s->u);
         const struct step_report report =
-            step_solve(w->body, &control, at_rest(NULL), w->now.u);
-        trial->status = report.status;
-        trial->systems += report.iterations;
-    }
-}
-
-/* u := a hump in the middle, which neither loads nor moves the boundary. */
-static void pluck(struct body_at_work *w)
-{
-    for (int a = 0; a < w->mesh->n_vertex; a++) {
-        const double *X = &w->mesh->X[2 * a];
-        const double hump =
-            gsl_pow_2((1.0 - X[0] * X[0]) * (1.0 - X[1] * X[1]));
-        w->now.u[2 * a] = 0.1 * hump;
-        w->now.u[2 * a + 1] = 0.2 * hump;
+            step_solve(s->body, &control, at_rest(NULL), s->u);
+        end->status = report.status;
+        end->systems += report.iterations;
     }
 }
 
@@ -168,76 +93,125 @@ static struct step_report downhill(struct model *model, double d,
     return report;
 }
 
-static void move(struct body_at_work *w, struct trial *trial)
+static void move(struct scene *s, enum trial_scene trial, struct work *end)
 {
-    struct model *model = model_body(w->body);
-    const double last = scenes[w->scene].end;
+    const enum work_scene scene = scenes[trial].scene;
+    const double last = work_end(scene);
+    struct model *model = model_body(s->body);
+    struct state now = state_make(s->n_dof);
     int steps = MOTION_STEPS;
-    if (w->scene == PUSH) model->solve = downhill;
-    if (w->scene == SWING || w->scene == EXPLICIT) pluck(w);
-    if (w->scene == EXPLICIT) {
+    if (scene == PUSH) model->solve = downhill;
+    if (scene == SWING) work_pluck(s, now.u);
+    if (trial == TRIAL_EXPLICIT) {
         steps = (int)ceil(last / (0.75 * 2.0 / model_frequency(model)));
-        half_a_step_back(model, last / steps, &w->now);
+        half_a_step_back(model, last / steps, &now);
     }
-    while (trial->status == OK && trial->steps < steps) {
-        hold(w, (trial->steps + 1.0) / steps);
+    while (end->status == OK && end->steps < steps) {
+        work_hold(s, scene, (end->steps + 1) * last / steps);
         const struct step_report report = integrate_step(
-            model, w->scene == EXPLICIT ? SYMPLECTIC_EULER : IMPLICIT_MIDPOINT,
-            last / steps, w->g, &w->now);
-        trial->status = report.status;
-        trial->systems += report.iterations;
-        trial->steps += report.status == OK;
-        trial->min_J = fmin(trial->min_J, body_min_J(w->body, w->now.u));
-        if (!(trial->min_J > 0.0)) trial->status = INVERTED;
+            model,
+            trial == TRIAL_EXPLICIT ? SYMPLECTIC_EULER : IMPLICIT_MIDPOINT,
+            last / steps, s->g, &now);
+        end->status = report.status;
+        end->systems += report.iterations;
+        end->steps += report.status == OK;
+        end->min_J = fmin(end->min_J, body_min_J(s->body, now.u));
+        if (!(end->min_J > 0.0)) end->status = INVERTED;
     }
+    memcpy(s->u, now.u, (size_t)s->n_dof * sizeof *s->u);
+    state_free(&now);
     model_free(model);
 }
 
 struct trial trial_of(enum trial_scene scene, enum element element, int n,
                       double m)
 {
-    struct trial trial = {.status = OK, .min_J = 1.0};
-    struct body_at_work w = make(scene, element, n, m);
-    const int quadratic = element == QUADRATIC_TRIANGLE;
-    const int along = w.mesh->n / 4;
-    const int across = w.mesh->rows < along ? w.mesh->rows : along;
-    const struct sparse *K = w.body->pattern;
+    struct trial trial = {.end = {.status = OK, .min_J = 1.0}};
+    struct scene *s = trial_alloc(scene, element, n, m);
+    const struct sparse *K = s->body->pattern;
 
-    if (scene == WEIGHT) hang(&w, &trial);
-    else if (scenes[scene].end > 0.0) move(&w, &trial);
-    else load(&w, &trial);
-    trial.unknowns = w.body->n_equation;
-    trial.flops = K->flops + K->solve +
-                  w.body->n_element * (quadratic ? 1700.0 : 250.0);
-    if (scene == EXPLICIT)
-        trial.flops = (double)trial.steps * w.body->n_element *
-                      (quadratic ? 400.0 : 100.0);
-    for (int j = 0; j <= w.mesh->rows; j += across)
-        for (int i = 0; i <= w.mesh->n; i += along)
-            for (int k = 0; k < 2; k++)
-                trial.u[trial.n_shared++] =
-                    w.now.u[2 * (j * (w.mesh->n + 1) + i) + k];
-    end(&w);
+    if (scenes[scene].does == HANGS) hang(s, &trial.end);
+    if (scenes[scene].does == RESTS) load(s, scenes[scene].scene, &trial.end);
+    if (scenes[scene].does == MOVES) move(s, scene, &trial.end);
+    trial.unknowns = s->body->n_equation;
+    trial.end.flops = K->flops + K->solve + work_elements(s->body, EXACT);
+    if (scene == TRIAL_EXPLICIT)
+        trial.end.flops =
+            trial.end.steps * work_elements(s->body, NO_TANGENT);
+    work_share(s->mesh, s->u, &trial.end);
+    scene_free(s);
     return trial;
+}
+
+/* ---- elements, compared -------------------------------------------------- */
+
+const struct trial_kind trial_kinds[TRIAL_KINDS] = {
+    {"linear", LINEAR_TRIANGLE, 1.0},
+    {"linear", LINEAR_TRIANGLE, 1.5},
+    {"quadratic", QUADRATIC_TRIANGLE, 1.0},
+    {"quadratic", QUADRATIC_TRIANGLE, 2.0}};
+
+/* Meshes of both degrees, and the finest of the limit. */
+static const struct {
+    int linear, quadratic;
+    struct trial_mesh finest;
+} extent[TRIAL_PUSH] = {
+    [TRIAL_WEIGHT] = {6, 4, {64, 2.0}}, [TRIAL_PULL] = {4, 3, {32, 2.0}},
+    [TRIAL_COLUMN] = {6, 3, {64, 2.0}}, [TRIAL_SHAKE] = {5, 3, {32, 1.5}},
+    [TRIAL_SWING] = {5, 3, {64, 1.0}},  [TRIAL_EXPLICIT] = {4, 3, {48, 1.0}},
+};
+
+int trial_meshes(enum trial_scene scene, enum element element)
+{
+    return element == LINEAR_TRIANGLE ? extent[scene].linear
+                                      : extent[scene].quadratic;
+}
+
+struct trial_mesh trial_finest(enum trial_scene scene)
+{
+    return extent[scene].finest;
+}
+
+double trial_apart(const struct work *a, const struct work *b)
+{
+    return work_distance(a, b) / work_distance(b, NULL);
+}
+
+struct work trial_limit(enum trial_scene scene, double *floor)
+{
+    const struct trial_mesh finest = extent[scene].finest;
+    struct work run[3];
+    for (int k = 0; k < 3; k++)
+        run[k] = trial_of(scene, QUADRATIC_TRIANGLE, finest.n / (4 >> k),
+                          finest.m).end;
+    const double ratio =
+        trial_apart(&run[0], &run[1]) / trial_apart(&run[1], &run[2]);
+    if (!(ratio > 1.5)) die("%s has no limit", trial_name(scene));
+    struct work limit = run[2], before = run[1];
+    work_correct(&limit, 1.0 / (ratio - 1.0), &run[2], &run[1]);
+    work_correct(&before, 1.0 / (ratio - 1.0), &run[1], &run[0]);
+    *floor = trial_apart(&before, &limit) / ratio;
+    return limit;
+}
+
+double trial_at(double wanted, int count, const double error[],
+                const double cost[])
+{
+    if (error[0] <= wanted) return cost[0];
+    for (int k = 1; k < count; k++)
+        if (error[k] <= wanted)
+            return cost[k] * pow(wanted / error[k],
+                                 log(cost[k - 1] / cost[k]) /
+                                     log(error[k - 1] / error[k]));
+    return INFINITY;
 }
 
 double trial_longest_step(enum element element, int n, double m)
 {
-    struct body_at_work w = make(EXPLICIT, element, n, m);
-    struct model *model = model_body(w.body);
+    struct scene *s = trial_alloc(TRIAL_EXPLICIT, element, n, m);
+    struct model *model = model_body(s->body);
     const double longest = 2.0 / model_frequency(model);
     model_free(model);
-    end(&w);
+    scene_free(s);
     return longest;
-}
-
-double trial_apart(const struct trial *a, const struct trial *b)
-{
-    double apart = 0.0, size = 0.0;
-    if (a->status != OK || b->status != OK) return INFINITY;
-    for (int r = 0; r < b->n_shared; r++) {
-        apart += (a->u[r] - b->u[r]) * (a->u[r] - b->u[r]);
-        size += b->u[r] * b->u[r];
-    }
-    return sqrt(apart / size);
 }

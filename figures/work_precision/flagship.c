@@ -8,7 +8,7 @@
  */
 #include "base/study.h"
 #include "base/table.h"
-#include "work.h"
+#include "motion/work.h"
 
 int main(void)
 {

@@ -15,7 +15,7 @@
  */
 #include "base/study.h"
 #include "base/table.h"
-#include "work.h"
+#include "motion/work.h"
 
 #include <math.h>
 

@@ -13,7 +13,7 @@
 #define FIGURES_PARTICLE_WORK_H
 
 #include "particles/particle_bodies.h"
-#include "work.h"
+#include "motion/work.h"
 
 enum particle_body_name { HUNG, LET_GO };
 struct particle_setting {

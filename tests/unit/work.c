@@ -1,4 +1,5 @@
-/* work.c - laws of figures/work_precision/work.h, trials.h and rule.h. */
+/* work.c - laws of common/motion/work.h, and of trials.h and rule.h of
+ * figures/work_precision/. */
 #include "base/study.h"
 #include "base/table.h"
 #include "figures/work_precision/rule.h"

@@ -1,5 +1,5 @@
 /* work.c - see work.h. */
-#include "work.h"
+#include "motion/work.h"
 
 #include "base/clock.h"
 #include "plane/triangles.h"
@@ -51,14 +51,14 @@ static double ramp(double s)
                           : s - sin(2.0 * M_PI * s) / (2.0 * M_PI);
 }
 
-/* g := where the held vertices are at time t. */
-static void hold(const struct scene *s, enum work_scene scene, double t,
-                 double g[])
+double work_end(enum work_scene scene) { return scenes[scene].end; }
+
+void work_hold(struct scene *s, enum work_scene scene, double t)
 {
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double X1 = s->mesh->X[2 * a], X2 = s->mesh->X[2 * a + 1];
         const double right = X1 > 0.0 ? 1.0 : 0.0;
-        double *at = &g[2 * a];
+        double *at = &s->g[2 * a];
         at[0] = at[1] = 0.0;
         if (!s->held[a]) continue;
         if (scene == FLAGSHIP) at[0] = 0.5 * X1 * sin(t);
@@ -70,8 +70,7 @@ static void hold(const struct scene *s, enum work_scene scene, double t,
     }
 }
 
-/* u := a hump in the middle, which neither loads nor moves the boundary. */
-static void pluck(const struct scene *s, double u[])
+void work_pluck(const struct scene *s, double u[])
 {
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double *X = &s->mesh->X[2 * a];
@@ -164,7 +163,7 @@ static struct step_report linear(struct model *model, double d,
 
 /* ---- a run --------------------------------------------------------------- */
 
-static struct scene *alloc(const struct work_setting *set)
+struct scene *work_alloc(const struct work_setting *set)
 {
     struct scene_setting s = scene_notes(scenes[set->scene].reading,
                                          set->law == LINEAR ? LOG : set->law,
@@ -199,12 +198,12 @@ static struct model *model_of(const struct work_setting *set, struct scene *s,
     return model;
 }
 
-static void steps(const struct work_setting *set, const struct scene *s,
+static void steps(const struct work_setting *set, struct scene *s,
                   struct model *model, struct state *now, struct work *work)
 {
     const double dt = scenes[set->scene].end / set->steps;
     while (work->status == OK && work->steps < set->steps) {
-        hold(s, set->scene, (work->steps + 1) * dt, s->g);
+        work_hold(s, set->scene, (work->steps + 1) * dt);
         if (set->dynamic && set->method == SYMPLECTIC_EULER)
             for (int r = 0; r < s->n_dof; r++)
                 if (s->held[r / 2]) now->v[r] = (s->g[r] - now->u[r]) / dt;
@@ -220,18 +219,26 @@ static void steps(const struct work_setting *set, const struct scene *s,
     }
 }
 
+void work_share(const struct mesh *mesh, const double u[], struct work *work)
+{
+    const int along = mesh->n / 4, row = mesh->n + 1;
+    const int across = mesh->rows < along ? mesh->rows : along;
+    for (int j = 0; j <= mesh->rows; j += across)
+        for (int i = 0; i <= mesh->n; i += along)
+            for (int k = 0; k < 2; k++)
+                work->u[work->n_shared++] = u[2 * (j * row + i) + k];
+}
+
 struct work work_run(const struct work_setting *set)
 {
     struct work work = {.status = OK};
-    struct scene *s = alloc(set);
+    struct scene *s = work_alloc(set);
     struct model *model = model_of(set, s, &set->tolerance);
     struct state now = state_make(s->n_dof);
-    const int along = set->n / 4, row = set->n + 1;
-    const int across = s->mesh->rows < along ? s->mesh->rows : along;
 
     assert(set->n % work_coarsest(set->scene) == 0);
     assert(set->law != LINEAR || set->method != SYMPLECTIC_EULER);
-    if (set->scene == SWING && set->dynamic) pluck(s, now.u);
+    if (set->scene == SWING && set->dynamic) work_pluck(s, now.u);
     const double start = clock_seconds();
     steps(set, s, model, &now, &work);
     work.seconds = clock_seconds() - start;
@@ -239,22 +246,26 @@ struct work work_run(const struct work_setting *set)
                             work.factorisations);
     work.min_J = body_min_J(s->body, now.u);
     if (work.status == OK && !(work.min_J > 0.0)) work.status = INVERTED;
-    for (int j = 0; j <= s->mesh->rows; j += across)
-        for (int i = 0; i <= set->n; i += along)
-            for (int k = 0; k < 2; k++)
-                work.u[work.n_shared++] = now.u[2 * (j * row + i) + k];
+    work_share(s->mesh, now.u, &work);
     state_free(&now);
     model_free(model);
     scene_free(s);
     return work;
 }
 
+double work_elements(const struct body *body, enum tangent tangent)
+{
+    const int linear = body->element == LINEAR_TRIANGLE;
+    const double residual = linear ? 100.0 : 400.0;
+    const double both = linear ? 250.0 : 1700.0;
+    return body->n_element * (tangent == NO_TANGENT ? residual : both);
+}
+
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations)
 {
-    const int linear = body->element == LINEAR_TRIANGLE;
-    const double both = (linear ? 250.0 : 1700.0) * body->n_element;
-    const double residual = (linear ? 100.0 : 400.0) * body->n_element;
+    const double both = work_elements(body, EXACT);
+    const double residual = work_elements(body, NO_TANGENT);
     const struct matrix_cost cost =
         matrix_cost(BANDED, body->K->n, body->K->p);
     return factorisations * (cost.flops + both) + systems * cost.solve +

@@ -1,6 +1,6 @@
 /*
- * work.h - six scenes, all knobs of the course, and what a setting of them
- * costs.
+ * work.h - scenes of the square, all knobs of the course, and what a setting
+ * of them costs.
  *
  *     slow pull    both ends apart, 0.42 m each within 1 s
  *     fast pull    right end 0.6 m away within 0.06 s; at 0.08 s
@@ -20,8 +20,8 @@
  * end at the vertices that all meshes share, and settings are compared by
  * them [eq:error-parts].
  */
-#ifndef FIGURES_WORK_H
-#define FIGURES_WORK_H
+#ifndef COMMON_WORK_H
+#define COMMON_WORK_H
 
 #include "motion/integrate.h"
 #include "plane/scene.h"
@@ -31,6 +31,7 @@ enum work_scene {
     WORK_SCENES
 };
 const char *work_scene_name(enum work_scene scene); /* "slow_pull", ... */
+double work_end(enum work_scene scene);             /* (s) */
 
 /* The elements whose limit is known best; a squeezed corner of quadratic ones
  * is inverted on fine meshes, and waves with kinks are no better by them. */
@@ -67,11 +68,23 @@ struct work {
  * has left the scene: some |u| > 100 m. */
 struct work work_run(const struct work_setting *set);
 
+/* What a run is made of: the body of a setting at rest, freed by scene_free();
+ * s->g := where the held vertices are at time t; u := the hump that SWING
+ * begins with, which neither loads nor moves the boundary; and, as the answer,
+ * u at the vertices that all meshes of the scene share. */
+struct scene *work_alloc(const struct work_setting *set);
+void work_hold(struct scene *s, enum work_scene scene, double t);
+void work_pluck(const struct scene *s, double u[]);
+void work_share(const struct mesh *mesh, const double u[], struct work *work);
+
+/* Flops of all elements: 250 for one with its tangent, 100 without
+ * [eq:roofline], 1700 and 400 for a quadratic one. */
+double work_elements(const struct body *body, enum tangent tangent);
+
 /*
  * Flops of what was solved: a factorisation and the two triangular solves as
- * matrix_cost() has them, 250 for an element with its tangent, 100 without
- * [eq:roofline], 1700 and 400 for a quadratic one.  Per step one residual more
- * than systems is looked at.  Of a banded K, as work_run() has it of all
+ * matrix_cost() has them, and the elements.  Per step one residual more than
+ * systems is looked at.  Of a banded K, as work_run() has it of all
  * elements with less than BODY_SPARSE_FROM rows of cells.
  */
 double work_flops(const struct body *body, int steps, int systems,
