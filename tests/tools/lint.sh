@@ -178,6 +178,11 @@ rule 'no line of text begins with a marker (Markdown would end the paragraph)' \
 chapters=$(sh tests/tools/workbook.sh chapters)
 rule 'a chapter shows at most 1200 words (tests/tools/words.awk)' \
     "$(awk -v most=1200 -f tests/tools/words.awk lessons/[0-9]*.md figures/*/README.md)"
+rule 'a lesson has Theory, Example and On paper, in this order' \
+    "$(for f in lessons/[0-9]*.md; do
+        grep '^## ' "$f" | tr -d '\n' | grep -q '## Theory## Example## On paper##' ||
+            echo "$f"
+    done)"
 rule 'a worked example has at most 300 words' \
     "$(awk -v most=300 -v part=Example -f tests/tools/words.awk lessons/[0-9]*.md)"
 rule 'a chapter says where to stop, and folds what was measured (tests/tools/fold.awk)' \
