@@ -210,12 +210,12 @@ $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 LESS_THAN_O3 = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
                    -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null \
                    -o /dev/null 2>/dev/null && echo "$$@" || echo -O3)
+same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
-             $(if $(filter body triangles,$1),$(filter-out \
-                 -ffp-contract=fast,$(NATIVE)) -fno-tree-slp-vectorize)
+             $(if $(filter body triangles,$1),$(call same_digits,$(NATIVE)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
