@@ -461,11 +461,12 @@ live: $(LIB)
 	echo 'The frames are in $(BUILD)/live.tsv'
 
 # The least model for a scene of one's own, by the library's ladder.
+$(BUILD)/choose: common/choice/choose.c $(LIB)
+	$(Q)$(COMPILE) $< $(PLACED)
 .PHONY: choose
-choose: $(LIB)
+choose: $(BUILD)/choose
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
 	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
-	@mkdir -p $(BUILD) && $(PLAIN) common/choice/choose.c -o $(BUILD)/choose $(LINK)
 	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
 	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
 
