@@ -211,12 +211,12 @@ $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 LESS_THAN_O3 = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
                    -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null \
                    -o /dev/null 2>/dev/null && echo "$$@" || echo -O3)
+same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
-             $(if $(filter body triangles,$1),$(filter-out \
-                 -ffp-contract=fast,$(NATIVE)) -fno-tree-slp-vectorize)
+             $(if $(filter body triangles,$1),$(call same_digits,$(NATIVE)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
@@ -462,11 +462,12 @@ live: $(LIB)
 	echo 'The frames are in $(BUILD)/live.tsv'
 
 # The least model for a scene of one's own, by the library's ladder.
+$(BUILD)/choose: common/choice/choose.c $(LIB)
+	$(Q)$(COMPILE) $< $(PLACED)
 .PHONY: choose
-choose: $(LIB)
+choose: $(BUILD)/choose
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
 	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
-	@mkdir -p $(BUILD) && $(PLAIN) common/choice/choose.c -o $(BUILD)/choose $(LINK)
 	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
 	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
 

@@ -34,7 +34,7 @@ $(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
 MUTANT_FILES = $(OBJECTS:$(BUILD)/%.o=%.c)
 MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \
     UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
-    NATIVE_BODY='$(filter-out -ffp-contract=fast,$(NATIVE))' \
+    NATIVE_BODY='$(call same_digits,$(NATIVE))' \
     CC_MUTANT='$(CC) $(STD) $(CFLAGS) -Werror=return-type -Icommon \
     $(GSL_CFLAGS) -DBUILD_FLAGS="\"\""' sh tests/tools/mutants.sh
 mutants-common: $(UNITS:%=$(BUILD)/unit/%.o) $(BUILD)/unit/unit.o \

@@ -1,27 +1,33 @@
 # same.mk - the same numbers on every machine; included by tests.mk.
 #
 # All solutions and studies again, in two builds: v8, vectors (vec.h) of eight
-# numbers with contraction where the processor has it, for which only what has a
-# vec is compiled anew; and clang, all of it by that compiler, with vectors of two
-# and no contraction, or, where there is no clang, v2, the same by CC.  In both
-# the clock counts how often it is asked, so that no second need be excepted.
+# numbers with contraction where the processor has it, and body.c and triangles.c
+# with all flags for this machine but that, for which only these are compiled anew;
+# and clang, all of it by that compiler, with vectors of two and no flag for this
+# machine, or, where there is no clang, v2, these files so by CC.  In both the
+# clock counts how often it is asked, so that no second need be excepted.
 # tests/tools/same.sh compares their tables, and what becomes of them.
 
-WITH_VEC := $(filter %/tiles.o %/front.o %/readable.o,$(OBJECTS:$(BUILD)/%=%))
+ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o, \
+            $(OBJECTS:$(BUILD)/%=%))
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
-vec_flags = $(if $(filter v8,$1),$(ALL_NATIVE) -DVEC_WIDTH=8,-DVEC_WIDTH=2)
+# $(call anew_flags,BUILD,name of the file)
+anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles,$2),$(call \
+                 same_digits,$(ALL_NATIVE)),$(ALL_NATIVE) -DVEC_WIDTH=8), \
+                 -DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O1
 
 RUNS := $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
-$(WITH_VEC:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
-	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$(call vec_flags,$1) $$< $$(OBJECT)
+$(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
+	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$(call \
+	    anew_flags,$1,$$(notdir $$*)) $$< $$(OBJECT)
 $(T)/$1/clock.o: tests/tools/clock.c common/base/clock.h $(RULES)
 	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$< $$(OBJECT)
-$(T)/$1/libworkbook.a: $(T)/$1/clock.o $(WITH_VEC:%=$(T)/$1/%) \
-        $(addprefix $2/,$(filter-out %/clock.o $(WITH_VEC),$(OBJECTS:$(BUILD)/%=%)))
+$(T)/$1/libworkbook.a: $(T)/$1/clock.o $(ANEW:%=$(T)/$1/%) \
+        $(addprefix $2/,$(filter-out %/clock.o $(ANEW),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
 $(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/solutions/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
@@ -61,12 +67,12 @@ SAME_RUN = mkdir -p $(@D) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q
            $(if $(and $(filter v8,$1),$(V8_HERE)),; fi) && mv $@.part $@
 $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))
-$(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(WITH_VEC:%=$(BUILD)/%), \
+$(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
     $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c $(RULES)
 	$(Q)mkdir -p $(@D) && { $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT); } \
 	    2> $@.said || { cat $@.said >&2; false; }
 # What clang says of these it need not be asked for again.
-SEEN_HERE = $(if $(filter clang,$(NARROW)),$(filter-out $(WITH_VEC:.o=), \
+SEEN_HERE = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
                 $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE) $(PARTS:=.o))))
 $(T)/build-clang.result: $$(patsubst %,$(T)/clang/%.o,$$(SEEN_HERE))
 -include $(wildcard $(T)/*/common/*/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)

@@ -30,9 +30,9 @@ variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
 MISTAKES    := $(call variants,mistake)
 EQUIVALENTS := $(call variants,equivalent)
 
-# There are many of them, compiled and linked as quickly as can be, without a
-# thought of warnings, but where the program itself computes for long.  Where an entry does not fit the solution any
-# more, there is none, and lint says why.
+# There are many of them.  They are compiled and linked as quickly as can be, with
+# -O1 where the program computes for long, and without warnings.  Where an entry
+# does not fit the solution any more, there is none, and lint says why.
 LONG := 18_% 22_%
 HASTY = -g0 -w -Wl,-S
 unwarned = $(filter-out $(STRICT),$1)

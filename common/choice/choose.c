@@ -18,7 +18,8 @@
 
 enum { FINEST = 2 };
 
-/* max |G|, G the Green strain, and max |H|. */
+/* max |G|, G the Green strain, and the largest angle (rad) of the rotation in
+ * F. */
 static void sizes(const struct ladder_state *s, double *strain, double *turn)
 {
     *strain = *turn = 0.0;
@@ -48,8 +49,9 @@ static void say_numbers(const struct scene_file *file,
            scene->nu > 0.45 ? ": linear triangles lock, quadratic ones do not"
                             : "");
     if (scene->held == LADDER_LEFT)
-        printf("  along the axis %.2g of the buckling load, %s (lesson 23)\n",
-               fabs(N) / ladder_buckles(scene), N < 0 ? "pressed" : "pulled");
+        printf("  along the axis %.2g of the buckling load%s (lesson 23)\n",
+               fabs(N) / ladder_buckles(scene),
+               N < 0.0 ? ", pressed" : N > 0.0 ? ", pulled" : "");
     if (scene->time != STANDS)
         printf("  1 / (omega T) %.2g: inertia counts where it is not small "
                "(lesson 23)\n", estimate_inertia(s));
@@ -81,8 +83,7 @@ static void say_model(const struct scene_file *file,
         printf("  implicit midpoint, steps of %.3g s, %.0f of them (lesson "
                "14)\n", scene->dt * file->second, scene->end / scene->dt);
     printf("  solver: %s, %d unknowns (lesson 21)\n",
-           s->model.rung == BAR ? "none is needed" :
-           s->mesh->rows < BODY_SPARSE_FROM ? "band" : "nested dissection",
+           s->model.rung == BAR ? "none is needed" : "band",
            s->model.rung == BAR ? s->mesh->n : s->body->n_equation);
     if (s->model.rung > LINEAR_PLANE)
         printf("  cure to switch on: line search, projection on demand (lesson "

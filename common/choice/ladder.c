@@ -120,11 +120,11 @@ static void load(struct ladder_state *s)
             s->f[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
         }
     }
-    for (int k = 0; k < 2 * n; k++) { /* each edge gives half to each end */
-        const int a = mesh->rows * (n + 1) + (k + 1) / 2;
-        for (int i = 0; i < 2; i++)
-            s->f[2 * a + i] += s->scene->push[i] / n;
-    }
+    const int corner = mesh->rows * (n + 1); /* the upper left one */
+    for (int k = 0; k < n; k++)              /* half of an edge to each end */
+        for (int a = corner + k; a <= corner + k + 1; a++)
+            for (int i = 0; i < 2; i++)
+                s->f[2 * a + i] += s->scene->push[i] / n;
 }
 
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,

@@ -44,6 +44,8 @@ double relax_size(const struct ladder_state *s, const double u[])
 
 struct matrix *relax_factors(const struct ladder_state *s)
 {
+    const struct material law = law_of(s);
+    if (!material_defined(&law, body_min_J(s->body, s->u))) return NULL;
     double *zero = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *zero);
     struct matrix *K = body_matrix(s->body);
     enum status status =
@@ -110,7 +112,8 @@ int relax_follow(const struct ladder_state *s, const struct matrix *factors,
         solve(s, factors, r, z);
         const double rz = dot(s, r, z), beta = rz / before;
         if (k == 0) first = rz;
-        if (!(rz > 1e-20 * first)) break; /* solved, to round-off */
+        stands = isfinite(rz);
+        if (!stands || rz <= 1e-20 * first) break; /* solved, to round-off */
         for (size_t i = 0; i < n; i++) { /* K z = r, so K p goes with p */
             p[i] = z[i] + beta * p[i];
             Kp[i] = r[i] + beta * Kp[i];

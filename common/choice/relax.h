@@ -35,7 +35,7 @@ void relax_push(const struct ladder_state *state, int e, mat2 T, double g[]);
 double relax_size(const struct ladder_state *state, const double u[]);
 
 /* The factors of K, for the caller to free; NULL: K is not positive definite,
- * or u has no K. */
+ * or u has no K or no stress, as LOG has none where J <= 0. */
 struct matrix *relax_factors(const struct ladder_state *state);
 
 /* g += D w, the nodal forces left out of a displacement (N); g: [2 n_vertex].
@@ -46,15 +46,15 @@ typedef void relax_forces(const struct ladder_state *state,
 /*
  * e := of (K - D) e = D u, D by `forces`, by so many steps of conjugate
  * gradients from 0; after one of them it is d / (1 - t), d = K^-1 D u, t =
- * d.D d / d.K d.  false: the energy p.(K - D) p of a direction is not > 0: the
- * body gives way, and e is of no use.
+ * d.D d / d.K d.  false: the energy p.(K - D) p of a direction is not > 0, so
+ * that the body gives way, or the forces are not finite; e is of no use.
  */
 int relax_follow(const struct ladder_state *state,
                  const struct matrix *factors, relax_forces *forces, int steps,
                  double e[]);
 
-/* |e| / |u + e| after two steps; 0 for u = 0, 1 where the body gives way or
- * there are no factors (NULL). */
+/* |e| / |u + e| after two steps; 0 for u = 0, 1 where relax_follow() is false
+ * or there are no factors (NULL). */
 double relax_part(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *forces);
 

@@ -96,13 +96,15 @@ INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
     const double *l = f->l;
     for (int K = 0; K * V < J; K++) {
         const int w = J - K * V < V ? J - K * V : V;
-        columns(q, w, V * w, V, l + (i - K) * V * w, l + (y - K) * V * w, t);
+        vec_columns(q, w, V * w, V, l + (i - K) * V * w, l + (y - K) * V * w,
+                    t);
         l += (all - K) * V * w;
     }
 }
 
 /* Tile of q blocks from block i on, of `all`, of panel K, which has w columns
- * and begins at a: of pivots, or of the rest. */
+ * and begins at a: of pivots, or of the rest.  It has eleven parameters: in a
+ * struct they would not stay in registers, as in tiles.c. */
 INLINE enum status front_tile(const int q, const struct front *f, int all,
                               int n, int K, int w, int i, double a[],
                               const double diagonal[], vec l[W],
@@ -123,7 +125,7 @@ INLINE enum status front_tile(const int q, const struct front *f, int all,
         UNROLL for (int c = 0; c < W; c++) /* L^-T for the triangle of L */
             UNROLL for (int r = 0; r < V; r++) t[c][0][r] = r == c;
     }
-    if (!of_rest) substitute(q, l, t);
+    if (!of_rest) vec_substitute(q, l, t);
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
             if (c < w)

@@ -154,7 +154,10 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
 void matrix_keep_single(struct matrix *A, int single)
 {
     assert(A->storage == SPARSE);
-    if (A->single != single) free(A->factor), A->factor = NULL;
+    if (A->single != single) {
+        free(A->factor);
+        A->factor = NULL;
+    }
     A->single = single;
 }
 

@@ -31,14 +31,14 @@ size_t tiles_stride(int p)
 }
 
 /* The columns of a band from k up to end.  This function and those below have
- * up to eleven parameters: in a struct the tile t would not stay in registers.
+ * up to ten parameters: in a struct the tile t would not stay in registers.
  */
 INLINE int subtract(const int q, int k, int end, int J, int i, ptrdiff_t next,
                     const double a[], vec t[W][Q])
 {
     if (end > J) end = J;
     if (k >= end) return k;
-    columns(q, end - k, V, next, &a[i + k * next], &a[J + k * next], t);
+    vec_columns(q, end - k, V, next, &a[i + k * next], &a[J + k * next], t);
     return end;
 }
 
@@ -80,13 +80,13 @@ INLINE enum status tile(const int q, int n, int p, int J, int i, int w,
             if (c < w) t[c][r] = VEC(corner[c * next + r * V]);
     subtract_all(q, p, J, i, next, a, t);
     if (i > J) {
-        substitute(q, l, t);
+        vec_substitute(q, l, t);
     } else {
         vec first[W];
         UNROLL for (int c = 0; c < W; c++) first[c] = t[c][0];
         if (tiles_triangle(n, w, corner, next + 1, first, l, inverse) != OK)
             return NOT_SPD;
-        substitute(q, l, t); /* and then the first again */
+        vec_substitute(q, l, t); /* and then the first again */
         UNROLL for (int c = 0; c < W; c++) {
             for (int r = 0; r < c; r++) first[c][r] = 0.0; /* another's room */
             t[c][0] = first[c];

@@ -47,8 +47,8 @@ typedef double two __attribute__((vector_size(16), aligned(8)));
 
 /* t -= x y for n columns of L, next apart; of q vecs (a constant), down apart.
  * What is wanted 16 columns later is fetched from memory ahead of time. */
-INLINE void columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
-                    const double *x, const double *y, vec t[W][Q])
+INLINE void vec_columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
+                        const double *x, const double *y, vec t[W][Q])
 {
     const uintptr_t ahead = 16 * sizeof *x * (uintptr_t)next;
     for (; n > 0; n--, x += next, y += next) {
@@ -60,7 +60,7 @@ INLINE void columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
 }
 
 /* t := t L^-T, but for the factors 1 / L_cc, with l of tiles_triangle(). */
-INLINE void substitute(const int q, const vec l[W], vec t[W][Q])
+INLINE void vec_substitute(const int q, const vec l[W], vec t[W][Q])
 {
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int b = c + 1; b < W; b++)

@@ -39,7 +39,7 @@ struct mesh *mesh_rectangle(int n, int rows, double a, double b)
     return mesh;
 }
 
-/* For body.c: a row of three vertices, and no cells above it. */
+/* A row of three vertices, and no cells above it: so numbering.c numbers it. */
 struct mesh *mesh_triangle(const double X[6])
 {
     struct mesh *mesh = allocate(1, sizeof *mesh);

@@ -32,12 +32,13 @@ void quadratic_shape(const double l[3], const double of_l[6], double N[6],
 void quadratic_nodes(const struct mesh *mesh, int e, int node[NODES])
 {
     const int row = mesh->n + 1, across = mesh->n / 2;
-    const int low = e / 2 / across * 2 * row + e / 2 % across * 2;
+    const int square = e / 2, i = square % across, j = square / across;
+    const int low = 2 * j * row + 2 * i; /* the lower left corner */
     const int below[NODES] = {0, 2, 2 * row + 2, row + 2, row + 1, 1};
     const int above[NODES] = {0, 2 * row + 2, 2 * row, 2 * row + 1, row,
                               row + 1};
-    for (int a = 0; a < NODES; a++)
-        node[a] = low + (e % 2 ? above : below)[a];
+    const int *from_low = e % 2 == 0 ? below : above;
+    for (int a = 0; a < NODES; a++) node[a] = low + from_low[a];
 }
 
 void quadratic_straighten(struct mesh *mesh)

@@ -1,7 +1,7 @@
 /* triangles.c - see triangles.h. */
 #include "plane/triangles.h"
 
-#include "linear/vec.h"
+#include "linear/vec.h" /* INLINE */
 #include "material/modes.h"
 #include "plane/quadratic.h"
 

@@ -2,7 +2,7 @@
  * elements.h - a body that keeps its element matrices one by one.
  *
  * PETSc adds up what triangles share, so K is here a row of 2x2 blocks, six for
- * each triangle, in the order and the form in which body.c makes them:
+ * each triangle, in the order and the form in which triangles.c makes them:
  *
  *     k = 6 e + (0: (0,0)  1: (1,0)  2: (1,1)  3: (2,0)  4: (2,1)  5: (2,2))
  *     K->a[4 k ...] = m00 m10 m01 m11, where a block (a, a) leaves m01 out

@@ -22,7 +22,8 @@ static const char *kept_file(const char *program, int r, const char *what,
 void keep_outputs(const char *program)
 {
     char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
-    *strrchr(kept_file(program, 0, "ending", path), '/') = '\0';
+    kept_file(program, 0, "ending", path);
+    *strrchr(path, '/') = '\0'; /* its folder */
     if (mkdir(path, 0777) < 0)
         quit("cannot make %s: %s", path, strerror(errno));
     for (int r = 0; r < judging.lesson->n_run; r++) {
