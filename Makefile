@@ -465,6 +465,7 @@ live: $(LIB)
 choose: $(LIB)
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
 	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
+	$(if $(filter command,$(origin VERIFY)),$(error make choose takes VERIFIED=yes))
 	@mkdir -p $(BUILD) && $(PLAIN) common/choice/choose.c -o $(BUILD)/choose $(LINK)
 	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
 	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
