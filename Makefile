@@ -468,6 +468,7 @@ $(BUILD)/choose: common/choice/choose.c $(LIB)
 choose: $(BUILD)/choose
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
 	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
+	$(if $(filter command,$(origin VERIFY)),$(error make choose takes VERIFIED=yes))
 	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
 	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 enum { LONGEST = 256, MOST_STEPS = 400, LEAST_STEPS = 40 };
 
@@ -19,19 +20,20 @@ static const struct line {
     double least, most;
     const char *words; /* with a blank around each; NULL: numbers */
     int must;          /* be there */
+    const char *unit;  /* after a blank */
 } lines[] = {
-    {"width", 1, 1e-6, 1e3, NULL, 1},
-    {"height", 1, 1e-6, 1e3, NULL, 1},
-    {"E", 1, 1e-3, 1e12, NULL, 1},
-    {"nu", 1, 0.0, 0.499, NULL, 1},
-    {"rho", 1, 1e-3, 1e5, NULL, 1},
-    {"gravity", 2, -1e4, 1e4, NULL, 0},
-    {"held", 0, 0, 0, " left ends ", 1},
-    {"pulled", 2, -1e12, 1e12, NULL, 0},
-    {"pushed", 2, -1e12, 1e12, NULL, 0},
-    {"load", 0, 0, 0, " stands rises swings ", 0},
-    {"time", 1, 1e-9, 1e6, NULL, 0},
-    {"end", 1, 1e-9, 1e6, NULL, 0},
+    {"width", 1, 1e-6, 1e3, NULL, 1, " m"},
+    {"height", 1, 1e-6, 1e3, NULL, 1, " m"},
+    {"E", 1, 1e-3, 1e12, NULL, 1, " N/m^2"},
+    {"nu", 1, 0.0, 0.499, NULL, 1, ""},
+    {"rho", 1, 1e-3, 1e5, NULL, 1, " kg/m^3"},
+    {"gravity", 2, -1e4, 1e4, NULL, 0, " m/s^2"},
+    {"held", 0, 0, 0, " left ends ", 1, ""},
+    {"pulled", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
+    {"pushed", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
+    {"load", 0, 0, 0, " stands rises swings ", 0, ""},
+    {"time", 1, 1e-9, 1e6, NULL, 0, " s"},
+    {"end", 1, 1e-9, 1e6, NULL, 0, " s"},
 };
 enum {
     WIDTH, HEIGHT, YOUNG, POISSON, DENSITY, GRAVITY, HELD, PULLED, PUSHED, LOAD,
@@ -78,8 +80,8 @@ static void read_line(const char *program, const char *path, int at, char *text,
     int k = 0;
     while (k < COUNT(lines) && strcmp(lines[k].word, word) != 0) k++;
     if (k == COUNT(lines))
-        refuse(program, path, at, "'%s' is no word of a scene: width height E "
-               "nu rho gravity held pulled pushed load time end", word);
+        refuse(program, path, at, "'%.40s' is no word of a scene: width height "
+               "E nu rho gravity held pulled pushed load time end", word);
     if (said->at[k])
         refuse(program, path, at, "'%s' was said in line %d", word,
                said->at[k]);
@@ -96,21 +98,21 @@ static void read_line(const char *program, const char *path, int at, char *text,
                        "cannot stand: held must be one of:%s",
                        lines[k].words);
             if (said->value[k][0] < 0.0)
-                refuse(program, path, at, "%s '%s': must be one of:%s", word,
+                refuse(program, path, at, "%s '%.40s': must be one of:%s", word,
                        value, lines[k].words);
             continue;
         }
         said->value[k][i] = strtod(value, &end);
         if (end == value || *end || !(said->value[k][i] >= lines[k].least &&
                                       said->value[k][i] <= lines[k].most))
-            refuse(program, path, at, "%s '%s': must be %s from %g to %g", word,
-                   value, lines[k].n == 2 ? "two numbers" : "a number",
-                   lines[k].least, lines[k].most);
+            refuse(program, path, at, "%s '%.40s': must be %s from %g to %g%s",
+                   word, value, lines[k].n == 2 ? "two numbers" : "a number",
+                   lines[k].least, lines[k].most, lines[k].unit);
     }
     const char *more = strtok(NULL, blank);
     if (more)
-        refuse(program, path, at, "%s: '%s' is one value too many; a comment "
-               "begins with #", word, more);
+        refuse(program, path, at, "%s: '%.40s' is one value too many; a "
+               "comment begins with #", word, more);
 }
 
 /* The last part of the path, without its ending. */
@@ -174,11 +176,19 @@ static void scene_of(const char *program, const char *path, int finest,
     if (!loaded)
         refuse(program, path, 0, "nothing is loaded: gravity, pulled or pushed "
                "must not be 0");
-    if (scene->time == STANDS) return;
     for (int k = TIME; k <= END; k++)
-        if (!said->at[k])
+        if (scene->time != STANDS && !said->at[k])
             refuse(program, path, said->at[LOAD], "a load that %s needs '%s'",
                    scene->time == RISES ? "rises" : "swings", lines[k].word);
+        else if (scene->time == STANDS && said->at[k])
+            refuse(program, path, said->at[k], "a load that stands has no '%s':"
+                   " load must be one of: rises swings", lines[k].word);
+    if (scene->time == STANDS) return;
+    const double full = said->value[TIME][0] *
+                        (scene->time == SWINGS ? acos(-1.0) / 2.0 : 1.0);
+    if (said->value[END][0] < full)
+        refuse(program, path, said->at[END], "end '%g': must be at least %g s, "
+               "when the load is full", said->value[END][0], full);
     scene->T = said->value[TIME][0] / file->second;
     scene->end = said->value[END][0] / file->second;
     scene->dt = time_step(scene);
@@ -189,22 +199,35 @@ void scene_file_read(const char *program, const char *path, int finest,
 {
     char text[LONGEST];
     struct said said = {.at = {0}};
+    struct stat is;
+    if (stat(path, &is) != 0) refuse(program, path, 0, "there is no such file");
+    if (!S_ISREG(is.st_mode)) /* a pipe would be waited for */
+        refuse(program, path, 0, "is not a plain file");
     FILE *in = fopen(path, "r");
     if (!in) refuse(program, path, 0, "cannot be read");
     for (int at = 1; fgets(text, sizeof text, in); at++) {
         if (!strchr(text, '\n') && !feof(in))
-            refuse(program, path, at, "is longer than %d characters",
-                   LONGEST - 2);
+            refuse(program, path, at, strlen(text) < sizeof text - 1
+                   ? "has a byte that is 0: is this a text?"
+                   : "is longer than %d characters", LONGEST - 2);
+        /* what some editors begin a text with */
+        const int mark = at == 1 && strncmp(text, "\357\273\277", 3) == 0;
         text[strcspn(text, "#")] = '\0';
-        read_line(program, path, at, text, &said);
+        read_line(program, path, at, text + (mark ? 3 : 0), &said);
     }
     const int bad = ferror(in);
     fclose(in);
     if (bad) refuse(program, path, 0, "cannot be read");
     for (int k = 0; k < COUNT(lines); k++)
-        if (lines[k].must && !said.at[k])
-            refuse(program, path, 0, "does not say '%s'%s", lines[k].word,
-                   k == HELD ? ", and what nothing holds cannot stand" : "");
+        if (lines[k].must && !said.at[k]) {
+            if (k == HELD)
+                refuse(program, path, 0, "does not say 'held', and what "
+                       "nothing holds cannot stand: must be one of:%s",
+                       lines[k].words);
+            refuse(program, path, 0, "does not say '%s': must be a number from "
+                   "%g to %g%s", lines[k].word, lines[k].least, lines[k].most,
+                   lines[k].unit);
+        }
     name_of(path, file->name);
     scene_of(program, path, finest, &said, file);
 }

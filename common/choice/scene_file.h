@@ -11,13 +11,13 @@
  *     held     left               or ends: left and right
  *     pulled   0 0                N/m^2 on the right end
  *     pushed   0 0                N/m^2 on the upper side
- *     load     stands             or rises, swings
+ *     load     rises              or stands, swings
  *     time     0.1                s, in which it rises; of sin(t / time)
- *     end      0.5                s, so long it is followed
+ *     end      0.5                s, so long it is followed: until it is full
  *
  * A line is a word and its values; from a # on it is a comment.  width, height,
- * E, nu, rho and held must be there, time and end where the load does not
- * stand, and a load; the rest is 0.  Plane strain, per metre of depth.
+ * E, nu, rho and held must be there, time and end where the load does not stand
+ * and only there, and a load; the rest is 0.  Plane strain, per metre of depth.
  *
  * The scene of ladder.h has the length 2, E = 1000 and rho = 1: lengths are in
  * units of width / 2, stresses of E / 1000, times of the root of
@@ -38,7 +38,8 @@ struct scene_file {
  * Read the file, for at most `finest` refinements of the mesh.  What is wrong
  * is one line on stderr: the line's number, the word and what is allowed; then
  * the program ends with status 2.  A scene that cannot stand, because nothing
- * is held or nothing is loaded, is named as such.  file->scene.name is
+ * is held or nothing is loaded, is named as such; so is a path that is no plain
+ * file.  file->scene.name is
  * file->name, so that the struct must stay where it is.
  */
 void scene_file_read(const char *program, const char *path, int finest,

@@ -206,6 +206,23 @@ says 'NOT SURE' 'make choose says what it cannot do' \
 says "line 2: 'heigth' is no word" 'make choose names a bad line' \
     sh -c 'printf "width 1\nheigth 2\n" >bad.scene; "$0" choose SCENE=bad.scene' \
     "$MAKE"
+says 'gives way, for K' 'make choose says that a column buckles' \
+    "$MAKE" choose SCENE=lessons/scenes/straight.scene
+says 'Verified: no' 'and verifies nothing of it' \
+    "$MAKE" choose SCENE=lessons/scenes/straight.scene VERIFIED=yes
+says 'law stands in place of the logarithm' 'and why a model is not enough' \
+    "$MAKE" choose SCENE=lessons/scenes/harder.scene
+sed 's/^pulled .*/pulled 1e6 0/' lessons/scenes/harder.scene >torn.scene
+says 'the strain is beyond 4' 'make choose refuses what no body can bear' \
+    "$MAKE" choose SCENE=torn.scene
+sed 's/^end .*/end 1e4/' lessons/scenes/plunge.scene >long.scene
+says 'the steps are too long' 'and steps that are too long' \
+    "$MAKE" choose SCENE=long.scene
+says '--error abc: must be a number from 0.01 to 100 %' \
+    'make choose says which ERROR may be' \
+    "$MAKE" choose SCENE=lessons/scenes/flap.scene ERROR=abc%
+says 'takes VERIFIED=yes' 'make choose knows VERIFY' \
+    "$MAKE" choose SCENE=lessons/scenes/flap.scene VERIFY=yes
 says 'SCENE=FILE' 'make choose needs a scene' "$MAKE" choose
 says 'make live ignores ERROR; that is for make choose' \
     'what make choose takes is for it alone' \

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char path[64];
@@ -107,6 +108,14 @@ static void what_is_wrong_is_named(void)
         {"width 1\nheight 1\nE 1\nnu 0\nrho 1\nheld ends\npulled 1 0\n",
          "line 7: the right end is held"},
         {"width 1\nload\tstands\n\001\n", "line 3: '?' is no word"},
+        {"width 5cm\n", "width '5cm': must be a number from 1e-06 to 1000 m"},
+        {"width 1\n", "'height': must be a number from 1e-06 to 1000 m"},
+        {GOOD "gravity 0 1\ntime 3\n", "line 8: a load that stands has no "
+                                       "'time'"},
+        {GOOD "gravity 0 1\nload rises\ntime 3\nend 1\n",
+         "line 10: end '1': must be at least 3 s"},
+        {GOOD "gravity 0 1\nload swings\ntime 1\nend 1.5\n",
+         "line 10: end '1.5': must be at least 1.5708 s"},
     };
     for (int k = 0; k < COUNT(is); k++) {
         write_file(is[k].text);
@@ -117,7 +126,32 @@ static void what_is_wrong_is_named(void)
         unlink(path);
     }
     const struct outcome o = outcome_of(read_file);
-    ck_assert(o.status == 2 && strstr(o.err, "cannot be read"));
+    ck_assert(o.status == 2 && strstr(o.err, "there is no such file"));
+}
+
+/* A folder, a pipe that nobody writes to, a byte that is 0: none is waited for
+ * or taken for something else; the mark before a text of Windows is skipped. */
+static void only_a_text_is_read(void)
+{
+    snprintf(path, sizeof path, "/dev/null");
+    ck_assert(strstr(outcome_of(read_file).err, "is not a plain file"));
+    snprintf(path, sizeof path, "/tmp/unit-%ld.text.scene", (long)getpid());
+    ck_assert(mkdir(path, 0700) == 0);
+    ck_assert(strstr(outcome_of(read_file).err, "is not a plain file"));
+    ck_assert(rmdir(path) == 0 && mkfifo(path, 0600) == 0);
+    const struct outcome o = outcome_of(read_file);
+    ck_assert(o.status == 2 && strstr(o.err, "is not a plain file"));
+    unlink(path);
+    write_file("width 1\n");
+    FILE *more = fopen(path, "a");
+    ck_assert(more && fwrite("rho\0 1\n", 1, 7, more) == 7 &&
+              fclose(more) == 0);
+    ck_assert(strstr(outcome_of(read_file).err, "line 2: has a byte that is"));
+    unlink(path);
+    write_file("\357\273\277" GOOD "gravity 0 1");
+    read_file();
+    close_to(file.metre, 0.5, 1e-16);
+    unlink(path);
 }
 
 static void a_long_line_is_refused(void)
@@ -137,6 +171,7 @@ static const struct unit_law laws[] = {
     {"a_file_is_scaled", a_file_is_scaled},
     {"units_do_not_matter", units_do_not_matter},
     {"what_is_wrong_is_named", what_is_wrong_is_named},
+    {"only_a_text_is_read", only_a_text_is_read},
     {"a_long_line_is_refused", a_long_line_is_refused},
 };
 
