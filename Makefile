@@ -469,8 +469,12 @@ choose: $(BUILD)/choose
 	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
 	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
 	$(if $(filter command,$(origin VERIFY)),$(error make choose takes VERIFIED=yes))
-	@e=$${ERROR:-10%} w=$${WITHIN:-33ms}; $(BUILD)/choose --scene "$$SCENE" \
-	    --error "$${e%\%}" --within "$${w%ms}" --verify "$${VERIFIED:-no}"
+	@e=$${ERROR:-10%} w=$${WITHIN:-33ms} p=$(BUILD)/mine/choose; mkdir -p $${p%/*}; \
+	rm -f $$p.tsv $$p.svg; $(BUILD)/choose --scene "$$SCENE" --error "$${e%\%}" \
+	    --within "$${w%ms}" --verify "$${VERIFIED:-no}" --picture $$p.tsv; \
+	status=$$?; if [ -f $$p.tsv ] && command -v gnuplot > /dev/null; then \
+	    sh tests/tools/figure.sh figures/scene.gp $$p.tsv $$p.svg && \
+	    echo "Drawn: $$p.svg"; fi; exit $$status
 
 # The files of a new lesson: make new-26 NAME=spring
 new-%:

@@ -157,9 +157,8 @@ static void say_model(const struct scene_file *file,
                "(lesson 14)\n", scene->end / scene->dt,
                scene->dt * file->second, omega_dt(s));
     printf("  solver: %s, %d unknowns (lesson %s)\n",
-           s->model.rung == BAR ? "a sum along the bar" :
-           s->mesh->rows < BODY_SPARSE_FROM ? "Cholesky factors of a band"
-                                            : "nested dissection",
+           s->model.rung == BAR ? "a sum along the bar"
+                                : "Cholesky factors of a band",
            s->model.rung == BAR ? s->mesh->n : s->body->n_equation,
            s->model.rung == BAR ? "9" : "21");
     if (s->model.rung > LINEAR_PLANE)
@@ -269,9 +268,37 @@ static void verify(const struct ladder_state *s)
     ladder_free(truth);
 }
 
+/* For figures/scene.gp: the parts of the error (%), and the triangles (m). */
+static void write_picture(const char *path, const struct scene_file *file,
+                          const struct ladder_state *s, double tolerance)
+{
+    double part[N_PART], estimate;
+    enum part add;
+    FILE *out = fopen(path, "w");
+    if (!out) die("%s: cannot be written", path);
+    estimate_parts(s, part);
+    estimate_verdict(s->model, s->scene->time, 1, tolerance, part, &estimate,
+                     &add);
+    fprintf(out, "# %s\t%g\n", file->name, 100.0 * tolerance);
+    for (int k = 0; k < N_PART; k++)
+        fprintf(out, "%s\t%.6g\n", ladder_part((enum part)k), 100.0 * part[k]);
+    fprintf(out, "together\t%.6g\n\n\n", 100.0 * estimate);
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        for (int i = 0; i < 4; i++) {
+            const int a = s->mesh->triangle[3 * e + i % 3];
+            const double *X = &s->mesh->X[2 * a], *u = &s->u[2 * a];
+            fprintf(out, "%.6g\t%.6g\t%.6g\t%.6g\n", file->metre * X[0],
+                    file->metre * X[1], file->metre * (X[0] + u[0]),
+                    file->metre * (X[1] + u[1]));
+        }
+        fputc('\n', out);
+    }
+    if (fclose(out) != 0) die("%s: cannot be written", path);
+}
+
 int main(int argc, char *argv[])
 {
-    const char *path = NULL;
+    const char *path = NULL, *picture = NULL;
     double error = 10.0, within = 33.0;
     int check = 0;
     const struct option options[] = {
@@ -282,6 +309,8 @@ int main(int argc, char *argv[])
          .help = "that a frame may take"},
         {"verify", .choice = &check, .choices = "no yes",
          .help = "by a better model on a finer mesh"},
+        {"picture", .text = &picture, .unit = "a file's name",
+         .help = "what figures/scene.gp draws"},
     };
     struct scene_file file;
     options_parse("choose", options, COUNT(options), argc, argv);
@@ -320,6 +349,8 @@ int main(int argc, char *argv[])
             say_error(s, error / 100.0);
             say_price(s, within / 1e3, choosing);
             if (check) verify(s);
+            if (picture && ladder_stable(s))
+                write_picture(picture, &file, s, error / 100.0);
         }
         ladder_free(s);
     }

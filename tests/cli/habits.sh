@@ -201,6 +201,8 @@ says 'cubic Neo-Hookean law' 'make choose says which law' \
     "$MAKE" choose SCENE=lessons/scenes/guyed.scene ERROR=10% VERIFIED=yes
 says 'Verified: ' 'and make choose verifies it' \
     "$MAKE" choose SCENE=lessons/scenes/strip.scene VERIFIED=yes
+says 'Drawn: build/mine/choose.svg' 'and draws its parts and the body' \
+    "$MAKE" choose SCENE=lessons/scenes/buckled.scene
 says 'NOT SURE' 'make choose says what it cannot do' \
     "$MAKE" choose SCENE=lessons/scenes/leaning.scene ERROR=0.1%
 says "line 2: 'heigth' is no word" 'make choose names a bad line' \
