@@ -178,7 +178,7 @@ done
 printf '#!/bin/sh\nexec %s -Ihide "$@"\n' "${CC:-cc}" >tools/nogsl
 chmod +x tools/nogsl
 for goal in lesson plot check; do
-    said=$(PATH=$PWD/tools CC=nogsl "$MAKE" $goal-$nn 2>&1)
+    said=$(PATH=$PWD/tools "$MAKE" $goal-$nn CC=nogsl 2>&1)
     [ $? = 2 ] && echo "$said" | grep -q 'GSL.*make deps'
     result $? "$goal without GSL says make deps" "$said"
 done

@@ -17,7 +17,8 @@ result() { # result STATUS WHAT WHY
 # NAME | WHERE | LINE | VERDICT.  WHERE is slot (the first one), main, or file
 # (its head); what stands before ## in LINE goes to the head as well, and @@ ends a line.  ROOT is
 # the folder of the workbook.  A verdict with | depends on the system: Linux with
-# Landlock lets a program signal its own processes only.
+# Landlock lets a program signal its own processes only; or on the compiler: clang
+# takes /dev/zero for an empty file.
 programs() {
     cat <<'END'
 segmentation fault | slot | int *volatile nowhere = (int *)-4096L; *nowhere = 1; | CRASHED
@@ -69,7 +70,7 @@ a line of assembler | file | __asm__(".section .init_array"); | WRONG (refused)
 a string with a constructor | file | static const char *const what = "constructor"; | OK
 the solution, included | file | #include "../solutions/03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by a macro | file | #define ALL "solutions/03_dirichlet_correction.c" @@ #include ALL | WRONG (refused)
-includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)
+includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)|WRONG (does not compile)
 macros of ten to the ten | file | #define A(x) x x x x x x x x x x @@ #define B(x) A(A(A(A(A(A(A(A(A(A(x)))))))))) @@ static const int many = B(+1); | WRONG (refused)
 _Exit(0) in a slot | slot | fclose(fopen("judge.finished", "w")); _Exit(0); | CRASHED
 the end of a check, said by the program | slot | for (int fd = 3; fd < 9; fd++) if (write(fd, "finished", 8)) {} _exit(0); | CRASHED
@@ -93,7 +94,7 @@ a table with a NUL in it | main | fwrite("# nul\nx\n1\0\n\n\n", 1, 13, stdout); 
 NaN | slot | b[0] = 0.0 / (b[0] - b[0]); | NONFINITE
 a line that is no table | slot | puts("here 3"); | WRONG
 no C | slot | this is not C | WRONG (does not compile)
-a header that never ends | file | #include "/dev/zero" | WRONG
+a header that never ends | file | #include "/dev/zero" | WRONG|OK
 a header that is not there | file | #include "no such file.h" | WRONG (does not compile)
 END
 }
@@ -195,7 +196,7 @@ remade() { # remade FLAG: the judge, of which the parts that it concerns have it
 # exit status 2, nothing that counts as a verdict, and TEXT says why
 none() { # none NUMBER WHAT TEXT
     said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
-        CFLAGS=-O0 2>&1 </dev/null)
+        CFLAGS=-O0 ${COMPILER:+CC="$COMPILER"} 2>&1 </dev/null)
     status=$?
     [ $status = 2 ] && [ ! -f build/progress/$nn.result ] &&
         [ ! -f build/progress/$nn.pass ] && echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
@@ -269,7 +270,7 @@ tools() {
     touch -r common/linear/matrix.h common/plane/mesh.h
 
     cp "solutions/$slug.c" "lessons/$slug.c"
-    CC=no-such-compiler none 126 'a missing compiler' 'make deps'
+    COMPILER=no-such-compiler none 126 'a missing compiler' 'make deps'
     mv common/linear/matrix.h common/linear/moved.h
     none 127 'a missing header' 'make deps'
     mv common/linear/moved.h common/linear/matrix.h

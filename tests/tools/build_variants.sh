@@ -66,7 +66,7 @@ valgrind)
         ANY_FLAGS=1
         export ANY_FLAGS
     fi
-    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O2 -g' NATIVE= 2>&1)
+    said=$("$MAKE" programs BUILD="$dir" CFLAGS='-O2 -gdwarf-4' NATIVE= 2>&1)
     result $? 'everything compiles for any machine' "$said" ;;
 esac
 [ $kind = sanitize ] || [ $kind = valgrind ] || exit 0
