@@ -46,7 +46,9 @@ PART    = $@.$$$$.part
 WHOLE   = trap 'rm -f $(PART)' 0; trap 'exit 130' 1 2 15;
 MOVED   = mv -f $(PART) $@
 COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
-OBJECT  = -c -o $(PART) && $(MOVED)
+# What the compiler says of an object stays in OBJECT.said: a test reads it.
+OBJECT  = -c -o $(PART) 2> $@.said; status=$$?; cat $@.said >&2; \
+          [ $$status = 0 ] && $(MOVED)
 # the linker that takes half as long, where there is one; asked for once
 ifeq ($(origin FAST_LD),undefined)
 FAST_LD = $(eval FAST_LD := $(shell echo 'int main(void) { return 0; }' | \
@@ -208,9 +210,10 @@ $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 
 # tiles.c and front.c are as fast with -O2 and these of gcc, have the same digits,
 # and compile in two thirds of the time.
-LESS_THAN_O3 = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
-                   -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null \
-                   -o /dev/null 2>/dev/null && echo "$$@" || echo -O3)
+LESS_THAN_O3 = $(eval LESS_THAN_O3 := $(shell set -- -O2 -ftree-vectorize \
+                   -fvect-cost-model=dynamic -fpeel-loops; $(CC) -Werror "$$@" \
+                   -x c -c /dev/null -o /dev/null 2>/dev/null && echo "$$@" || \
+                   echo -O3))$(LESS_THAN_O3)
 same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \

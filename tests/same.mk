@@ -69,12 +69,12 @@ $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))
 $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
     $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c $(RULES)
-	$(Q)mkdir -p $(@D) && { $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT); } \
-	    2> $@.said || { cat $@.said >&2; false; }
+	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
 # What clang says of these it need not be asked for again.
-SEEN_HERE = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
-                $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE) $(PARTS:=.o))))
-$(T)/build-clang.result: $$(patsubst %,$(T)/clang/%.o,$$(SEEN_HERE))
+SEEN_clang = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
+                 $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE) $(PARTS:=.o))))
+SAID_clang = $(SEEN_clang:%=$(T)/clang/%.o.said)
+$(T)/build-clang.result: $$(basename $$(SAID_clang))
 -include $(wildcard $(T)/*/common/*/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)
 # the figures in the tree are no prerequisites: they would be drawn
 .PHONY: always

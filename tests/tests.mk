@@ -96,7 +96,8 @@ shown = $(patsubst %,$(BUILD)/data/%.tsv,$(sort $(shell grep -ohE \
     '<!-- (table|n) [0-9a-z_/]+' /dev/null $(call pages,$1) | awk '{ print $$3 }')))
 define workbook_rule
 .PHONY: workbook-$(call number,$1)
-workbook-$(call number,$1): $$$$(call shown,$1)
+workbook-$(call number,$1): $(if $(filter workbook-$(call \
+        number,$1),$(MAKECMDGOALS)),$$$$(call shown,$1))
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh fill $(call pages,$1)
 	@BUILD='$(BUILD)' sh tests/tools/workbook.sh lead
 endef
@@ -205,8 +206,8 @@ UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
 programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
 studies: $(COUNTED:%=$(BUILD)/figures/%)
 
-# Does another compiler warn?  LOOK says how far it goes; nothing is linked.
-# What is SEEN already has left nothing in a file OBJECT.said.
+# Does a compiler warn?  LOOK says how far it goes; nothing is linked.  What it has
+# SEEN already, for another purpose, has left its words in a file OBJECT.said.
 LOOK = -fsyntax-only
 SEEN =
 HEADERS := $(wildcard common/*/*.h figures/*/*.h tests/*/*.h)
@@ -284,15 +285,23 @@ $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
 # only the older ones, so that they are compiled anew.
 NOT_NATIVE = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename \
                  $(notdir $o)))),,$o))
-READY = $(if $(SANITIZED)$(filter-out file,$(origin CFLAGS))$(findstring \
-            clang,$(shell $(CC) --version)),,$(NOT_NATIVE) \
-            $(PROGRAMS:=.o) $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
-VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_HERE)' \
+IS_GCC = $(eval IS_GCC := $(if $(SANITIZED)$(filter-out file,$(origin \
+             CFLAGS))$(findstring clang,$(shell $(CC) --version)),,yes))$(IS_GCC)
+READY = $(if $(IS_GCC),$(NOT_NATIVE) $(PROGRAMS:=.o) \
+            $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
+# What gcc says of the main build it need not be asked for again.
+SEEN_gcc = $(if $(IS_GCC),$(OBJECTS:$(BUILD)/%.o=%) $(PARTS:$(BUILD)/%=%) \
+               $(UNITS:%=tests/unit/%) tests/unit/unit \
+               $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%))
+SAID_gcc = $(if $(IS_GCC),$(patsubst %,%.said,$(OBJECTS) $(PARTS:=.o) $(JUDGE) \
+               $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit)))
+VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_$*)' SAID='$(SAID_$*)' \
            sh tests/tools/build_variants.sh
 $(T)/build-%.result: $(EVERYTHING) | $(DEPS)
 	$(call say,test,$* build)
 	$(SHARED)$(Q)mkdir -p $(@D) && $(VARIANTS) $* > $@
 $(T)/build-valgrind.result: $$(READY)
+$(T)/build-gcc.result: $$(basename $$(SAID_gcc))
 
 include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \

@@ -37,7 +37,7 @@ int main(void)
     static double seconds[FLAGSHIP][TRIALS_MOST], ms[TRIALS_MOST];
     struct trials *s[FLAGSHIP];
     for (int scene = 0; scene < FLAGSHIP; scene++) {
-        s[scene] = trials_alloc((enum work_scene)scene);
+        s[scene] = trials_alloc((enum work_scene)scene, 0);
         for (int k = 0; k < s[scene]->count; k++) {
             seconds[scene][k] = s[scene]->work[k].seconds;
             for (int turn = 1; turn < RUNS; turn++)

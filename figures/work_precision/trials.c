@@ -89,7 +89,7 @@ static void other_elements(struct trials *trials)
             }
 }
 
-struct trials *trials_alloc(enum work_scene scene)
+struct trials *trials_alloc(enum work_scene scene, int others)
 {
     const struct work_setting model = {.scene = scene, .law = LOG,
                                        .dynamic = 1,
@@ -101,7 +101,7 @@ struct trials *trials_alloc(enum work_scene scene)
     trials->floor /= trials->size;
     settings(trials);
     const int linear = trials->count;
-    other_elements(trials);
+    if (others) other_elements(trials);
     trials->all = trials->count;
     trials->count = linear;
     for (int k = 0; k < trials->all; k++) {

@@ -29,8 +29,9 @@ struct trials {
     double error[TRIALS_MOST]; /* INFINITY where the run has failed */
 };
 
-/* All runs.  The caller frees it. */
-struct trials *trials_alloc(enum work_scene scene);
+/* All runs, or those with linear triangles, even, alone: all = count.  The caller
+ * frees it. */
+struct trials *trials_alloc(enum work_scene scene, int others);
 void trials_free(struct trials *sweep);
 
 /* Of the first `count` settings the one with the fewest flops among those with

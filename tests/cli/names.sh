@@ -61,50 +61,49 @@ after_includes() {
         signed sizeof static struct switch typedef union unsigned void volatile \
         while program_main; } |
     sed '/^# /d' | words | comm -13 - "$dir/spoken" >"$dir/free"
-# five of them as the linker's names too
+# five of them as the linker's names too; and functions of the system's names,
+# which the lesson's headers do not have: the judge calls some of them, and every
+# second one is the linker's name too.  What the checks compile once more is the
+# program's as well, and the function of the first slot has another name, unless a
+# struct has it too.
 global='quit find_table judge guarded_copy run'
-after_includes "$(awk -v global=" $global " '{
-    print "struct " $1 " { int " $1 "; };"
-    print index(global, " " $1 " ") ? "" : "static", "int " $1 "(int " $1 ")"
-    print "{ return " $1 "; }" }' "$dir/free")" >"$file"
-judged "with $(($(wc -l <"$dir/free"))) names of the checks"
+of_checks() {
+    awk -v global=" $global " '{
+        print "struct " $1 " { int " $1 "; };"
+        print index(global, " " $1 " ") ? "" : "static", "int " $1 "(int " $1 ")"
+        print "{ return " $1 "; }" }' "$dir/names"
+}
+printf '%s\n' $system | sort >"$dir/system"
+${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon $(gsl-config --cflags) \
+    -E "$solution" | words | comm -13 - "$dir/system" >"$dir/others"
+comm -23 "$dir/free" "$dir/others" >"$dir/names"
+of_system() { # of_system 0|1: which of them are the linker's
+    awk -v odd="$1" '{
+        linked = NR % 2 == odd ? "" : "static "
+        print linked "int " $1 "(double, double);"
+        print linked "int " $1 "(double a, double b) { return a > b; }" }' \
+        "$dir/others"
+}
+count() { echo $(($(wc -l <"$1"))); }
+slot=$(awk '/^static .*\(/ { sub(/\(.*/, ""); sub(/.*[ *]/, ""); name = $0 }
+    /\/\* SLOT / { print name; exit }' "$solution")
+sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
+
+after_includes "$(of_checks; of_system 0)" >"$file"
+judged "with $(count "$dir/names") names of the checks and $(count \
+    "$dir/others") functions of the system's names"
 
 rm -f "$dir/judge"
 ! said=$(by_make NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
 result $? "$nn: without names of their own the checks do not compile" "$said"
 
-# functions of the system's names, which the lesson's headers do not have; the
-# judge calls some of them, and every second one is the linker's name too
-printf '%s\n' $system | sort >"$dir/system"
-${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon $(gsl-config --cflags) \
-    -E "$solution" | words | comm -13 - "$dir/system" >"$dir/free"
-for odd in 0 1; do
-    after_includes "$(awk -v odd=$odd '{
-        linked = NR % 2 == odd ? "" : "static "
-        print linked "int " $1 "(double, double);"
-        print linked "int " $1 "(double a, double b) { return a > b; }" }' \
-        "$dir/free")" >"$file"
-    judged "with $(($(wc -l <"$dir/free"))) functions of the system's names"
-done
+after_includes "$(cat "$dir/modules" && of_system 1
+    grep -q "struct $slot " "$solution" || echo "#define $slot my_$slot"
+    printf '#ifndef M_PI\n#define M_PI 3.14159265358979323846\n#endif')" >"$file"
+judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
+    sed 's/#include //g')and a macro for $slot"
 
 { cat "$solution"
     awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
 } >"$file"
-judged "with $(($(wc -l <"$dir/spoken"))) macros"
-
-# what the checks compile once more is the program's as well
-sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
-if [ -s "$dir/modules" ]; then
-    after_includes "$(cat "$dir/modules")" >"$file"
-    judged "with $(tr '\n' ' ' <"$dir/modules" | sed 's/#include //g; s/ $//')"
-fi
-
-# the function of the first slot under another name, unless a struct has it too
-slot=$(awk '/^static .*\(/ { sub(/\(.*/, ""); sub(/.*[ *]/, ""); name = $0 }
-    /\/\* SLOT / { print name; exit }' "$solution")
-! grep -q "struct $slot " "$solution" || exit 0
-after_includes "#define $slot my_$slot
-#ifndef M_PI
-#define M_PI 3.14159265358979323846
-#endif" >"$file"
-judged "in which $slot is a macro"
+judged "with $(count "$dir/spoken") macros"

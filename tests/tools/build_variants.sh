@@ -5,7 +5,8 @@
 # UBSan), valgrind (no leak, no invalid access, nothing read that was not
 # written).  What computes for long is run in part, unless it is to be the whole.
 # READY: objects that valgrind's build has in common with the main one; SEEN: what
-# clang has compiled for same.mk.  Prints ok, FAIL, skip lines.
+# gcc has compiled for the main build and clang for same.mk, and SAID: their words
+# on it.  Prints ok, FAIL, skip lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -25,15 +26,9 @@ gcc | clang)
     # some of gcc's warnings come with its optimizer, all of clang's before
     look=-fsyntax-only
     if [ $kind = gcc ]; then look='-S -o /dev/null'; fi
-    # what clang has SEEN for same.mk has left its words there
-    seen=
-    if [ $kind = clang ]; then seen=${SEEN:-}; fi
     said=$("$MAKE" look BUILD="$dir" CC="$kind" CFLAGS=-O1 LOOK="$look" \
-        SEEN="$seen" 2>&1 && for name in $seen; do
-            [ ! -s "$BUILD/test/clang/$name.o.said" ] || {
-                cat "$BUILD/test/clang/$name.o.said"
-                exit 1
-            }
+        SEEN="${SEEN:-}" 2>&1 && for file in ${SAID:-}; do
+            [ ! -s "$file" ] || { cat "$file" && exit 1; }
         done)
     result $? 'everything compiles without a warning' "$said" ;;
 sanitize)
@@ -97,13 +92,15 @@ done
 long_for() {
     [ -n "$whole" ] || case $kind.$1 in
     *.live) echo nothing_breaks_log nothing_breaks_cubic ;;
-    *.work) echo the_rule_is_balanced sweeps_know_parts_and_the_cheapest ;;
+    *.work) echo the_rule_is_balanced the_rule_pays_for_its_probes \
+        sweeps_know_parts_and_the_cheapest ;;
     esac
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
         the_best_guess_needs_one_factorisation_a_step dynamics_equal_the_oracle ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
     valgrind.live) echo downhill_goes_down ;;
+    valgrind.motion) echo no_frame_is_lost ;;
     valgrind.matrix) echo a_band_of_any_width_equals_gsl \
         memory_starts_at_a_line_of_the_cache \
         the_room_behind_a_column_stays_zero ;;

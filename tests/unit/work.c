@@ -329,7 +329,7 @@ static void rows_say_what_was_tried(const struct trials *s)
 
 static void sweeps_know_parts_and_the_cheapest(void)
 {
-    struct trials *s = trials_alloc(BUCKLE);
+    struct trials *s = trials_alloc(BUCKLE, 1);
     int dynamic = 0, leapt = 0;
     ck_assert_int_eq(s->count, 276);
     for (int k = 0; k < s->count; k++) {
@@ -368,7 +368,7 @@ static void sweeps_know_parts_and_the_cheapest(void)
 
 static void the_rule_is_balanced(void)
 {
-    struct trials *s = trials_alloc(PUSH);
+    struct trials *s = trials_alloc(PUSH, 0);
     double last = 0.0, part[N_PART];
     ck_assert_int_eq(rule_take(s, 3, 0.0).taken, -1);
     for (double error = 2.0; error > 0.03; error *= 0.7) {
@@ -400,7 +400,7 @@ static double least_probes(const struct trials *s)
 
 static void the_rule_pays_for_its_probes(void)
 {
-    struct trials *s = trials_alloc(PUSH);
+    struct trials *s = trials_alloc(PUSH, 0);
     const double least = least_probes(s);
     ck_assert_int_eq(rule_take(s, 2, 0.0).taken, -1);
     for (double error = 0.4; error > 0.05; error *= 0.5) {
