@@ -97,11 +97,12 @@ rm -f "$dir/judge"
 ! said=$(by_make NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
 result $? "$nn: without names of their own the checks do not compile" "$said"
 
-after_includes "$(cat "$dir/modules" && of_system 1
-    grep -q "struct $slot " "$solution" || echo "#define $slot my_$slot"
-    printf '#ifndef M_PI\n#define M_PI 3.14159265358979323846\n#endif')" >"$file"
+macro=
+grep -q "struct $slot " "$solution" || macro="#define $slot my_$slot"
+after_includes "$(cat "$dir/modules" && of_system 1 && printf '%s\n' "$macro" \
+    '#ifndef M_PI' '#define M_PI 3.14159265358979323846' '#endif')" >"$file"
 judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
-    sed 's/#include //g')and a macro for $slot"
+    sed 's/#include //g')${macro:+and a macro for $slot}"
 
 { cat "$solution"
     awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
