@@ -3,11 +3,12 @@
  * pay?
  *
  * The settings of trials.h with even linear triangles, which the rule knows, in
- * six scenes, on which it was made, and in two on which it was not: a pull that
- * begins with a jolt, and a weight.  The rule [alg:balance] from three meshes
- * and from two, asked for the errors 0.5, 0.4, ... as far as a setting gets: its
- * flops over those of the cheapest that is as good (same), over those of the
- * cheapest for what was asked (over), and its own price.  Tables: rule, price.
+ * six scenes, on which it was made, and in two on which it was not: a pull
+ * that begins with a jolt, and a weight.  The rule [alg:balance] from three
+ * meshes and from two, asked for the errors 0.5, 0.4, ... as far as a setting
+ * gets: its flops over those of the cheapest that is as good (same), over those
+ * of the cheapest for what was asked (over), and its own price.  Tables: rule,
+ * price.
  */
 #include "rule.h"
 

@@ -40,11 +40,6 @@ int main(void)
         }
     }
     table_end();
-    table_begin("scenes", "scene size floor settings");
-    for (int k = 0; k < FLAGSHIP; k++)
-        table_row(work_scene_name(s[k]->scene), cell_rounded(6, s[k]->size),
-                  cell_rounded(4, s[k]->floor), s[k]->all);
-    table_end();
     table_begin("front", TRIALS_COLUMNS);
     for (int k = 0; k < FLAGSHIP; k++) {
         print_front(s[k], s[k]->all, 0.0);

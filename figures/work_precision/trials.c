@@ -135,5 +135,6 @@ void trials_row(const struct trials *trials, int k, double asked)
               cell_if(ok, trials->work[k].flops),
               status_name(trials->work[k].status), trials->work[k].systems,
               set->element == LINEAR_TRIANGLE ? "linear" : "quadratic",
-              set->grade > 0.0 ? set->grade : 1.0);
+              set->grade > 0.0 ? set->grade : 1.0,
+              cell_rounded(4, trials->floor));
 }

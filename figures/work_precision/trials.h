@@ -45,7 +45,7 @@ enum part { MODEL, SPACE, TIME, SOLVER, N_PART };
 /* A row with the columns TRIALS_COLUMNS for setting k; `asked`: the error that
  * it was wanted for, 0: none. */
 #define TRIALS_COLUMNS "scene asked law method n steps tolerance error flops " \
-                      "reason systems element grade"
+                      "reason systems element grade floor"
 void trials_row(const struct trials *sweep, int k, double asked);
 
 #endif
