@@ -38,8 +38,8 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
                         double size, double *F)
 {
     int sign = 0;
-    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): set *F, and set sign to 1, -1
-     * or 0 [eq:deformation-gradient]. */
+    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): given both ends before and after,
+     * set *F, and set sign to 1, -1 or 0. */
     todo("1a", X0, X1, x0, x1, size, F, sign);
     /* END 1a */
     return sign;
@@ -56,7 +56,7 @@ static double triangle_gradient(const int node[3], const double X[],
 {
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+     * and Ds (after); from them *F, and J = det F. */
     todo("1b", node, X, x, F, J);
     /* END 1b */
     return J;

@@ -38,8 +38,8 @@ static int bar_gradient(double X0, double X1, double x0, double x1,
                         double size, double *F)
 {
     int sign = 0;
-    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): set *F, and set sign to 1, -1
-     * or 0 [eq:deformation-gradient]. */
+    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): given both ends before and after,
+     * set *F, and set sign to 1, -1 or 0. */
     *F = (x1 - x0) / (X1 - X0);
     /* a length below round-off has no sign, though F would have one */
     if (fabs(x1 - x0) > 16.0 * DBL_EPSILON * size) sign = *F > 0.0 ? 1 : -1;
@@ -58,7 +58,7 @@ static double triangle_gradient(const int node[3], const double X[],
 {
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+     * and Ds (after); from them *F, and J = det F. */
     /* column k: the edge from node[0] to node[k + 1] */
     mat2 Dm, Ds;
     for (int i = 0; i < 2; i++)
