@@ -55,7 +55,7 @@ static void assemble(int n, double beta, double f, double A[], double b[])
 static void move_known_values(int N, const double A[], double b[], int n_fixed,
                               const int node[], const double g[])
 {
-    /* SLOT 3a(N, A, b, n_fixed, node, g): change b, from A and g; what becomes
+    /* SLOT 3a(N, A, b, n_fixed, node, g): given A and g, change b; what becomes
      * of it at the prescribed nodes themselves does not matter. */
     todo("3a", N, A, b, n_fixed, node, g);
     /* END 3a */
@@ -77,13 +77,14 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
 }
 
 /*
- * r_k := the force that holds prescribed node k [eq:reaction], and what the
- * same expression gives at the others; A and b are those before the correction.
+ * Given the solution u, and A and b from before the correction, r_k := the
+ * force that holds prescribed node k [eq:reaction], and the same expression at
+ * the other nodes.
  */
 static void reactions(int N, const double A[], const double b[],
                       const double u[], double r[])
 {
-    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
+    /* SLOT 3c(N, A, b, u, r): given A, b and u, fill r[0..N-1]. */
     todo("3c", N, A, b, u, r);
     /* END 3c */
 }
