@@ -57,8 +57,8 @@ static enum status compatibility(int N, const double b[], double *defect)
 {
     double scale = 0.0;
     *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
-     * status; eps is DBL_EPSILON. */
+    /* SLOT 4b(N, b, defect, scale): given b, set *defect and scale, and return
+     * the status; eps is DBL_EPSILON. */
     todo("4b", N, b, defect, scale);
     /* END 4b */
 }
@@ -69,7 +69,7 @@ static enum status compatibility(int N, const double b[], double *defect)
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): project b in its place. */
+    /* SLOT 4c(N, b): replace b by its projection. */
     todo("4c", N, b);
     /* END 4c */
 }

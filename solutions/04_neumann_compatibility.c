@@ -62,8 +62,8 @@ static enum status compatibility(int N, const double b[], double *defect)
 {
     double scale = 0.0;
     *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
-     * status; eps is DBL_EPSILON. */
+    /* SLOT 4b(N, b, defect, scale): given b, set *defect and scale, and return
+     * the status; eps is DBL_EPSILON. */
     /* (1, ..., 1)^T A = 0, so b = A u has (1, ..., 1)^T b = 0 */
     for (int i = 0; i < N; i++) {
         *defect += b[i];
@@ -79,7 +79,7 @@ static enum status compatibility(int N, const double b[], double *defect)
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): project b in its place. */
+    /* SLOT 4c(N, b): replace b by its projection. */
     /* b less its component along (1, ..., 1), the null space of A */
     double mean = 0.0;
     for (int i = 0; i < N; i++) mean += b[i] / N;
