@@ -45,8 +45,8 @@ static void element(double x0, double x1, field *beta, field *f,
                     const struct quadrature *rule, double K[2][2],
                     double r[2])
 {
-    /* SLOT 8a(x0, x1, beta, f, rule, K, r): set the four entries of K and the
-     * two of r [eq:poisson-local]; all integrals are over this element. */
+    /* SLOT 8a(x0, x1, beta, f, rule, K, r): given the element, set the four
+     * entries of K and the two of r [eq:poisson-local], integrals over it. */
     todo("8a", x0, x1, beta, f, rule, K, r);
     /* END 8a */
 }
@@ -80,7 +80,7 @@ static void assemble(int n, const double x[], field *beta, field *f,
 static double cholesky_flops(int N, int p)
 {
     /* SLOT 8c(N, p): add up, column by column of L; m entries of column k lie
-     * below the diagonal [eq:cholesky-flops].  Exact, not to leading order. */
+     * below the diagonal.  Return the exact count, not the leading order. */
     todo("8c", N, p);
     /* END 8c */
 }
