@@ -27,7 +27,7 @@
 #include <math.h>
 
 /* The structs are in material.h.  Where a law is not defined the functions
- * return INVERTED, no NaN, and leave their output untouched. */
+ * return INVERTED and not a NaN, and leave their output untouched. */
 
 /* mu and lambda from E and nu [eq:lame].  One dimension means uniaxial strain:
  * the modulus is 2 mu + lambda and not E.  Two dimensions mean plane strain. */

@@ -57,7 +57,7 @@ static double element_integral(double x0, double x1, field *g,
 }
 
 /* row[0..2] := A_{j,j-1}, A_jj, A_{j,j+1} before any boundary condition, 0
- * where there is no such neighbour [eq:quadrature-A]. */
+ * where there is no such neighbour; mean[j] is that of beta on element j. */
 static void stiffness_row(int j, int n, const double x[], const double mean[],
                           double row[3])
 {
@@ -68,7 +68,7 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
     /* END 6c */
 }
 
-/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
+/* b_j, with the fluxes qa and qb prescribed at the ends. */
 static double load_entry(int j, int n, const double x[], field *f,
                          const struct quadrature *rule, double qa, double qb)
 {
@@ -110,7 +110,7 @@ static enum status solve(int n, const double x[], const double mean[], int held,
     return status;
 }
 
-/* What each rule makes of the monomials: int s^degree ds less the rule. */
+/* The error of each rule on the monomials: int s^degree ds less the rule. */
 static void print_exactness(void)
 {
     table_begin("exactness", "degree midpoint trapezoid gauss2");

@@ -45,8 +45,8 @@ static void assemble(int n, double beta, double f, double A[], double b[])
 }
 
 /*
- * First half of the correction: b of the equations that are left, in which
- * the prescribed values are known [eq:dirichlet-correction].
+ * First half of the correction: change b to that of the equations that are
+ * left, in which the prescribed values are known.
  *
  * A        in      N x N, not corrected yet
  * b        in/out  N
@@ -64,9 +64,8 @@ static void move_known_values(int N, const double A[], double b[], int n_fixed,
 }
 
 /*
- * Second half: replace equation k by d u_k = d g_k, and A stays symmetric
- * [eq:dirichlet-correction].  d is the old A_kk (KEEP_DIAGONAL) or 1
- * (UNIT_DIAGONAL).
+ * Second half: replace equation k by d u_k = d g_k so that A stays symmetric,
+ * where d is the old A_kk (KEEP_DIAGONAL) or 1 (UNIT_DIAGONAL).
  */
 static void replace_equations(int N, double A[], double b[], int n_fixed,
                               const int node[], const double g[],

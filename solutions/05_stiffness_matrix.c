@@ -126,8 +126,8 @@ static void print_rows(const char *name, int n, double grading)
 
 /*
  * Formula and GSL on n equal elements, rows and columns of the fixed ends (the
- * left one, when one) struck out.  A / h is the second difference, so h times
- * the eigenvalues of -u'' with the same ends is what the low ones are near to:
+ * left one, when one) struck out.  A / h is the second difference, so the low
+ * ones are near h times the eigenvalues of -u'' with the same ends, which are
  * (k pi)^2 where both are fixed.
  */
 static void print_eigenvalues(const char *name, enum ends ends, int n)

@@ -117,7 +117,7 @@ static double cholesky_flops(int N, int p)
 }
 
 /* A run is valid when its u solves a system that differs from A u = b by at
- * most this many eps, as that of Cholesky does whatever the condition is. */
+ * most this many eps, which Cholesky's method achieves whatever kappa is. */
 static const double BACKWARD_EPS = 20.0;
 
 /* One run of factor + solve, a point of a speed-accuracy chart. */
@@ -205,8 +205,8 @@ static struct point system_solve(struct system *s)
     return measure(s->A, s->b, 1, s->u);
 }
 
-/* What measure() makes of the solved system, of one whose A is not symmetric,
- * and of a NaN in b, which stays there; with the flops of both storages. */
+/* What measure() says of the solved system, of one whose A is not symmetric,
+ * and of one with a NaN in b, which stays there; the flops of both storages. */
 static void print_runs(struct system *s)
 {
     static const char *const name[] = {"right", "not symmetric", "NaN in b"};
