@@ -27,7 +27,7 @@
 #include <math.h>
 
 /* The structs are in material.h.  Where a law is not defined the functions
- * return INVERTED, no NaN, and leave their output untouched. */
+ * return INVERTED and not a NaN, and leave their output untouched. */
 
 /* mu and lambda from E and nu [eq:lame].  One dimension means uniaxial strain:
  * the modulus is 2 mu + lambda and not E.  Two dimensions mean plane strain. */
@@ -43,8 +43,8 @@ static struct material lame(enum law law, double E, double nu)
 static enum status volumetric(enum law law, double J, struct volumetric *v)
 {
     if (law == LINEAR) return OK; /* it has no r */
-    /* SLOT 2a(law, J, v): fill v, or return INVERTED where law is not defined
-     * at J. */
+    /* SLOT 2a(law, J, v): given J, fill v, or return INVERTED where the law is
+     * not defined. */
     todo("2a", law, J, v);
     /* END 2a */
     return OK;
@@ -64,7 +64,7 @@ static enum status response1(const struct material *material, double F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, F, &v) != OK) return INVERTED;
-    /* SLOT 2b(material, mu, lambda, F, v, out): out->psi, out->P and out->dP,
+    /* SLOT 2b(material, mu, lambda, F, v, out): set out->psi, out->P, out->dP,
      * for LINEAR and, with v, for both Neo-Hookean laws. */
     todo("2b", material, mu, lambda, F, v, out);
     /* END 2b */
@@ -83,7 +83,7 @@ static enum status response2(const struct material *material, mat2 F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2c(material, mu, lambda, F, v, psi, P): *psi and *P for LINEAR and,
+    /* SLOT 2c(material, mu, lambda, F, v, psi, P): set *psi, *P for LINEAR and,
      * with v, for both Neo-Hookean laws. */
     todo("2c", material, mu, lambda, F, v, psi, P);
     /* END 2c */
@@ -98,8 +98,8 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): differentiate each factor
-     * of P in the direction dF. */
+    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): set *dP, given dF: each
+     * factor of P changes in the direction dF. */
     todo("2d", material, mu, lambda, F, dF, v, dP);
     /* END 2d */
     return OK;

@@ -30,8 +30,8 @@
 #include <stdlib.h>
 
 /*
- * v^T A v without A [eq:quadratic-form], with beta at the middle of each
- * element, as the midpoint rule has it.
+ * v^T A v without A, with beta from the middle of each element, as in the
+ * midpoint rule.
  *
  * x, v   in   nodes and nodal values, 0..n
  */
@@ -47,18 +47,18 @@ static double quadratic_form(int n, const double x[], field *beta,
 }
 
 /*
- * Is A u = b solvable?  *defect := what is 0 then [eq:neumann-compatibility].
+ * Is A u = b solvable?  *defect := the number that is 0 if it is.
  *
- * OK            |defect| <= N eps scale: round-off of a sum, no more; scale is
- *               the same sum of absolute values
+ * OK            |defect| <= N eps scale: no more than the round-off of a sum;
+ *               scale is the same sum of absolute values
  * INCOMPATIBLE  otherwise (a NaN as well)
  */
 static enum status compatibility(int N, const double b[], double *defect)
 {
     double scale = 0.0;
     *defect = 0.0;
-    /* SLOT 4b(N, b, defect, scale): set *defect and scale, and return the
-     * status; eps is DBL_EPSILON. */
+    /* SLOT 4b(N, b, defect, scale): given b, set *defect and scale, and return
+     * the status; eps is DBL_EPSILON. */
     todo("4b", N, b, defect, scale);
     /* END 4b */
 }
@@ -69,7 +69,7 @@ static enum status compatibility(int N, const double b[], double *defect)
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): project b in its place. */
+    /* SLOT 4c(N, b): replace b by its projection. */
     todo("4c", N, b);
     /* END 4c */
 }
@@ -90,9 +90,8 @@ static enum status solve_pinned(const struct matrix *A, const double b[],
 }
 
 /*
- * The solution of A u = b that has the smallest sum_i u_i^2
- * [eq:neumann-family].  A, of order N = A->n, is the matrix of two flux ends
- * and is left alone.
+ * The solution of A u = b that has the smallest sum_i u_i^2.  A, of order
+ * N = A->n, is the matrix of two flux ends and is left alone.
  *
  * OK            u is the solution
  * INCOMPATIBLE  b is not in the range of A; u stays as it is

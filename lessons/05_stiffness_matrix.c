@@ -30,8 +30,7 @@
 enum ends { NONE_FIXED, ONE_FIXED, BOTH_FIXED };
 
 /*
- * A of n elements with beta = 1 and no boundary condition, row by row
- * [eq:stiffness-row].
+ * A of n elements with beta = 1 and no boundary condition, row by row.
  *
  * x      in   nodes, x[0..n], increasing, in general not equally spaced
  * A      out  order n + 1, half bandwidth >= 1; dense or banded
@@ -39,9 +38,9 @@ enum ends { NONE_FIXED, ONE_FIXED, BOTH_FIXED };
 static void stiffness_matrix(int n, const double x[], struct matrix *A)
 {
     matrix_zero(A);
-    /* SLOT 5a(n, x, A): for each node j add the entries of row j with
-     * matrix_add(A, j, ., .); node 0 and node n have one element only
-     * [eq:stiffness-row]. */
+    /* SLOT 5a(n, x, A): given the nodes, add the entries of row j with
+     * matrix_add(A, j, ., .), for each node j; node 0 and node n have one
+     * element only. */
     todo("5a", n, x, A);
     /* END 5a */
 }
@@ -49,12 +48,12 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
 /*
  * The k-th smallest eigenvalue, k = 1, 2, ..., of the stiffness matrix of n
  * elements of length h, rows and columns of fixed ends struck out: its order
- * is n + 1, n or n - 1 [eq:stiffness-eigenvalues].
+ * is n + 1, n or n - 1.
  */
 static double eigenvalue_exact(enum ends ends, int n, double h, int k)
 {
     /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
-     * fixed the smallest, k = 1, is 0 [eq:stiffness-eigenvalues]. */
+     * fixed the smallest, k = 1, is 0. */
     todo("5b", ends, n, h, k);
     /* END 5b */
 }
@@ -66,8 +65,8 @@ struct cost {
 };
 
 /*
- * Cost of order N and half bandwidth p, 0 <= p < N [eq:band-cost]; p is not
- * looked at when dense.  Numbers: what struct matrix keeps.  Flops: each
+ * Cost of order N and half bandwidth p, 0 <= p < N, which is not looked at when
+ * dense.  Numbers: what struct matrix keeps.  Flops: each
  * + - * / and square root counts one in the textbook loop
  *
  *     for k = 0 .. N-1:                           m = rows below k in the band
@@ -80,7 +79,7 @@ static struct cost cholesky_cost(enum storage storage, int N, int p)
     struct cost cost = {0.0, 0.0};
     /* SLOT 5c(storage, N, p, cost.numbers): set cost.numbers and cost.flops,
      * exactly and not only to leading order; a real N keeps N * N from
-     * overflowing [eq:band-cost]. */
+     * overflowing. */
     todo("5c", storage, N, p, cost.numbers);
     /* END 5c */
     return cost;
@@ -110,8 +109,8 @@ static void print_rows(const char *name, int n, double grading)
 
 /*
  * Formula and GSL on n equal elements, rows and columns of the fixed ends (the
- * left one, when one) struck out.  A / h is the second difference, so h times
- * the eigenvalues of -u'' with the same ends is what the low ones are near to:
+ * left one, when one) struck out.  A / h is the second difference, so the low
+ * ones are near h times the eigenvalues of -u'' with the same ends, which are
  * (k pi)^2 where both are fixed.
  */
 static void print_eigenvalues(const char *name, enum ends ends, int n)

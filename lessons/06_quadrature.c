@@ -37,8 +37,8 @@ enum shape { ONE, RISING, FALLING }; /* 1, s, 1 - s */
 static struct quadrature quadrature_rule(enum rule rule)
 {
     struct quadrature points = {0};
-    /* SLOT 6a(rule): fill points.n, points.s and points.w for each of the
-     * three rules; the interval is (0, 1), so the weights add up to 1. */
+    /* SLOT 6a(rule): given one of the three rules, fill points.n, points.s and
+     * points.w; the interval is (0, 1), so the weights add up to 1. */
     todo("6a", rule);
     /* END 6a */
     return points;
@@ -49,32 +49,32 @@ static double element_integral(double x0, double x1, field *g,
                                enum shape shape, const struct quadrature *rule)
 {
     double sum = 0.0;
-    /* SLOT 6b(x0, x1, g, shape, rule): let sum be the integral: for every
-     * point of the rule, its weight times g there times the shape. */
+    /* SLOT 6b(x0, x1, g, shape, rule): let sum be the integral, to which each
+     * point of the rule adds its weight times g there times the shape. */
     todo("6b", x0, x1, g, shape, rule);
     /* END 6b */
     return sum;
 }
 
 /* row[0..2] := A_{j,j-1}, A_jj, A_{j,j+1} before any boundary condition, 0
- * where there is no such neighbour [eq:quadrature-A]. */
+ * where there is no such neighbour; mean[j] is that of beta on element j. */
 static void stiffness_row(int j, int n, const double x[], const double mean[],
                           double row[3])
 {
     row[0] = row[1] = row[2] = 0.0;
-    /* SLOT 6c(j, n, x, mean, row): the element on the left of vertex j, if
-     * there is one, then the element on its right, if there is one. */
+    /* SLOT 6c(j, n, x, mean, row): fill row, given the means: the element on
+     * the left of vertex j, then that on its right, if there is one. */
     todo("6c", j, n, x, mean, row);
     /* END 6c */
 }
 
-/* b_j, with the fluxes qa and qb prescribed at the ends [eq:quadrature-b]. */
+/* b_j, with the fluxes qa and qb prescribed at the ends. */
 static double load_entry(int j, int n, const double x[], field *f,
                          const struct quadrature *rule, double qa, double qb)
 {
     double b = 0.0;
     /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, one half only at an end, where its flux is added. */
+     * the hat e_j, or against one half and with its flux at an end. */
     todo("6d", j, n, x, f, rule, qa, qb);
     /* END 6d */
     return b;
@@ -110,7 +110,7 @@ static enum status solve(int n, const double x[], const double mean[], int held,
     return status;
 }
 
-/* What each rule makes of the monomials: int s^degree ds less the rule. */
+/* The error of each rule on the monomials: int s^degree ds less the rule. */
 static void print_exactness(void)
 {
     table_begin("exactness", "degree midpoint trapezoid gauss2");

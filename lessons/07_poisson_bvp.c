@@ -64,9 +64,9 @@ static enum status solve_bvp(const struct problem *problem, enum load load,
                              double b[], double u[])
 {
     /* SLOT 7a(problem, load, n, x, A, b, u, assemble): assemble A and b, and
-     * bring the flux q into b [eq:poisson-b]; correct a copy
-     * of the system for u(0) = g [eq:dirichlet-correction]; factor the copy;
-     * solve into u.  Return what matrix_factor() says; free the copy. */
+     * bring the flux q into b; correct a copy of the system for u(0) = g
+     * [eq:dirichlet-correction]; factor the copy; solve into u.  Free the copy,
+     * and return what matrix_factor() says. */
     todo("7a", problem, load, n, x, A, b, u, assemble);
     /* END 7a */
 }
@@ -86,7 +86,7 @@ static struct poisson_error measure(const struct problem *problem, int n,
     for (int j = 0; j <= n; j++)
         error.nodal = fmax(error.nodal, fabs(problem->exact(x[j]) - u[j]));
 
-    /* SLOT 7b(problem, n, x, u, error, gauss): error.L2 [eq:norm-L2] and
+    /* SLOT 7b(problem, n, x, u, error, gauss): set error.L2 [eq:norm-L2] and
      * error.energy [eq:norm-energy] by Gauss quadrature on each element;
      * gsl_integration_glfixed_point(x0, x1, k, &at, &w, gauss) gives point and
      * weight k of POINTS on (x0, x1). */
@@ -111,8 +111,8 @@ static struct order observed_order(double h1, double err1, double h2,
 {
     struct order found = {0.0, 0.0};
 
-    /* SLOT 7c(h1, err1, h2, err2, floor, found): fill found.order and
-     * found.constant, unless there is nothing to measure. */
+    /* SLOT 7c(h1, err1, h2, err2, floor, found): given two lengths and errors,
+     * fill found.order and found.constant, if there is anything to measure. */
     todo("7c", h1, err1, h2, err2, floor, found);
     /* END 7c */
     return found;

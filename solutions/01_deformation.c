@@ -3,9 +3,9 @@
  *
  * Notes: Lecture 1, "Kinematics", the strain measures, and Figure 4.
  * Problem.  phi takes a material point X to its place x = phi(X) = X + u.  From
- * the places of the vertices of a mesh find F = d phi / d X on every element,
- * J = det F, and which elements are turned inside out, J < 0.  Then ask: which
- * of three strain measures notices a motion that deforms nothing?
+ * the places of the vertices of a mesh find F = d phi / d X and J = det F on
+ * every element, and the elements that are inside out, J < 0.  Then ask which
+ * of three strain measures is fooled by a motion that deforms nothing.
  *
  *         X2                       x1          an inverted triangle: its
  *         | \          F          / |          vertices run clockwise, and
@@ -31,15 +31,16 @@
 /*
  * F of the bar element whose ends X0 and X1 (X0 > X1 is allowed) are now at x0
  * and x1.  Returns the sign of F [eq:deformation-gradient]: 1 upright, -1
- * inverted, 0 collapsed: |x1 - x0| <= 16 DBL_EPSILON size, which round-off may
- * move a point by; size is the bar's largest coordinate, before and after.
+ * inverted, 0 collapsed.  Collapsed means |x1 - x0| <= 16 DBL_EPSILON size, by
+ * which round-off may move a point; size is the bar's largest coordinate,
+ * before and after.
  */
 static int bar_gradient(double X0, double X1, double x0, double x1,
                         double size, double *F)
 {
     int sign = 0;
-    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): set *F, and set sign to 1, -1
-     * or 0 [eq:deformation-gradient]. */
+    /* SLOT 1a(X0, X1, x0, x1, size, F, sign): given both ends before and after,
+     * set *F, and set sign to 1, -1 or 0. */
     *F = (x1 - x0) / (X1 - X0);
     /* a length below round-off has no sign, though F would have one */
     if (fabs(x1 - x0) > 16.0 * DBL_EPSILON * size) sign = *F > 0.0 ? 1 : -1;
@@ -58,7 +59,7 @@ static double triangle_gradient(const int node[3], const double X[],
 {
     double J = 0.0;
     /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); then *F and J = det F [eq:triangle-gradient]. */
+     * and Ds (after); from them *F, and J = det F. */
     /* column k: the edge from node[0] to node[k + 1] */
     mat2 Dm, Ds;
     for (int i = 0; i < 2; i++)

@@ -45,8 +45,8 @@ static void assemble(int n, double beta, double f, double A[], double b[])
 }
 
 /*
- * First half of the correction: b of the equations that are left, in which
- * the prescribed values are known [eq:dirichlet-correction].
+ * First half of the correction: change b to that of the equations that are
+ * left, in which the prescribed values are known.
  *
  * A        in      N x N, not corrected yet
  * b        in/out  N
@@ -64,9 +64,8 @@ static void move_known_values(int N, const double A[], double b[], int n_fixed,
 }
 
 /*
- * Second half: replace equation k by d u_k = d g_k, and A stays symmetric
- * [eq:dirichlet-correction].  d is the old A_kk (KEEP_DIAGONAL) or 1
- * (UNIT_DIAGONAL).
+ * Second half: replace equation k by d u_k = d g_k so that A stays symmetric,
+ * where d is the old A_kk (KEEP_DIAGONAL) or 1 (UNIT_DIAGONAL).
  */
 static void replace_equations(int N, double A[], double b[], int n_fixed,
                               const int node[], const double g[],
@@ -86,13 +85,14 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
 }
 
 /*
- * r_k := the force that holds prescribed node k [eq:reaction], and what the
- * same expression gives at the others; A and b are those before the correction.
+ * Given the solution u, and A and b from before the correction, r_k := the
+ * force that holds prescribed node k [eq:reaction], and the same expression at
+ * the other nodes.
  */
 static void reactions(int N, const double A[], const double b[],
                       const double u[], double r[])
 {
-    /* SLOT 3c(N, A, b, u, r): fill r[0..N-1]. */
+    /* SLOT 3c(N, A, b, u, r): given A, b and u, fill r[0..N-1]. */
     /* r = A u - b, which is 0 in each equation that u solves */
     for (int i = 0; i < N; i++) {
         r[i] = -b[i];

@@ -45,8 +45,8 @@ static void element(double x0, double x1, field *beta, field *f,
                     const struct quadrature *rule, double K[2][2],
                     double r[2])
 {
-    /* SLOT 8a(x0, x1, beta, f, rule, K, r): set the four entries of K and the
-     * two of r [eq:poisson-local]; all integrals are over this element. */
+    /* SLOT 8a(x0, x1, beta, f, rule, K, r): given the element, set the four
+     * entries of K and the two of r [eq:poisson-local], integrals over it. */
     const double h = x1 - x0;
     double beta_mean = 0.0;
 
@@ -105,7 +105,7 @@ static void assemble(int n, const double x[], field *beta, field *f,
 static double cholesky_flops(int N, int p)
 {
     /* SLOT 8c(N, p): add up, column by column of L; m entries of column k lie
-     * below the diagonal [eq:cholesky-flops].  Exact, not to leading order. */
+     * below the diagonal.  Return the exact count, not the leading order. */
     double flops = 0.0;
     for (int k = 0; k < N; k++) {
         const double m = N - 1 - k < p ? N - 1 - k : p;
@@ -117,7 +117,7 @@ static double cholesky_flops(int N, int p)
 }
 
 /* A run is valid when its u solves a system that differs from A u = b by at
- * most this many eps, as that of Cholesky does whatever the condition is. */
+ * most this many eps, which Cholesky's method achieves whatever kappa is. */
 static const double BACKWARD_EPS = 20.0;
 
 /* One run of factor + solve, a point of a speed-accuracy chart. */
@@ -205,8 +205,8 @@ static struct point system_solve(struct system *s)
     return measure(s->A, s->b, 1, s->u);
 }
 
-/* What measure() makes of the solved system, of one whose A is not symmetric,
- * and of a NaN in b, which stays there; with the flops of both storages. */
+/* What measure() says of the solved system, of one whose A is not symmetric,
+ * and of one with a NaN in b, which stays there; the flops of both storages. */
 static void print_runs(struct system *s)
 {
     static const char *const name[] = {"right", "not symmetric", "NaN in b"};

@@ -368,9 +368,9 @@ static const struct lesson lesson = {
     "near h pi^2: their ratio, the condition number, grows like 4 n^2 / pi^2, "
     "and round-off with it (figures/05_stiffness_matrix/storage.c, table "
     "`times_banded`: the residual stays, the error grows).",
-    "Raise `grading` to 1000 in figures/05_stiffness_matrix/condition.c: the "
-    "shortest element sets the largest eigenvalue, which is at least every "
-    "A_jj.",
+    "Run with --n 64 --grading 1000: the largest diagonal entry of rows_graded "
+    "is 143 times that of rows_equal, and the largest eigenvalue is at least "
+    "every A_jj. What does one short element do to the condition number?",
     what_was_predicted};
 
 int main(int argc, char *argv[])
