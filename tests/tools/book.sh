@@ -108,6 +108,11 @@ function changed(part, name) {
         sub(/\[.*/, "", part)
         return part label(name, "[" name "]")
     }
+    if (part ~ /^<a href="[^"]*#answer-/) { # what is asked for, as [eq:name](...)
+        sub(/>.*/, ">", part)
+        sub(/<a /, "<a class=\"label\" ", part)
+        return part "[" name "]</a>"
+    }
     if (part ~ /^<a href=/) return label(name, "[" name "]")
     if (part ~ /^<code>/ && indexed && name in row) return label(row[name], part)
     return part

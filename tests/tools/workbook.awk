@@ -134,6 +134,7 @@ function cite(text,    label) {
     while (match(text, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
         label = substr(text, RSTART + 1, RLENGTH - 2)
         text = substr(text, RSTART + RLENGTH)
+        if (text ~ /^\([^)#]*#answer-/) continue # it leads to an answer
         if (!(label in cited)) { cited[label] = 1; order[++n_cited] = label }
     }
 }
