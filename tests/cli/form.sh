@@ -178,3 +178,61 @@ rule 'short sentences are counted' \
         awk -v short=8 -v list=1 -f tests/tools/words.awk "$tmp/page"
     awk -v short=8 -v most=45 -f tests/tools/words.awk "$tmp/page"
     [ "$(awk -v short=8 -v most=44 -f tests/tools/words.awk "$tmp/page")" ] || echo 44)"
+
+# ---- minutes -----------------------------------------------------------------
+cat >"$tmp/timed.md" <<'END_OF_PAGE'
+# Lesson 98: Minutes
+
+*About 5 minutes. Rests
+on nothing.*
+
+## On paper
+
+1. *Warm-up.* One.
+2. *Core.* Two, which takes About 3 minutes.
+3. *Hard.* Three.
+
+## Predict
+
+1. How many?
+2. How many more? Or less?
+
+## Measured
+
+1. A list of another section.
+END_OF_PAGE
+cat >"$tmp/timed.c" <<'END_OF_CODE'
+int before;
+    /* SLOT 98a(x): a contract
+       of two lines. */
+    /* a comment
+     * over lines */ x = 1;
+
+    for (;;) {
+        x++; /* a reason */
+    }
+    /* END 98a */
+int behind;
+END_OF_CODE
+# 600 words, 5 + 10 + 20, 2 questions, 3 lines: 10 + 35 + 6 + 3 = 54
+timed() { awk -v words="$1" -f tests/tools/minutes.awk "$tmp/timed.md" ${2:+"$2"}; }
+rule 'minutes follow their rule' \
+    "$(said=$(awk -v parts=1 -v words=600 -f tests/tools/minutes.awk "$tmp/timed.md" \
+        "$tmp/timed.c" | tr '\n' ' ')
+    [ "$said" = '10 35 6 3 55 ' ] || echo "$said"
+    [ "$(timed 630)" = 50 ] && [ "$(timed 720)" = 55 ] || echo 'without slots'
+    sed '/^## Predict/,$s/^[12]\. //' "$tmp/timed.md" >"$tmp/asked.md"
+    said=$(awk -v words=0 -v parts=1 -f tests/tools/minutes.awk "$tmp/asked.md" | head -n 1)
+    [ "$said" = '0 35 9 0' ] || echo "questions without numbers: $said")"
+filled() { # filled MINUTES FILE
+    awk -v minutes="$1" -v only=lead -v data="$tmp" -f tests/tools/workbook.awk "$2"
+}
+rule 'minutes and hours are filled, and nothing else' \
+    "$(filled 75 "$tmp/timed.md" | diff "$tmp/timed.md" - | grep '^[<>]' >"$tmp/said"
+    [ "$(tr '\n' ' ' <"$tmp/said")" = '< *About 5 minutes. Rests > *About 75 minutes. Rests ' ] ||
+        cat "$tmp/said"
+    echo 'a <!-- hours 1-2 7 -->0<!-- /hours --> b' >"$tmp/sum"
+    said=$(filled '01 100 02 40 03 1000 07 25 ' "$tmp/sum")
+    [ "$said" = 'a <!-- hours 1-2 7 -->3<!-- /hours --> b' ] || echo "$said"
+    said=$(filled '01 100 02 40 03 1000 07 55 ' "$tmp/sum")
+    [ "$said" = 'a <!-- hours 1-2 7 -->3 1/2<!-- /hours --> b' ] || echo "$said")"

@@ -192,6 +192,8 @@ rule 'exercises On paper are numbered and marked' "$(form marks)"
 rule 'no label On paper leads to what is asked for' "$(form labels)"
 rule "Break it changes nothing but the student's own file" "$(form break)"
 rule 'a lesson ends in three things that you now have' "$(form own)"
+rule 'neighbours and minutes of a chapter are those of the tree (make workbook)' \
+    "$(sh tests/tools/workbook.sh led)"
 rule 'a chapter says where to stop, and folds what was measured (tests/tools/fold.awk)' \
     "$(awk -f tests/tools/fold.awk lessons/[0-9]*.md)"
 rule 'pictures are numbered, and chapters lead to each other (tests/tools/chapters.awk)' \
