@@ -43,7 +43,7 @@ th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
 td:has(a:target) { background: #fff3c4; }
 td a.label { font-size: 1em; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
-@media (min-width: 1000px) { img[src$="map.svg"] { width: 900px; max-width: none;
+@media (min-width: 1000px) { img[src="figures/map.svg"] { width: 900px; max-width: none;
     position: relative; left: 50%; transform: translateX(-50%); }
     .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
@@ -54,6 +54,14 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
     p .figure img[src$=".svg"] { max-width: none; width: 620px; }
     td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
+@media print { @page { size: A4; margin: 12mm; } body { font-size: 10.5pt; }
+    main { max-width: none; padding: 0; } .nav { display: none; } h2 { break-after: avoid; }
+    tr, img, pre { break-inside: avoid; } a { color: inherit; }
+    .CHEATSHEET { font-size: 7.6pt; line-height: 1.25; } .CHEATSHEET h1 { font-size: 12pt; margin: 0; }
+    .CHEATSHEET h2 { font-size: 9.5pt; margin: .5em 0 .1em; } .CHEATSHEET p { margin: .2em 0; }
+    .CHEATSHEET table { width: 100%; font-size: 1em; line-height: 1.2; }
+    .CHEATSHEET td, .CHEATSHEET th { padding: .1em .5em .1em 0; }
+    .CHEATSHEET .wide { margin: 0; padding: 0; overflow: visible; } }
 END
 
 # Markers are left out.  Pandoc knows no ```math, and takes what follows a tag for HTML to the next
@@ -117,7 +125,7 @@ function changed(part, name) {
     if (part ~ /^<code>/ && indexed && name in row) return label(row[name], part)
     return part
 }
-/<h2/ { indexed = /id="index-of-the-notes"/ }
+/<h[12]/ { indexed = /id="index-of-the-notes"/ }
 /<pre/ { pre = 1 }
 !pre {
     gsub(/>\314\202<\/mo>/, ">^</mo>") # accents that combine would sit beside
@@ -167,7 +175,8 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
       echo '<html lang="en"><head><meta charset="utf-8">'
       echo '<meta name="viewport" content="width=device-width, initial-scale=1">'
       sed -n 's/&/\&amp;/g; s|^# \(.*\)|<title>\1</title>|p; /^# /q' "$file"
-      echo "<link rel=\"stylesheet\" href=\"${up}book.css\"></head><body><main>"
+      echo "<link rel=\"stylesheet\" href=\"${up}book.css\"></head>"
+      echo "<body class=\"$(basename "$file" .md)\"><main>"
       sed 's|\(href="[^":]*\)\.md\(["#]\)|\1.html\2|g
            s|\(href="[./]*\)workbook\.html|\1index.html|g
            s|>[a-z]*/\([0-9][0-9]\)_[a-z0-9_]*\.md</a>|>lesson \1</a>|g' "$new/page.html" |
