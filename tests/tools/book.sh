@@ -51,14 +51,15 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
-    p .figure img[src$=".svg"] { max-width: none; width: 620px; }
+    p .figure img[src$=".svg"]:not(.fits) { max-width: none; width: 620px; }
     td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
 @media print { @page { size: A4; margin: 12mm; } body { font-size: 10.5pt; }
     main { max-width: none; padding: 0; } .nav { display: none; } h2 { break-after: avoid; }
     tr, img, pre { break-inside: avoid; } a { color: inherit; }
-    .CHEATSHEET { font-size: 7.6pt; line-height: 1.25; } .CHEATSHEET h1 { font-size: 12pt; margin: 0; }
-    .CHEATSHEET h2 { font-size: 9.5pt; margin: .5em 0 .1em; } .CHEATSHEET p { margin: .2em 0; }
+    .CHEATSHEET { font-size: 9pt; line-height: 1.3; } .CHEATSHEET h1 { font-size: 14pt; margin: 0; }
+    .CHEATSHEET h2 { font-size: 11pt; margin: .6em 0 .1em; } .CHEATSHEET p { margin: .2em 0; }
+    .CHEATSHEET #orders-and-constants { break-before: page; margin: 0; }
     .CHEATSHEET table { width: 100%; font-size: 1em; line-height: 1.2; }
     .CHEATSHEET td, .CHEATSHEET th { padding: .1em .5em .1em 0; }
     .CHEATSHEET .wide { margin: 0; padding: 0; overflow: visible; } }
@@ -92,7 +93,8 @@ END {
     }
 }'
 # Labels are links to their row of the equations (tests/tools/workbook.sh); so are
-# those that stand as code in the index of the notes.
+# those that stand as code in the index of the notes.  Pictures of one panel are
+# small enough for a phone; wider ones are scrolled there.
 after='
 BEGIN {
     n = split(labels, name, " ")
@@ -104,10 +106,14 @@ function label(name, text,    id) {
     sub(/:/, "-", id)
     return "<a class=\"label\" href=\"" equations "#" id "\">" text "</a>"
 }
-function changed(part, name) {
+function changed(part, name, file) {
     if (part ~ /^<img/) {
         match(part, /src="[^"]*"/)
         name = substr(part, RSTART + 4, RLENGTH - 4)
+        file = folder "/" substr(name, 2, length(name) - 2)
+        while (sub(/[^\/.][^\/]*\/\.\.\//, "", file)) continue
+        sub(/^\.\//, "", file)
+        if (index(narrow, " " file " ")) sub(/<img/, "<img class=\"fits\"", part)
         return "<a class=\"figure\" href=" name ">" part "</a>"
     }
     name = part
@@ -158,6 +164,8 @@ token="<code>[^<]*</code>|<annotation[^<]*</annotation>|<a [^>]*><img [^>]*>"
 token="$token|<img [^>]*>|<a id=\"[^\"]*\"></a>\[$cite\]|<a href=\"[^\"]*\">$cite</a>"
 token=$(printf '%s' "$token" | sed 's/\\/\\\\/g')
 
+narrow=$(grep -m 1 -oE 'viewBox="0 0 [0-9]+' figures/*.svg figures/*/*.svg |
+    awk -F '[: ]' '$NF <= 640 { print $1 }')
 table=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 labels=$(sed -n 's/^| <a id="[^"]*"><.a>\[\([a-z]*:[A-Za-z0-9-]*\)\].*/\1/p' "$table")
 for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
@@ -181,6 +189,7 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
            s|\(href="[./]*\)workbook\.html|\1index.html|g
            s|>[a-z]*/\([0-9][0-9]\)_[a-z0-9_]*\.md</a>|>lesson \1</a>|g' "$new/page.html" |
           awk -v equations="$equations" -v labels="$(echo $labels)" \
+              -v folder="$(dirname "$file")" -v narrow=" $(echo $narrow) " \
               -v token="$token" "$after"
       echo '</main></body></html>'
     } >"$new/$page"
