@@ -16,7 +16,8 @@
 #
 # With `short` it prints "SHARE % FILE: SHORT of SENTENCES", the share of
 # sentences of at most so many words.  A sentence ends in . ! or ? before a
-# capital, a digit, a formula or the like; across a displayed formula it goes on.
+# capital, a digit, a formula or the like; across a displayed formula it goes on.  A
+# formula with a relation, like $a=b$, is read as four words here.
 # Not counted: the head of a chapter, headings, the number of a picture, words in
 # italics with a stop, as the mark of an exercise, bold words that a paragraph
 # begins with, what ends in a colon, as in front of a table, or without a stop, and
@@ -48,7 +49,18 @@ function sentences_of(rest,    one, n, i, k, word) {
     }
 }
 
-BEGIN { if (most == "") most = -1 }
+# Formulas with a relation as the words that they are read with.
+function spoken(line,    done, one) {
+    while (match(line, /\$+[^$]+\$+/)) {
+        one = substr(line, RSTART, RLENGTH)
+        done = done substr(line, 1, RSTART - 1) \
+            (one ~ /[=<>]|\\(l[et]|g[et]|ne|to|in|approx|sim|leftarrow)([^a-z]|$)/ ? said : "Xx")
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return done line
+}
+
+BEGIN { if (most == "") most = -1; said = "Xx is so much" }
 FNR == 1 {
     report()
     file = FILENAME
@@ -58,7 +70,7 @@ FNR == 1 {
 /^## / { within = $2; sentences_of(text) }
 part == "rest" && within ~ /^(Theory|Example)$/ { next }
 part != "" && part != "rest" && index("," part ",", "," within ",") == 0 { next }
-/^ *```/ { fence = !fence; if (fence && /```math/) text = text " X "; next }
+/^ *```/ { fence = !fence; if (fence && /```math/) text = text said; next }
 fence { next }
 /^<details><summary>Measured/ || /^Read as far as this list/ { next }
 /^ *<details/ { folded = 1 }
@@ -77,7 +89,8 @@ folded || /^ *\|/ || /^ *\[[^]]*\]: / { next }
         if (end) line = line substr(rest, end + 3)
     }
     gsub(/<[^>]*>/, " ", line)
-    gsub(/\$+[^$]+\$+/, "X", line)
+    if (short != "") line = spoken(line)
+    gsub(/\$+[^$]+\$+/, "Xx", line)
     gsub(/!\[[^]]*\]\([^)]*\)/, " ", line)
     gsub(/\]\([^)]*\)/, "]", line)
     sub(/^#+ *(Lesson )?[0-9]*[:.]?/, "", line)
