@@ -482,7 +482,8 @@ choose: $(BUILD)/choose
 # The files of a new lesson: make new-26 NAME=spring
 new-%:
 	@sh tests/tools/new.sh '$*' '$(NAME)'
-	@$(SHARED)$(MAKE) workbook-$* figures/map.svg figures/$*_$(NAME)/order.svg
+	@$(SHARED)$(MAKE) workbook-$* figures/$*_$(NAME)/order.svg
+	@$(SHARED)$(MAKE) figures/map.svg
 
 # A goal that there is not: what may have been meant.  A file that is missing is
 # make's to name; .DEFAULT would hide by whom it is needed, so it is there only

@@ -245,6 +245,13 @@ $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
 $(T)/book.result: $(BOOK) tests/tools/book.sh tests/cli/book.sh
 	$(call say,test,the book as HTML)
 	$(Q)mkdir -p $(@D) && sh tests/cli/book.sh > $@
+$(T)/wide.result: $(BOOK) tests/tools/book.sh tests/cli/wide.sh
+	$(call say,test,the width of the pages)
+	$(Q)mkdir -p $(@D) && sh tests/cli/wide.sh > $@
+$(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
+        $(wildcard tests/tools/skeleton/*)
+	$(call say,test,the form of chapters)
+	$(Q)mkdir -p $(@D) && sh $< > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
@@ -307,8 +314,9 @@ include tests/same.mk
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
-           $(T)/lint.result $(T)/workbook.result $(T)/book.result $(T)/cli.result \
-           $(T)/options.result $(T)/pictures.result $(T)/habits.result \
+           $(T)/lint.result $(T)/workbook.result $(T)/book.result \
+           $(T)/wide.result $(T)/form.result \
+           $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/new.result $(T)/diff.result \
            $(T)/many.result $(SAME_RESULTS) \

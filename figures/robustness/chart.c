@@ -2,7 +2,7 @@
  * chart.c - which method, and which law, for which scene?
  *     stretch         ends pulled apart by sin t each, n = 8, 45 steps
  *     jerk            ends moved to and fro, dt = 0.12 s, n = 16, 20 steps
- *     press           a column shortened by 5 %; its limit is 3.4 %; no saddle
+ *     press           a column shortened by 5 %; its limit is 4.0 %; no saddle
  *     crushed         a square, n = 4, flat or inside out, let go: 4 ways
  *     scrambled_held  its inner vertices at random: 25 ways; standard error
  *     scrambled_free  all of them; error: of the stress at a stretch of 1.1

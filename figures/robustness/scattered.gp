@@ -38,7 +38,7 @@ count(k) = k == 0 ? 0 : column(word(all, k)) + count(k - 1)
 part(k) = 100.0 * count(k) / column("seeds")
 unsure = "100.0 * column('rest_error')"
 array Color[4] = ["#009E73", "#56B4E9", "#E69F00", "#D55E00"]
-array Title[4] = ["at rest", "stable, but not at rest", \
+array Title[4] = ["back at rest", "in another stable equilibrium", \
     "NOT SPD", "fails"]
 plot for [k = 4:1:-1] data index "scattered" using (place(strcol("method"), \
          strcol("held"), column("amplitude"))):(part(k)) \

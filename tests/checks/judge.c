@@ -143,7 +143,7 @@ static void print_predictions(int index)
     double value;
 
     if (predicted.n > 0 && predicted.n_answer == 0)
-        printf("  Nothing was predicted.\n");
+        printf("  You predicted nothing.\n");
     if (predicted.n_answer == 0) return;
     remove(work_file("judge.measured", path));
     examine(index, &finding);
@@ -157,7 +157,8 @@ static void print_predictions(int index)
         }
     if (file) fclose(file);
     printf("  Predicted:\n");
-    print_wrapped("    ", *text ? text : "what was cannot be measured");
+    print_wrapped("    ", *text ? text
+                                : "the program prints nothing to compare");
 }
 
 /* All checks pass. */

@@ -53,7 +53,8 @@ void prediction_compare(const struct prediction *p, double measured,
     char how[64];
 
     if (isnan(expected)) {
-        snprintf(text + at, size - at, "%s: `%s` is no number, measured %.7g. ",
+        snprintf(text + at, size - at,
+                 "%s: `%s` is not a number, measured %.7g. ",
                  p->key, p->answer, measured);
         return;
     }

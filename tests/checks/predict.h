@@ -26,7 +26,7 @@ struct prediction {
 int predictions_read(const char *path, struct prediction p[]);
 
 /* Adds "2a: 7000, measured 6741.22, off by 3.8 %. " to the text of this size,
- * or says that the answer is no number. */
+ * or says that the answer is not a number. */
 void prediction_compare(const struct prediction *p, double measured,
                         size_t size, char text[]);
 

@@ -57,17 +57,17 @@ static void explain_end(struct ending ending, struct finding *finding)
         finding->verdict = TIMEOUT;
     if (ending.limit == LIMIT_CPU) {
         snprintf(text, size,
-                 "no end after %d seconds of computing: is there a loop that "
-                 "cannot stop, or a method that is much too slow?",
+                 "still running after %d seconds of computing: is there a loop "
+                 "that cannot stop, or a method that is much too slow?",
                  SECONDS_COMPUTING);
     } else if (ending.limit == LIMIT_IDLE) {
         snprintf(text, size,
-                 "no end, and nothing computes: does the program wait for "
-                 "something?");
+                 "still running, but computing nothing: does the program wait "
+                 "for something?");
     } else if (ending.limit == LIMIT_OUTPUT) {
         snprintf(text, size,
-                 "more than %d MB of output: is there a loop that prints "
-                 "without end?", MEGABYTES_OUTPUT);
+                 "more than %d MB of output: is there a loop that never stops "
+                 "printing?", MEGABYTES_OUTPUT);
     } else if (ending.limit == LIMIT_FILES) {
         snprintf(text, size, "the program has written more than %d files",
                  MOST_FILES);
@@ -75,7 +75,7 @@ static void explain_end(struct ending ending, struct finding *finding)
         snprintf(text, size, "the program has started more than %d processes",
                  MOST_PROCESSES);
     } else if (ending.limit == LIMIT_STOPPED) {
-        snprintf(text, size, "the program stopped itself by a signal");
+        snprintf(text, size, "the program stopped itself with a signal");
     } else if (ending.status == -SIGILL || ending.status == -SIGTRAP) {
         /* that is what BOUNDS of the Makefile makes of it */
         snprintf(text, size, "an index beyond the end of an array, or below 0: "
@@ -92,7 +92,7 @@ static void explain_end(struct ending ending, struct finding *finding)
         quit("%s", line + 7);
     } else {
         snprintf(text, size,
-                 "the program left in the middle of its work, with exit(%d)"
+                 "the program ended in the middle of its work, with exit(%d)"
                  "%s%s", ending.status, colon, line);
     }
 }

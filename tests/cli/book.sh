@@ -134,7 +134,7 @@ on_a_forge() { # on_a_forge FILE: the same of FILE as text, after cmark-gfm
     # each formula and label is cut out before the text between them
     cmark-gfm --github-pre-lang --unsafe -e table -e strikethrough \
         -e autolink "$1" |
-        sed 's/<a href="[^"]*#[ae][lq]g*-[^"]*">\([a-z]*:[A-Za-z0-9-]*\)<\/a>/[\1]/g
+        sed 's/<a href="[^"]*#[ae][lqn][gs]*[-w][^"]*">\([a-z]*:[A-Za-z0-9-]*\)<\/a>/[\1]/g
              s/<a id="[^"]*"><\/a>\[/[/
              s/<pre lang="math"><code>/\
 ```math\

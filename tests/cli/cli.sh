@@ -120,8 +120,8 @@ predicted 'right' "solutions/$slug.c" '4;-0.1339746;8/2' "$right measured 4, rig
 predicted 'wrong' "solutions/$slug.c" '5;0;1e9' \
     '1: 5, measured 4, off by 25 %. 2: 0, measured -0.1339746, off by 100 %. 3: 1e9, measured 4, 2.5e+08 times as large.'
 predicted 'words' "solutions/$slug.c" 'many;nan;' \
-    '1: `many` is no number, measured 4. 2: `nan` is no number, measured -0.1339746. Notice:'
-predicted 'none' "solutions/$slug.c" '...;...;' 'Nothing was predicted. Notice:'
+    '1: `many` is not a number, measured 4. 2: `nan` is not a number, measured -0.1339746. Notice:'
+predicted 'none' "solutions/$slug.c" '...;...;' 'You predicted nothing. Notice:'
 awk -f tests/tools/starter.awk "solutions/$slug.c" >"$tmp/starter.c"
 predicted 'before it passes' "$tmp/starter.c" '4;-0.1339746;4' ''
 cp "solutions/$slug.c" "lessons/$slug.c"

@@ -43,7 +43,7 @@ th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
 td:has(a:target) { background: #fff3c4; }
 td a.label { font-size: 1em; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
-@media (min-width: 1000px) { img[src$="map.svg"] { width: 900px; max-width: none;
+@media (min-width: 1000px) { img[src="figures/map.svg"] { width: 900px; max-width: none;
     position: relative; left: 50%; transform: translateX(-50%); }
     .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
@@ -51,9 +51,18 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
-    p .figure img[src$=".svg"] { max-width: none; width: 620px; }
+    p .figure img[src$=".svg"]:not(.fits) { max-width: none; width: 620px; }
     td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
+@media print { @page { size: A4; margin: 12mm; } body { font-size: 10.5pt; }
+    main { max-width: none; padding: 0; } .nav { display: none; } h2 { break-after: avoid; }
+    tr, img, pre { break-inside: avoid; } a { color: inherit; }
+    .CHEATSHEET { font-size: 9pt; line-height: 1.3; } .CHEATSHEET h1 { font-size: 14pt; margin: 0; }
+    .CHEATSHEET h2 { font-size: 11pt; margin: .6em 0 .1em; } .CHEATSHEET p { margin: .2em 0; }
+    .CHEATSHEET #orders-and-constants { break-before: page; margin: 0; }
+    .CHEATSHEET table { width: 100%; font-size: 1em; line-height: 1.2; }
+    .CHEATSHEET td, .CHEATSHEET th { padding: .1em .5em .1em 0; }
+    .CHEATSHEET .wide { margin: 0; padding: 0; overflow: visible; } }
 END
 
 # Markers are left out.  Pandoc knows no ```math, and takes what follows a tag for HTML to the next
@@ -84,7 +93,8 @@ END {
     }
 }'
 # Labels are links to their row of the equations (tests/tools/workbook.sh); so are
-# those that stand as code in the index of the notes.
+# those that stand as code in the index of the notes.  Pictures of one panel are
+# small enough for a phone; wider ones are scrolled there.
 after='
 BEGIN {
     n = split(labels, name, " ")
@@ -96,10 +106,14 @@ function label(name, text,    id) {
     sub(/:/, "-", id)
     return "<a class=\"label\" href=\"" equations "#" id "\">" text "</a>"
 }
-function changed(part, name) {
+function changed(part, name, file) {
     if (part ~ /^<img/) {
         match(part, /src="[^"]*"/)
         name = substr(part, RSTART + 4, RLENGTH - 4)
+        file = folder "/" substr(name, 2, length(name) - 2)
+        while (sub(/[^\/.][^\/]*\/\.\.\//, "", file)) continue
+        sub(/^\.\//, "", file)
+        if (index(narrow, " " file " ")) sub(/<img/, "<img class=\"fits\"", part)
         return "<a class=\"figure\" href=" name ">" part "</a>"
     }
     name = part
@@ -108,11 +122,16 @@ function changed(part, name) {
         sub(/\[.*/, "", part)
         return part label(name, "[" name "]")
     }
+    if (part ~ /^<a href="[^"]*#answer-/) { # what is asked for, as [eq:name](...)
+        sub(/>.*/, ">", part)
+        sub(/<a /, "<a class=\"label\" ", part)
+        return part "[" name "]</a>"
+    }
     if (part ~ /^<a href=/) return label(name, "[" name "]")
     if (part ~ /^<code>/ && indexed && name in row) return label(row[name], part)
     return part
 }
-/<h2/ { indexed = /id="index-of-the-notes"/ }
+/<h[12]/ { indexed = /id="index-of-the-notes"/ }
 /<pre/ { pre = 1 }
 !pre {
     gsub(/>\314\202<\/mo>/, ">^</mo>") # accents that combine would sit beside
@@ -145,6 +164,8 @@ token="<code>[^<]*</code>|<annotation[^<]*</annotation>|<a [^>]*><img [^>]*>"
 token="$token|<img [^>]*>|<a id=\"[^\"]*\"></a>\[$cite\]|<a href=\"[^\"]*\">$cite</a>"
 token=$(printf '%s' "$token" | sed 's/\\/\\\\/g')
 
+narrow=$(grep -m 1 -oE 'viewBox="0 0 [0-9]+' figures/*.svg figures/*/*.svg |
+    awk -F '[: ]' '$NF <= 640 { print $1 }')
 table=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 labels=$(sed -n 's/^| <a id="[^"]*"><.a>\[\([a-z]*:[A-Za-z0-9-]*\)\].*/\1/p' "$table")
 for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
@@ -162,11 +183,13 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
       echo '<html lang="en"><head><meta charset="utf-8">'
       echo '<meta name="viewport" content="width=device-width, initial-scale=1">'
       sed -n 's/&/\&amp;/g; s|^# \(.*\)|<title>\1</title>|p; /^# /q' "$file"
-      echo "<link rel=\"stylesheet\" href=\"${up}book.css\"></head><body><main>"
+      echo "<link rel=\"stylesheet\" href=\"${up}book.css\"></head>"
+      echo "<body class=\"$(basename "$file" .md)\"><main>"
       sed 's|\(href="[^":]*\)\.md\(["#]\)|\1.html\2|g
            s|\(href="[./]*\)workbook\.html|\1index.html|g
            s|>[a-z]*/\([0-9][0-9]\)_[a-z0-9_]*\.md</a>|>lesson \1</a>|g' "$new/page.html" |
           awk -v equations="$equations" -v labels="$(echo $labels)" \
+              -v folder="$(dirname "$file")" -v narrow=" $(echo $narrow) " \
               -v token="$token" "$after"
       echo '</main></body></html>'
     } >"$new/$page"

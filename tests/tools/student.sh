@@ -98,17 +98,17 @@ explain_compile() {
     if grep -q program_main "$folder/log"; then
         echo "  main() must be there, and begin: int main(int argc, char *argv[])"
     elif [ -n "$taken" ]; then
-        echo "  The checks have a name that your file has too: $taken."
-        echo "  Give yours another one."
+        echo "  The checks use a name that your file uses, too: $taken."
+        echo "  Give yours another name."
     elif [ -n "$twice" ]; then
         echo "  The library has a function that your file has too: $twice."
         echo "  Give yours another name."
     elif [ -n "$needed" ]; then
-        echo "  The checks call what your file has no more, or has with other"
-        echo "  parameters: $needed. The starter's functions must stay."
+        echo "  The checks call what your file no longer has, or has with other"
+        echo "  parameters: $needed. Keep the functions of the starter."
     else
         errors "$folder/log" | head -n 5
-        echo "  Does the program still have all functions of the starter?"
+        echo "  Does your program still have all functions of the starter?"
     fi
 }
 

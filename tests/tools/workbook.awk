@@ -18,7 +18,11 @@
 #   <!-- end -->                 every [eq:name] in it, to its row in the file
 #                                `table`, "" for this one, which has an anchor
 #
-# The line "Previous: ..." of a chapter is replaced by `leading`, if there is one.
+# The line "Previous: ..." of a chapter is replaced by `leading`, if there is one,
+# and the number in "About 90 minutes" of its head by `minutes`.  In TEACHING.md
+# `minutes` is "01 115 02 140 ...", and the sums of lessons are filled in as hours:
+#
+#   <!-- hours 1-2 9 11-13 -->12 1/2<!-- /hours -->
 #
 # FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
 # (a word, or - where there is none) stands as it is, whatever its FORMAT.
@@ -134,6 +138,7 @@ function cite(text,    label) {
     while (match(text, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
         label = substr(text, RSTART + 1, RLENGTH - 2)
         text = substr(text, RSTART + RLENGTH)
+        if (text ~ /^\([^)#]*#answer-/) continue # it leads to an answer
         if (!(label in cited)) { cited[label] = 1; order[++n_cited] = label }
     }
 }
@@ -148,9 +153,36 @@ function anchored(row,    label) {
 }
 function id(label) { sub(/:/, "-", label); return label }
 
-# the line that leads to the neighbours; with only=lead all others stay
+# The sum of the minutes of lessons, "1-2 9", in hours and halves.
+function hours(lessons,    n, k, i, part, range, each, sum, half) {
+    n = split(minutes, each, " ")
+    k = split(lessons, part, " ")
+    for (; k > 0; k--) {
+        split(part[k] "-" part[k], range, "-")
+        for (i = 1; i < n; i += 2)
+            if (each[i] + 0 >= range[1] + 0 && each[i] + 0 <= range[2] + 0)
+                sum += each[i + 1]
+    }
+    half = int(sum / 30 + 0.5)
+    return int(half / 2) (half % 2 ? " 1/2" : "")
+}
+
+# the line that leads to the neighbours, and minutes; with only=lead the rest stays
 leading != "" && /\| next: |^Previous: / && !/^ *</ { print leading; next }
-only == "lead" { print; next }
+/^## / { headed = 1 }
+minutes ~ /^[0-9]+$/ && !headed && /About [0-9]+( minutes|$)/ {
+    match($0, /About [0-9]+/)
+    $0 = substr($0, 1, RSTART + 5) minutes substr($0, RSTART + RLENGTH)
+}
+minutes != "" && /<!-- hours [^>]*-->/ {
+    spec = $0
+    sub(/.*<!-- hours /, "", spec)
+    sub(/ *-->.*/, "", spec)
+    match($0, /<!-- hours [^>]*-->[^<]*/)
+    $0 = substr($0, 1, RSTART - 1) "<!-- hours " spec " -->" hours(spec) \
+        substr($0, RSTART + RLENGTH)
+}
+only == "lead" || only == "led" { print; next }
 /^<!-- labels -->$/ {
     skipping = labels = 1
     next
@@ -198,7 +230,7 @@ skipping { next }
 }
 END {
     if (failed) exit 2
-    if (only == "lead") exit
+    if (only == "lead" || only == "led") exit
     if (skipping) stop("a marker is never closed")
     if (!n_cited) exit
     if (!blank) print ""

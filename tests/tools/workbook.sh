@@ -2,8 +2,9 @@
 # workbook.sh fill|check [FILE...] - fill the generated parts of the book's
 # files, or say which of them are stale (exit status 1, with the lines that
 # differ).  Without FILE all files of the book.
-# workbook.sh lead - fill nothing but the lines that lead from each chapter to
-# its neighbours, which needs no data.
+# workbook.sh lead - fill nothing but what needs no data: the lines that lead from
+# each chapter to its neighbours, the minutes in its head, and their sums in
+# TEACHING.md.  workbook.sh led - say where that is stale.
 # workbook.sh chapters - the chapters, in the order of the book.
 set -u
 LC_ALL=C
@@ -16,7 +17,7 @@ figures/speed/README.md
 figures/work_precision/README.md
 figures/many/README.md"
 if [ "$command" = chapters ]; then echo "$chapters"; exit; fi
-[ "$command" != lead ] || set -- $chapters
+case $command in lead | led) set -- $chapters lessons/TEACHING.md ;; esac
 # link FROM TO: a link to a chapter, as FROM's folder has it
 link() {
     [ -n "$2" ] || return 0
@@ -44,6 +45,22 @@ leading() {
     else before="[C${contents#c}"; fi
     echo "$before${behind:+ | next: $behind}"
 }
+# minutes CHAPTER: by the rule of minutes.awk
+minutes() {
+    code=solutions/$(basename "$1" .md).c
+    [ -f "$code" ] || code=
+    words=$(awk -f tests/tools/words.awk "$1")
+    awk -v words="${words%% *}" -f tests/tools/minutes.awk "$1" ${code:+"$code"}
+}
+of_chapter() { # of a chapter its minutes; of TEACHING.md those of all lessons
+    case $1 in
+    lessons/TEACHING.md)
+        for chapter in lessons/[0-9]*.md; do
+            echo "$(basename "$chapter" | cut -c 1-2) $(minutes "$chapter")"
+        done | tr '\n' ' ' ;;
+    *) if echo "$chapters" | grep -qxF "$1"; then minutes "$1"; fi ;;
+    esac
+}
 if [ $# = 0 ]; then
     for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
         if [ -f "$file" ]; then set -- "$@" "$file"; fi
@@ -62,9 +79,9 @@ for file; do
         table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
     awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" \
         -v table="$table" -v leading="$(leading "$file")" \
-        -v only="$command" "$file" >"$new" || { said=2; continue; }
+        -v minutes="$(of_chapter "$file")" -v only="$command" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
-    if [ "$command" != check ]; then
+    if [ "$command" != check ] && [ "$command" != led ]; then
         cp "$new" "$part" && mv "$part" "$file" || exit 2
         echo "  book     $file is filled"
     else
@@ -73,5 +90,5 @@ for file; do
         [ $said = 2 ] || said=1
     fi
 done
-[ $said != 0 ] || echo "  book     up to date: $# files"
+[ $said != 0 ] || [ "$command" = led ] || echo "  book     up to date: $# files"
 exit $said
