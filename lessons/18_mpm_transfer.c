@@ -21,7 +21,7 @@
 #include <math.h>
 
 /* On one axis, given x, return first and w[q] = N_i(x), dw[q] = dN_i/dx (1/m)
- * of the nodes i = first + q at h i.  On a node order 1 has the next cell; else,
+ * for nodes i = first + q at h i.  On a node order 1 has the next cell; else,
  * where the node at one end has no weight, either end may have it. */
 static int weights(int order, double h, double x, double w[], double dw[])
 {
