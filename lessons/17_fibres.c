@@ -67,12 +67,12 @@ static void add_fibres(const struct body *body, double dt, const double u[],
     /* END 17c */
 }
 
-enum { CAP = 40 }; /* systems; new in this loop: they are solved by hand */
+enum { CAP = 40 }; /* linear systems, which this loop solves by hand */
 /* Given the load of a strip along its fibres, find x with F = diag(x[0], x[1])
  * and P = diag(load, 0), by Newton's method from diag(1, 1), until P is met to
  * `enough`, and return how it ended.  INVERTED: the material has no P there;
  * NOT_SPD: the 2x2 matrix is not positive definite; NONFINITE: P is not finite;
- * MAX_ITERATIONS: not done after CAP systems. */
+ * MAX_ITERATIONS: not done after CAP linear systems. */
 static enum status strip(const struct material *material,
                          const struct fibre *fibre, double load, double x[2])
 {
