@@ -24,8 +24,8 @@
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 
-/* W, T and T' of a fibre of stretch l >= 0, and W = 0 at l = 1; the two laws
- * are in fibre.h [eq:force-length]. */
+/* Given the stretch l >= 0 of a fibre, return its W, T and T', where W = 0 at
+ * l = 1.  The two laws are in fibre.h [eq:force-length]. */
 static struct tension tension(const struct fibre *fibre, double l)
 {
     const double k = fibre->k, w = fibre->width, e = l - 1.0;
@@ -38,10 +38,10 @@ static struct tension tension(const struct fibre *fibre, double l)
     return t;
 }
 
-/* P of a fibre along g in a material deformed by F, and its change dP for a
- * small change dF [eq:fibre-pk1] [eq:fibre-dpk1]; returns the stretch l.
- * PROJECTED: negative eigenvalues of dP/dF are set to 0.  At l = 0 the fibre
- * points nowhere: P and dP are 0. */
+/* Given the direction g of a fibre at rest, F, and a small change dF, return
+ * the stretch l, and put into *P the stress of the fibre and into *dP its
+ * change.  PROJECTED: negative eigenvalues of dP/dF are set to 0.  At l = 0 the
+ * fibre points nowhere, and P and dP are 0. */
 static double stress(const struct fibre *fibre, const double g[2], mat2 F,
                      mat2 dF, enum tangent kind, mat2 *P, mat2 *dP)
 {
@@ -53,8 +53,8 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
     return l;
 }
 
-/* The fibres of body->added all over a body: to *energy, or to q and K, what
- * body.h says of a body_addition. */
+/* Given u, add the fibres of body->added all over the body to *energy, or to q
+ * and K, as body.h says of a body_addition. */
 static void add_fibres(const struct body *body, double dt, const double u[],
                        enum tangent kind, double *energy, double q[])
 {
@@ -67,11 +67,12 @@ static void add_fibres(const struct body *body, double dt, const double u[],
     /* END 17c */
 }
 
-enum { CAP = 40 }; /* systems; new in this loop: they are solved by hand */
-/* F = diag(x[0], x[1]) of a strip along its fibres with P = diag(load, 0), by
- * Newton's method from diag(1, 1), until P is met to `enough`.  INVERTED: the
- * material has no P there; NOT_SPD: the 2x2 matrix is not positive definite;
- * NONFINITE: P is not finite; MAX_ITERATIONS: not done after CAP systems. */
+enum { CAP = 40 }; /* linear systems, which this loop solves by hand */
+/* Given the load of a strip along its fibres, find x with F = diag(x[0], x[1])
+ * and P = diag(load, 0), by Newton's method from diag(1, 1), until P is met to
+ * `enough`, and return how it ended.  INVERTED: the material has no P there;
+ * NOT_SPD: the 2x2 matrix is not positive definite; NONFINITE: P is not finite;
+ * MAX_ITERATIONS: not done after CAP linear systems. */
 static enum status strip(const struct material *material,
                          const struct fibre *fibre, double load, double x[2])
 {

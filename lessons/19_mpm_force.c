@@ -13,7 +13,7 @@
  *     o -- o -- o -- o     node[i] and gradient[i] of a struct support
  *     |    | .  |  . |     (particles.h)
  * Run       make lesson-19; make lesson-19 ARGS=-h lists its options
- * PREDICT 2a part of the stress that an inner node feels, 8 cells, linear: ...
+ * PREDICT 2a fraction of the stress felt by an inner node, 8 cells, linear: ...
  * PREDICT 2b and with 64 cells: ...
  * PREDICT 3 and one step from rest: ...
  * Plot: taylor t force logx logy
@@ -32,8 +32,8 @@ struct moved {
     mat2 F_hat, F_n, F; /* F_n is its own, as at t^n */
 };
 
-/* Particle p while the nodes are at x + u.  Statuses of grid_support();
- * NONFINITE; INVERTED: the material is not defined at F. */
+/* Given the nodes at x + u, fill in *m for particle p.  Return the status of
+ * grid_support(); NONFINITE; INVERTED: the material is not defined at F. */
 static enum status move(const struct particle_body *body, int p,
                         const double u[], struct moved *m)
 {
@@ -49,7 +49,7 @@ static enum status move(const struct particle_body *body, int p,
     return material_defined(&body->material, J) ? OK : INVERTED;
 }
 
-/* The forces f on all nodes at x + u; statuses of move(). */
+/* Given u, fill in the forces f on all nodes at x + u; statuses of move(). */
 static enum status force(const struct particle_body *body, const double u[],
                          double f[])
 {
@@ -67,7 +67,7 @@ static enum status force(const struct particle_body *body, const double u[],
     return OK;
 }
 
-/* out := K w for the tangent K = -df/du at x + u; statuses of move(). */
+/* Given u and w, fill in out = K w, K = -df/du at x + u; statuses of move(). */
 static enum status product(const struct particle_body *body, const double u[],
                            const double w[], double out[])
 {

@@ -27,8 +27,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* E and r = dE/du at all nodes; 1 / dt is step->rate.  Statuses are those of
- * particle_force(); E and r are then incomplete. */
+/* Given u, fill in *E and r = dE/du at all nodes; 1 / dt is step->rate.  Return
+ * the status of particle_force(); E and r are then incomplete. */
 static enum status potential(const struct particle_body *body,
                              const struct particle_step *step,
                              const double u[], struct potential *E, double r[])
@@ -47,8 +47,9 @@ static enum status potential(const struct particle_body *body,
     return status;
 }
 
-/* Which nodes move, and by which unknown: fills map->n, equation and sign.
- * Node a is in the column a % columns, one of which is the wall. */
+/* Given the grid and the wall, say which nodes move, and by which unknown: fill
+ * in map->n, equation and sign.  Node a is in the column a % columns, one of
+ * which is the wall. */
 static void number(const struct grid *grid, enum wall wall,
                    struct unknowns *map)
 {
@@ -83,12 +84,12 @@ static void room_free(struct room *room)
     free(room->r);
 }
 
-/* The u with r = 0, from u = 0.  Done: max|du| of the unknowns <= small, and
- * then max|r| <= small max A_ii; `part` of du is taken, 1, 1/2, 1/4, ..., so
- * that E falls.  Where A is not positive definite, it is made again without the
- * negative modes of dP/dF, `convex`; NOT_SPD: both fail; STALLED: 40 halvings;
- * MAX_ITERATIONS: after STEP_CAP systems.  A stalled one may count or not.
- * New since 16d: it projects on demand only, and is a step in time. */
+/* Given body and step, find the u with r = 0, from u = 0.  Done: max|du| of the
+ * unknowns <= small, and then max|r| <= small max A_ii; `part` of du is taken,
+ * 1, 1/2, 1/4, ..., so that E falls.  Where A is not positive definite, it is
+ * made again without negative modes of dP/dF, `convex`.  NOT_SPD: both fail;
+ * STALLED: 40 halvings; MAX_ITERATIONS: after STEP_CAP linear systems.  A
+ * stalled one may count or not.  New since 16d: it projects on demand only. */
 static struct particle_report newton(const struct particle_body *body,
                                      const struct particle_step *step,
                                      double u[])
@@ -116,8 +117,8 @@ static struct particle_report newton(const struct particle_body *body,
     return report;
 }
 
-/* F, v, x of all particles after the nodes have moved by u, as v^{n+1} =
- * u / dt tells them by PIC or FLIP. */
+/* Given the nodes' displacements u, update F, v, x of all particles, v from
+ * v^{n+1} = u / dt with PIC or FLIP. */
 static enum status update(const struct grid *grid,
                           const struct particle_step *step, const double u[],
                           struct particles *p)

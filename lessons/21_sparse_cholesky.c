@@ -17,7 +17,7 @@
  *
  * Run       make lesson-21; make lesson-21 ARGS=-h lists its options
  * PREDICT 1 flops row by row over flops by dissection, n = 64: ...
- * PREDICT 2 least n from which on dissection needs fewer flops: ...
+ * PREDICT 2 first of n = 4, 8, 16, 32, 64 with fewer than half of them: ...
  * Plot: rows k count
  */
 #include "base/options.h"
@@ -29,8 +29,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Number the vertices of columns i0 <= i < i1 and rows j0 <= j < j1 row by row:
- * place[j * width + i] = next, next + 1, ...  Returns the next free number. */
+/* Given the vertices of columns i0 <= i < i1 and rows j0 <= j < j1, number them
+ * row by row, place[j * width + i] = next, next + 1, ..., and return the next
+ * free number. */
 static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
                        int place[])
 {
@@ -39,9 +40,9 @@ static int number_rows(int i0, int i1, int j0, int j1, int width, int next,
     return next;
 }
 
-/* The same by nested dissection [alg:dissection], with its parameters and leaf,
- * leaf >= 4: a rectangle of more vertices is cut by a line of vertices across
- * its longer side, in the middle.  Lines and small rectangles go row by row. */
+/* Given the same and leaf >= 4, number by nested dissection [alg:dissection]: a
+ * rectangle of more vertices is cut by a line of vertices across its longer
+ * side, in the middle.  Lines and small rectangles go row by row. */
 static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
                    int next, int place[])
 {
@@ -51,9 +52,9 @@ static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
     /* END 21a */
 }
 
-/* The elimination tree, parent[j] the smallest i > j with L_ij != 0, -1 where
- * there is none [eq:elimination-tree]; and count[j], how many entries column j
- * of L has, with L_jj.  From the pattern of K alone. */
+/* Given the pattern of K, fill in the elimination tree, parent[j] the smallest
+ * i > j with L_ij != 0, -1 where there is none [eq:elimination-tree], and
+ * count[j], how many entries column j of L has, with L_jj. */
 static void analyse(const struct csr *K, int parent[], int count[])
 {
     int *mark = allocate((size_t)K->n, sizeof *mark);
@@ -65,7 +66,7 @@ static void analyse(const struct csr *K, int parent[], int count[])
 }
 
 /*
- * Row k of L, when rows 0 to k - 1 are there [eq:up-looking]: it solves
+ * Given rows 0 to k - 1 of L, append row k [eq:up-looking]: it solves
  * L_(k-1) l = (K_k0, ..., K_k,k-1), and L_kk^2 = K_kk - l.l.  Every entry goes
  * to the end of its column.  NOT_SPD unless L_kk^2 > n eps K_kk.  x is zero
  * before and after; mark is -1 before row 0, then yours, and so is list.

@@ -48,11 +48,12 @@ static double dot(int n, const double x[], const double y[])
 }
 
 /*
- * Conjugate gradients from x = 0 [alg:cg]; z := B r is precondition(context, r,
- * z).  OK: |r| <= tolerance |b|, Euclidean norms; NOT_SPD: p.Kp or r.z is not
- * positive; NONFINITE: a number is not finite; MAX_ITERATIONS: not done after
- * cap iterations, cap <= CAP.  Whatever it is, x is the last iterate.  Eight
- * parameters: K, B and its context, b, x, and when to stop.
+ * Conjugate gradients: given K, B and b, return x, from x = 0; z := B r is
+ * precondition(context, r, z).  OK: |r| <= tolerance |b|, Euclidean norms;
+ * NOT_SPD: p.Kp or r.z is not positive; NONFINITE: a number is not finite;
+ * MAX_ITERATIONS: not done after cap iterations, cap <= CAP.  Whatever it is, x
+ * is the last iterate.  Eight parameters: K, B and its context, b, x, and when
+ * to stop.
  */
 static void cg(const struct csr *K, preconditioner *precondition,
                const void *context, double tolerance, int cap,
@@ -77,8 +78,8 @@ static void cg(const struct csr *K, preconditioner *precondition,
 }
 
 /*
- * Between the free vertices of the grid of n squares per side, n even, and of
- * n/2: fine += P coarse [eq:prolongation] or, down, coarse += P^T fine.
+ * Given vectors of the free vertices of the grid of n squares per side, n even,
+ * and of n/2, add: fine += P coarse or, down, coarse += P^T fine.
  */
 static void transfer(int n, int down, double coarse[], double fine[])
 {
@@ -88,9 +89,10 @@ static void transfer(int n, int down, double coarse[], double fine[])
     /* END 22b */
 }
 
-/* One V-cycle for m->K[g] x = b on grid g [alg:v-cycle]: x = m->x[g] and b =
- * m->b[g]; m->r[g] is room for a residual.  Two sweeps forward before the
- * coarser grid, two backward after it; on the coarsest one x is exact. */
+/* Given b = m->b[g], return in x = m->x[g] the result of one V-cycle on grid g
+ * for m->K[g] x = b [alg:v-cycle]; m->r[g] is room for a residual.  Two sweeps
+ * forward before the coarser grid, two backward after it; on the coarsest one x
+ * is exact. */
 static void cycle(const struct multigrid *m, int g)
 {
     const struct csr *K = m->K[g];

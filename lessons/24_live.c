@@ -32,9 +32,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* to := where a hand at `from` is after a frame on its way to the pointer: the
- * pointer is held within LIVE_FAR in x and in y, and the hand goes at most
- * LIVE_REACH [eq:live-hand]. */
+/* Given a hand at `from` and the pointer, return in `to` where the hand is a
+ * frame later: the pointer is held within LIVE_FAR in x and in y, and the hand
+ * goes at most LIVE_REACH on the straight way to it. */
 static void hand_next(const double from[2], const struct pointer *pointer,
                       double to[2])
 {
@@ -44,10 +44,10 @@ static void hand_next(const double from[2], const struct pointer *pointer,
 }
 
 /*
- * How many vertices inside the square are knots: at rest the angles of the
- * triangles round a vertex add up to 2 pi.  They are between -pi and pi, and
- * negative where a triangle is inverted; a sum that is off by more than pi is a
- * knot [eq:winding].
+ * Given u, return how many vertices inside the square are knots: at rest the
+ * angles of the triangles around a vertex add up to 2 pi.  They are between -pi
+ * and pi, and negative where a triangle is inverted; a sum that is off by more
+ * than pi is a knot [eq:winding].
  */
 static int count_knots(const struct mesh *mesh, const double u[])
 {
@@ -63,11 +63,11 @@ static int count_knots(const struct mesh *mesh, const double u[])
 }
 
 /*
- * u := u0 with the held values g, and what that does to the rest: the first
- * iteration of Newton's method, in which the jump enters linearly
- * [eq:elastic-lift]: u = u0 + du, and g where it is held.  K of the kind
- * `tangent` and q are those of Phi, by body_assemble().  OK, or the status of
- * assembly or factorisation, or NONFINITE: a move by more than LIVE_LEAP.
+ * Given the last state u0 and the held values g, return in u the first
+ * iteration of Newton's method, in which the jump enters linearly: u = u0 + du,
+ * and g where it is held.  K of the kind `tangent` and q are those of Phi, by
+ * body_assemble().  OK, or the status of assembly or factorisation, or
+ * NONFINITE: a move by more than LIVE_LEAP.
  */
 static enum status elastic_lift(struct body *body, struct incremental Phi,
                                 const double u0[], const double g[],
@@ -97,7 +97,7 @@ static enum status elastic_lift(struct body *body, struct incremental Phi,
 }
 
 /*
- * The second rung: backward Euler from the last state [alg:live-frame].  The
+ * Given the last state, return u and v: the second rung, backward Euler.  The
  * projected lift, the hand going 1, 1/2, 1/4, ... of its way, until it is OK
  * and live_start() is: LIVE_TRIES at most, and none with the last of
  * FRAME_SYSTEMS; else u = u0 and 0 of the way.  Then LIVE_DOWNHILL with the

@@ -10,7 +10,7 @@
  *     o - o - o - o     (particles.h).  Order 1 reaches 2 nodes per axis,
  *     |  .|. .|  .|     order 2 reaches 3 and order 3 reaches 4.
  * Run       make lesson-18; make lesson-18 ARGS=-h lists its options
- * PREDICT 1 part of the spin left by 100 transfers of PIC, --order 1: ...
+ * PREDICT 1 fraction of the spin left by 100 transfers of PIC, --order 1: ...
  * PREDICT 3 and with the cubic kernel, --order 3: ...
  * Plot: spin transfers ratio
  */
@@ -20,8 +20,8 @@
 
 #include <math.h>
 
-/* One axis: w[q] = N_i(x), dw[q] = dN_i/dx (1/m) for the nodes i = first + q at
- * h i; returns first [eq:bspline].  On a node order 1 has the next cell; else,
+/* On one axis, given x, return first and w[q] = N_i(x), dw[q] = dN_i/dx (1/m)
+ * for nodes i = first + q at h i.  On a node order 1 has the next cell; else,
  * where the node at one end has no weight, either end may have it. */
 static int weights(int order, double h, double x, double w[], double dw[])
 {
@@ -49,7 +49,7 @@ static int weights(int order, double h, double x, double w[], double dw[])
     return first;
 }
 
-/* Particles to grid: mass and v of all nodes, 0 where there is none; PIC and
+/* P2G: given p, fill in mass and v of all nodes, 0 where there is none; PIC and
  * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
 static enum status p2g(const struct particles *p, struct grid *grid)
 {
@@ -82,8 +82,8 @@ static enum status p2g(const struct particles *p, struct grid *grid)
     return OK;
 }
 
-/* Grid to particles: v and B by the scheme, B = 0 but for APIC, and x after the
- * time dt.  grid->v is as P2G left it, grid->next what forces made of it. */
+/* G2P: given grid->v of P2G and grid->next after the forces, update v and B by
+ * the scheme, B = 0 but for APIC, and x after the time dt. */
 static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
                        struct particles *p)
 {
@@ -106,7 +106,7 @@ static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
             }
         for (int k = 0, r = 2 * q; k < 2; k++, r++) {
             p->v[r] = scheme == FLIP ? p->v[r] + change[k] : after[k];
-            /* with the grid, by FLIP too, so that neighbours move alike */
+            /* with the grid, in FLIP too, so that neighbours move alike */
             p->x[r] += dt * after[k];
         }
         p->B[q] = B;
@@ -115,11 +115,11 @@ static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
     return OK;
 }
 
-/* The angular momentum of particles about 0, all of it [eq:apic]. */
+/* Given particles, return their angular momentum about 0, all of it. */
 static double angular(const struct particles *p)
 {
     double L = 0.0;
-    /* SLOT 18d(p, &L): what turns with its place, and what in itself. */
+    /* SLOT 18d(p, &L): what turns about 0, and what turns in itself. */
     for (int q = 0; q < p->n; q++) {
         const double *x = &p->x[2 * q], *v = &p->v[2 * q];
         /* sum_a w_a (x_a - x_p) cross v_a, of which B is all that is kept */

@@ -29,8 +29,8 @@
 
 #include <math.h>
 
-/* N[a] := the six functions of degree 2 at l, 1 at node a and 0 at the other
- * five; gradient[2a + j] := dN_a/dX_j (1/m) [eq:quadratic-shape]. */
+/* Given l, return in N[a] the six functions of degree 2, 1 at node a and 0 at
+ * the other five, and in gradient[2a + j] their dN_a/dX_j (1/m). */
 static void shapes(const double l[3], const double of_l[6], double N[6],
                    double gradient[12])
 {
@@ -49,9 +49,9 @@ static void shapes(const double l[3], const double of_l[6], double N[6],
     /* END 25a */
 }
 
-/* q[2a + i] := dPsi/du_ai, K[12 (2a + i) + 2b + j] := dq_ai/du_bj of one
- * quadratic triangle with the displacements u[2a + i] of its nodes, by the
- * three-point rule [eq:three-points].  INVERTED where the material is not
+/* Given the displacements u[2a + i] of the nodes of a quadratic triangle,
+ * return q[2a + i] = dPsi/du_ai and K[12 (2a + i) + 2b + j] = dq_ai/du_bj, by
+ * the three-point rule [eq:three-points].  INVERTED where the material is not
  * defined at one of the points; q and K are then incomplete. */
 static enum status element(const struct material *material,
                            const double of_l[6], double area,
@@ -89,12 +89,13 @@ static enum status element(const struct material *material,
     return OK;
 }
 
-/* x[0..n] := the lines of a lattice from -1 to 1, n even, for elements of this
- * degree, 1 or 2: every degree-th line, an end of elements, is graded towards
- * -1, and if `both` towards 1 as well.  What is nearer to such an end than
- * L = 1/2 goes from the distance d to L (d/L)^m [eq:graded].  What lies between
- * two of them, in quadratic triangles, is in the middle.  m = 0 stands for the
- * least m with which a corner, u ~ r^p, costs no order.  Returns m. */
+/* Given n even and the degree of the elements, 1 or 2, fill in x[0..n], the
+ * lines of a lattice from -1 to 1: every degree-th line, an end of elements, is
+ * graded towards -1, and if `both` towards 1 as well.  What is nearer to such
+ * an end than L = 1/2 goes from the distance d to L (d/L)^m [eq:graded].  What
+ * lies between two of them, in quadratic triangles, is in the middle.  m = 0
+ * stands for the least m with which a corner, u ~ r^p, costs no order.  Returns
+ * m. */
 static double lines(int n, int degree, double p, double m, int both, double x[])
 {
     const double L = 0.5;
@@ -112,9 +113,9 @@ static double lines(int n, int degree, double p, double m, int both, double x[])
     /* END 25c */
 }
 
-/* The mean of div u over the two linear triangles 0 1 2 and 0 2 3 of a cell
- * with these corners is sum_ai D_ai u_ai [eq:averaged]: D[2a + i] := D_ai.
- * Returns the area of the cell. */
+/* Given a cell's corners, return its area, and D[2a + i] = D_ai such that
+ * sum_ai D_ai u_ai is the mean of div u over the cell's two linear triangles
+ * 0 1 2 and 0 2 3. */
 static double dilatation(const struct mesh *mesh, const int corner[4],
                          double D[8])
 {
@@ -138,9 +139,9 @@ static double dilatation(const struct mesh *mesh, const int corner[4],
     /* END 25d */
 }
 
-/* Of a quadratic triangle of this area, load[a] := int N_a, of a body force 1;
- * mass[a] := its mass, density 1, on the diagonal and > 0, in the ratio of the
- * int N_a^2, |e|/30 and 8|e|/45 [eq:scaled-mass]. */
+/* Given the area of a quadratic triangle, return load[a] = int N_a, of a body
+ * force 1, and mass[a], its mass on the diagonal, density 1, > 0, in the ratio
+ * of the int N_a^2, |e|/30 and 8|e|/45. */
 static void shares(double area, double load[6], double mass[6])
 {
     /* SLOT 25e(area, load, mass): what do the six add up to? */
@@ -176,7 +177,7 @@ static void add_cell(struct elements *s, const struct material *material,
     }
     if (!averaged) return;
     const double area = dilatation(s->mesh, corner, D);
-    elements_square(s, 4, corner, lambda * area, D); /* lambda/2 (div u)^2 */
+    elements_square(s, 4, corner, lambda * area, D); /* [eq:averaged] */
 }
 
 /* K and f of the quadratic triangle e. */

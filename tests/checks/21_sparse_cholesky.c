@@ -464,14 +464,15 @@ static void what_was_predicted(void)
 {
     struct output *output = run("--n 64");
     char options[16];
-    int n = 20;
+    int n = 4;
     measured("1", cell(output, "cost", "flops", 0) /
                       cell(output, "cost", "flops", 1));
-    for (int fewer = 1; fewer && n > 2; n -= fewer) { /* down while it is so */
-        snprintf(options, sizeof options, "--n %d", n - 1);
+    for (; n < 64; n *= 2) {
+        snprintf(options, sizeof options, "--n %d", n);
         output = run(options);
-        fewer = cell(output, "cost", "flops", 1) <
-                cell(output, "cost", "flops", 0);
+        if (2.0 * cell(output, "cost", "flops", 1) <
+            cell(output, "cost", "flops", 0))
+            break;
     }
     measured("2", n);
 }
