@@ -3,9 +3,8 @@
  *
  * Notes: Lecture 1, 1D Elasticity; Lecture 2, (2.12b), for the end loads.
  *
- * Problem.  -P' = f on (0, 1), P = modulus u' [eq:bar-linear].  Each end is
- * held, u = g given, or free, and then pulled by the traction h = P n with n
- * the outward normal:
+ * Problem.  -P' = f on (0, 1), P = modulus u'.  Each end is held, u = g given,
+ * or free, and then pulled by the traction h = P n, n the outward normal:
  *
  *        n = -1                                      n = +1
  *     h  <---|=========================================|--->  h
@@ -35,7 +34,7 @@ struct elastic {
     double modulus;    /* P / u' of a bar that cannot move sideways, N/m^2 */
 };
 
-/* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
+/* Given Young's modulus E and Poisson's ratio nu [eq:lame], return all of m. */
 static struct elastic elastic_make(double E, double nu)
 {
     struct elastic m = {0};
@@ -49,7 +48,7 @@ static struct elastic elastic_make(double E, double nu)
 }
 
 /*
- * Stiffness matrix and loads, before any node is held [eq:bar-linear]:
+ * Stiffness matrix and loads, before any node is held (2.12b):
  *
  *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
  *
