@@ -31,7 +31,7 @@
  * material; struct newton_control and newton_report are there too. */
 
 /*
- * b [eq:bar-b] of the body force and of the forces on the ends, by the midpoint
+ * b (2.12b) of the body force and of the forces on the ends, by the midpoint
  * rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and pull[0],
  * pull[1] are the forces on node 0 and n, positive to the right.
  */
@@ -51,7 +51,7 @@ static void load_vector(int n, double h, const double f_mid[],
 
 /*
  * q_i is minus the force that is left over at node i, of the stresses beside it
- * and of b_i [eq:bar-q]; all n + 1, no end is special.
+ * and of b_i (2.12a); all n + 1, no end is special.
  * INVERTED where the material is not defined; q is then incomplete.
  */
 static enum status residual(const struct bar *bar, const double u[],
@@ -73,7 +73,7 @@ static enum status residual(const struct bar *bar, const double u[],
 }
 
 /*
- * K = dq/du, before any end is held [eq:bar-tangent].  K is banded or dense;
+ * K = dq/du, before any end is held (2.5.3).  K is banded or dense;
  * what it held is forgotten.  INVERTED as in residual().
  */
 static enum status tangent(const struct bar *bar, const double u[],
