@@ -70,9 +70,9 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 }
 
 /*
- * K = dq/du, before anything is held [eq:body-tangent]: row 2a + i, column
- * 2b + j gets from each triangle with the vertices a and b its part, by
- * dP_ik/dF_jm [eq:dP-dF].  K is banded or dense; what it held is forgotten.
+ * K = dq/du, before anything is held: each triangle with the vertices a and b
+ * adds its share to row 2a + i, column 2b + j, by dP_ik/dF_jm (3.3.3).  K is
+ * banded or dense; what it held is forgotten.
  * INVERTED as in residual().
  */
 static enum status tangent(const struct scene *s, const double u[],
