@@ -16,7 +16,7 @@
  *     0---1---2     come from the lesson before, as body_force()
  *
  * Run       make lesson-13; make lesson-13 ARGS=-h lists its options
- * PREDICT 1 part of the spin that is left at t = 1, --scene spin: ...
+ * PREDICT 1 fraction of the spin left at t = 1, --scene spin: ...
  * PREDICT 2 least n whose first step fails, --scene rigid: ...
  * PREDICT 3 times the steps, for a tenth of the error in the energy: ...
  * Plot: steps t elastic
@@ -31,8 +31,8 @@
 
 enum { CAP = 30 }; /* linear systems per time step */
 
-/* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab
- * [eq:overlap] or, LUMPED, the row sums of that to the diagonal [eq:mass]. */
+/* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab or,
+ * LUMPED, the row sums of that to the diagonal (2.20). */
 static void add_mass(const struct body *body, const double v[], double out[])
 {
     /* SLOT 13a(body, v, out): triangle by triangle; body->rho, body->area[e],
@@ -42,7 +42,7 @@ static void add_mass(const struct body *body, const double v[], double out[])
 }
 
 /*
- * b of [eq:body-b] at all vertices, for the state u0, v0 before the step, the
+ * b of (2.18b) at all vertices, for the state u0, v0 before the step, the
  * constant body force s->density (N/m^2) and the constant s->traction (N/m) on
  * the right end, whose edge j, 0 <= j < n, joins the vertices j (n + 1) + n and
  * (j + 1) (n + 1) + n.
