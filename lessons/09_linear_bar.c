@@ -45,7 +45,7 @@ static struct elastic elastic_make(double E, double nu)
 }
 
 /*
- * Stiffness matrix and loads, before any node is held (2.12b):
+ * Given f at the middles, return matrix and loads before any node is held:
  *
  *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
  *
@@ -64,8 +64,9 @@ static void assemble(const struct bar_scene *s, double modulus,
 }
 
 /*
- * Solve K u = b with the held ends at their values; K and b are left alone.
- * With no end held u is known up to a constant: the solution with u_0 = 0.
+ * Given K and b, return u with the held ends at their values, and a status; K
+ * and b are left alone.  With no end held u is known up to a constant: return
+ * the solution with u_0 = 0.
  *
  * OK            u is the solution
  * INCOMPATIBLE  no end is held and |sum b| > (n + 1) eps sum |b|: nothing
@@ -83,7 +84,7 @@ static enum status solve(const struct bar_scene *s, const struct matrix *K,
 }
 
 /*
- * What the displacements say about forces.
+ * Given the loads b and the displacements u, return the forces.
  *
  * P         out  P[e - 1] = modulus u' on element e = 1..n
  * reaction  out  the force on a held end, K u - b there [eq:reaction], else 0

@@ -31,9 +31,9 @@
  * material; struct newton_control and newton_report are there too. */
 
 /*
- * b (2.12b) of the body force and of the forces on the ends, by the midpoint
- * rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and pull[0],
- * pull[1] are the forces on node 0 and n, positive to the right.
+ * Given the body force and the forces on the ends, return b (2.12b) by the
+ * midpoint rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and
+ * pull[0], pull[1] are the forces on node 0 and n, positive to the right.
  */
 static void load_vector(int n, double h, const double f_mid[],
                         const double pull[2], double b[])
