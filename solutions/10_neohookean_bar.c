@@ -50,8 +50,8 @@ static void load_vector(int n, double h, const double f_mid[],
 }
 
 /*
- * q_i is minus the force that is left over at node i, of the stresses beside it
- * and of b_i (2.12a); all n + 1, no end is special.
+ * Given u, return q (2.12a): q_i is minus the force left over at node i, of the
+ * stresses beside it and of b_i; all n + 1, no end is special.
  * INVERTED where the material is not defined; q is then incomplete.
  */
 static enum status residual(const struct bar *bar, const double u[],
@@ -73,8 +73,8 @@ static enum status residual(const struct bar *bar, const double u[],
 }
 
 /*
- * K = dq/du, before any end is held (2.5.3).  K is banded or dense;
- * what it held is forgotten.  INVERTED as in residual().
+ * Given u, return K = dq/du (2.5.3), before any end is held.  K is banded or
+ * dense; what it held is forgotten.  INVERTED as in residual().
  */
 static enum status tangent(const struct bar *bar, const double u[],
                            struct matrix *K)
@@ -97,7 +97,7 @@ static enum status tangent(const struct bar *bar, const double u[],
 }
 
 /*
- * The Newton increment: K du = -q at the free nodes, du = 0 at the held ones
+ * Given K and q, return du: K du = -q at the free nodes, du = 0 at held ones
  * [eq:newton] [eq:dirichlet-correction].  K is from tangent() and may be
  * overwritten; what q has at a held node is a reaction.
  *

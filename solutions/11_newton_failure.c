@@ -30,8 +30,8 @@ struct outcome {
 };
 
 /*
- * Where the iteration stands at F, and its next *step, 0 where there is none.
- * increment is the |step| that led to F, INFINITY at the start.
+ * Given F and the increment, which is the |step| that led to F, INFINITY at the
+ * start, return where the iteration stands; *step is the next, 0 if none.
  *
  * INVERTED        the law is not defined at F
  * NONFINITE       the residual P(F) - p or the step is not a finite number

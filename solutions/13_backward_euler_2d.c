@@ -6,8 +6,7 @@
  *
  * Problem.  rho u'' = div P + f on (-1, 1)^2, Neo-Hookean; some ends are held,
  * u = g(t), the others are free or loaded.  Backward Euler turns each time step
- * into one equation q = 0 for the new u [eq:body-q], which Newton's method
- * solves.
+ * into one equation q = 0 for the new u, which Newton's method solves.
  *
  *     6---7---8     component i of vertex a is u[2a + i] [eq:flatten]; triangle
  *     | / | / |     e has the vertices t = &mesh->triangle[3e] and the area
@@ -54,10 +53,10 @@ static void add_mass(const struct body *body, const double v[], double out[])
 }
 
 /*
- * b of (2.18b) at all vertices, for the state u0, v0 before the step, the
- * constant body force s->density (N/m^2) and the constant s->traction (N/m) on
- * the right end, whose edge j, 0 <= j < n, joins the vertices j (n + 1) + n and
- * (j + 1) (n + 1) + n.
+ * Given the state u0, v0 before the step, return b (2.18b) at all vertices, for
+ * the constant body force s->density (N/m^2) and the constant s->traction (N/m)
+ * on the right end, whose edge j, 0 <= j < n, joins the vertices
+ * j (n + 1) + n and (j + 1) (n + 1) + n.
  */
 static void right_hand_side(const struct scene *s, double dt,
                             const double u0[], const double v0[], double b[])
@@ -92,8 +91,8 @@ static void right_hand_side(const struct scene *s, double dt,
     free(w);
 }
 
-/* q of all vertices [eq:body-q] (at a held one it is what holds it, times dt^2)
- * and A = dq/du of the free unknowns [eq:body-tangent].  INVERTED where the
+/* Given u and b, return q of all vertices (at a held one it is what holds it,
+ * times dt^2) and A = dq/du of the free unknowns (2.23).  INVERTED where the
  * material is not defined; q and A are then incomplete. */
 static enum status equation(const struct body *body, double dt,
                             const double u[], const double b[], double q[],

@@ -27,9 +27,9 @@
 #include <stdlib.h>
 
 /*
- * The residual q of a step of backward Euler (2.18), in kg m, for
- * the state (u0, v0) at the beginning and a candidate u for the end of the
- * step; q = 0 for the right one.  f is model->f.  Status of model_force().
+ * Given the state (u0, v0) at the beginning of a step of backward Euler and a
+ * candidate u for its end, return the residual q (2.18), in kg m; q = 0 for the
+ * right one.  f is model->f.  Status of model_force().
  */
 static enum status residual(const struct model *model, double dt,
                             const double u0[], const double v0[],
@@ -52,7 +52,7 @@ static enum status residual(const struct model *model, double dt,
     return status;
 }
 
-/* A step of symplectic Euler, in which nothing is solved.
+/* Given u and v, advance them by a step of symplectic Euler.
  * u, v  in/out  state, of no use unless the status, model_force()'s, is OK */
 static enum status symplectic_euler(const struct model *model, double dt,
                                     double u[], double v[])
@@ -76,7 +76,7 @@ static enum status symplectic_euler(const struct model *model, double dt,
 }
 
 /*
- * The three implicit methods as one solve: u* is the end of a
+ * Given a method and a state, return the next by one solve: u* is the end of a
  * step d of backward Euler from a state (a, b), and v* = (u* - a) / d.  For
  * BACKWARD_EULER a = u0, b = v0, d = dt, u+ = u*, v+ = v*; IMPLICIT_MIDPOINT
  * has the boundary values half-way; the first step of BDF2, when s->steps is 0,
