@@ -3,9 +3,8 @@
  *
  * Notes: Lecture 1, 1D Elasticity; Lecture 2, (2.12b), for the end loads.
  *
- * Problem.  -P' = f on (0, 1), P = modulus u' [eq:bar-linear].  Each end is
- * held, u = g given, or free, and then pulled by the traction h = P n with n
- * the outward normal:
+ * Problem.  -P' = f on (0, 1), P = modulus u'.  Each end is held, u = g given,
+ * or free, and then pulled by the traction h = P n, n the outward normal:
  *
  *        n = -1                                      n = +1
  *     h  <---|=========================================|--->  h
@@ -35,7 +34,7 @@ struct elastic {
     double modulus;    /* P / u' of a bar that cannot move sideways, N/m^2 */
 };
 
-/* From Young's modulus E and Poisson's ratio nu [eq:lame] [eq:bar-linear]. */
+/* Given Young's modulus E and Poisson's ratio nu [eq:lame], return all of m. */
 static struct elastic elastic_make(double E, double nu)
 {
     struct elastic m = {0};
@@ -46,7 +45,7 @@ static struct elastic elastic_make(double E, double nu)
 }
 
 /*
- * Stiffness matrix and loads, before any node is held [eq:bar-linear]:
+ * Given f at the middles, return matrix and loads before any node is held:
  *
  *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
  *
@@ -65,8 +64,9 @@ static void assemble(const struct bar_scene *s, double modulus,
 }
 
 /*
- * Solve K u = b with the held ends at their values; K and b are left alone.
- * With no end held u is known up to a constant: the solution with u_0 = 0.
+ * Given K and b, return u with the held ends at their values, and a status; K
+ * and b are left alone.  With no end held u is known up to a constant: return
+ * the solution with u_0 = 0.
  *
  * OK            u is the solution
  * INCOMPATIBLE  no end is held and |sum b| > (n + 1) eps sum |b|: nothing
@@ -84,7 +84,7 @@ static enum status solve(const struct bar_scene *s, const struct matrix *K,
 }
 
 /*
- * What the displacements say about forces.
+ * Given the loads b and the displacements u, return the forces.
  *
  * P         out  P[e - 1] = modulus u' on element e = 1..n
  * reaction  out  the force on a held end, K u - b there [eq:reaction], else 0

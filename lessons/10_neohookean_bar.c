@@ -31,9 +31,9 @@
  * material; struct newton_control and newton_report are there too. */
 
 /*
- * b [eq:bar-b] of the body force and of the forces on the ends, by the midpoint
- * rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and pull[0],
- * pull[1] are the forces on node 0 and n, positive to the right.
+ * Given the body force and the forces on the ends, return b (2.12b) by the
+ * midpoint rule: f_mid[e - 1] is f at the middle of element e, 1 <= e <= n, and
+ * pull[0], pull[1] are the forces on node 0 and n, positive to the right.
  */
 static void load_vector(int n, double h, const double f_mid[],
                         const double pull[2], double b[])
@@ -44,8 +44,8 @@ static void load_vector(int n, double h, const double f_mid[],
 }
 
 /*
- * q_i is minus the force that is left over at node i, of the stresses beside it
- * and of b_i [eq:bar-q]; all n + 1, no end is special.
+ * Given u, return q (2.12a): q_i is minus the force left over at node i, of the
+ * stresses beside it and of b_i; all n + 1, no end is special.
  * INVERTED where the material is not defined; q is then incomplete.
  */
 static enum status residual(const struct bar *bar, const double u[],
@@ -59,8 +59,8 @@ static enum status residual(const struct bar *bar, const double u[],
 }
 
 /*
- * K = dq/du, before any end is held [eq:bar-tangent].  K is banded or dense;
- * what it held is forgotten.  INVERTED as in residual().
+ * Given u, return K = dq/du (2.5.3), before any end is held.  K is banded or
+ * dense; what it held is forgotten.  INVERTED as in residual().
  */
 static enum status tangent(const struct bar *bar, const double u[],
                            struct matrix *K)
@@ -73,7 +73,7 @@ static enum status tangent(const struct bar *bar, const double u[],
 }
 
 /*
- * The Newton increment: K du = -q at the free nodes, du = 0 at the held ones
+ * Given K and q, return du: K du = -q at the free nodes, du = 0 at held ones
  * [eq:newton] [eq:dirichlet-correction].  K is from tangent() and may be
  * overwritten; what q has at a held node is a reaction.
  *

@@ -7,7 +7,7 @@
  *
  *         P |       .-'
  *           |    .-'o F0        the tangent at F0 meets the level p at F1; when
- *     ------+--/-.'------ F     is F1 <= 0 [eq:first-step]?
+ *     ------+--/-.'------ F     is F1 <= 0?
  *           | /.'
  *       p - +.' - - -
  *
@@ -30,8 +30,8 @@ struct outcome {
 };
 
 /*
- * Where the iteration stands at F, and its next *step, 0 where there is none.
- * increment is the |step| that led to F, INFINITY at the start.
+ * Given F and the increment, which is the |step| that led to F, INFINITY at the
+ * start, return where the iteration stands; *step is the next, 0 if none.
  *
  * INVERTED        the law is not defined at F
  * NONFINITE       the residual P(F) - p or the step is not a finite number
@@ -52,7 +52,7 @@ static enum status newton_step(const struct material *material, double p,
 }
 
 /* What the failures of the log law should be, for a load step that starts from
- * F > 0 [eq:first-step]; start and pull are infinite at nu = 0. */
+ * F > 0; start and pull are infinite at nu = 0. */
 struct limits {
     double load;     /* p at or below which the first step from F inverts */
     double step;     /* largest drop of the load from the equilibrium at F */
@@ -64,8 +64,8 @@ struct limits {
 static struct limits predict(double mu, double lambda, double F)
 {
     struct limits limits = {0};
-    /* SLOT 11b(mu, lambda, F, &limits): the six closed forms [eq:first-step].
-     * limits.load at F = 1 is -(2 mu + lambda). */
+    /* SLOT 11b(mu, lambda, F, &limits): the six closed forms, "On paper" 2
+     * to 4 and 6.  limits.load at F = 1 is -(2 mu + lambda). */
     todo("11b", mu, lambda, F, &limits);
     /* END 11b */
     return limits;

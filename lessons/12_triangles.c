@@ -28,8 +28,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* F = I + sum_a u_a (x) grad N_a [eq:deformation-gradient] of the triangle with
- * the vertices t; dN_a/dX_k = g[2a + k] for a = 0, 1, 2 [eq:shape-gradient]. */
+/* Given the vertices t of a triangle and dN_a/dX_k = g[2a + k], a = 0, 1, 2
+ * [eq:shape-gradient], return F = I + sum_a u_a (x) grad N_a. */
 static mat2 deformation(const int t[3], const double g[6], const double u[])
 {
     mat2 F = mat2_identity();
@@ -39,7 +39,7 @@ static mat2 deformation(const int t[3], const double g[6], const double u[])
     return F;
 }
 
-/* q_a = sum_e area_e P(F_e) grad N_a - f_a [eq:element-force], at all vertices.
+/* Given u, return q_a = sum_e area_e P(F_e) grad N_a - f_a at all vertices.
  * INVERTED where the material is not defined; q is then incomplete. */
 static enum status residual(const struct scene *s, const double u[], double q[])
 {
@@ -53,9 +53,9 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 }
 
 /*
- * K = dq/du, before anything is held [eq:body-tangent]: row 2a + i, column
- * 2b + j gets from each triangle with the vertices a and b its part, by
- * dP_ik/dF_jm [eq:dP-dF].  K is banded or dense; what it held is forgotten.
+ * Given u, return K = dq/du, before anything is held: each triangle with the
+ * vertices a and b adds to row 2a + i, column 2b + j, by dP_ik/dF_jm (3.3.3).
+ * K is banded or dense; what it held is forgotten.
  * INVERTED as in residual().
  */
 static enum status tangent(const struct scene *s, const double u[],
@@ -72,9 +72,9 @@ static enum status tangent(const struct scene *s, const double u[],
 }
 
 /*
- * The Newton increment: K du = -q, du = 0 at the held vertices [eq:newton]
- * [eq:dirichlet-correction].  K and q are those of tangent() and residual(); K
- * may be overwritten.  NOT_SPD: K is not positive definite; du is meaningless.
+ * Given K and q of tangent() and residual(), return du: K du = -q, du = 0 at
+ * held vertices [eq:newton] [eq:dirichlet-correction].  K may be overwritten.
+ * NOT_SPD: K is not positive definite; du is meaningless.
  */
 static enum status increment(const struct scene *s, struct matrix *K,
                              const double q[], double du[])

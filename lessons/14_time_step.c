@@ -11,11 +11,11 @@
  *     frame     0         1         2         3       all implicit methods are
  *     time      |----+----|----+----|----+----|--     one: backward Euler from
  *               u0  u_m   u+                          some state (a, b), by
- *                                                     some step [eq:one-solve]
+ *                                                     some step d
  *
  * Run       make lesson-14; make lesson-14 ARGS=-h lists its options
- * PREDICT 1a part of a mode of 9.17 Hz left by a backward step of 1/30 s: ...
- * PREDICT 1b part of a mode with w dt = 0.5 left by 40 such steps: ...
+ * PREDICT 1a fraction of a 9.17 Hz mode after a backward step of 1/30 s: ...
+ * PREDICT 1b fraction of a mode with w dt = 0.5 after 40 such steps: ...
  * Plot: mode k backward_u
  */
 #include "motion/integrate.h"
@@ -27,9 +27,9 @@
 #include <stdlib.h>
 
 /*
- * The residual q of a step of backward Euler [eq:time-residual], in kg m, for
- * the state (u0, v0) at the beginning and a candidate u for the end of the
- * step; q = 0 for the right one.  f is model->f.  Status of model_force().
+ * Given the state (u0, v0) at the beginning of a step of backward Euler and a
+ * candidate u for its end, return the residual q (2.18), in kg m; q = 0 for the
+ * right one.  f is model->f.  Status of model_force().
  */
 static enum status residual(const struct model *model, double dt,
                             const double u0[], const double v0[],
@@ -40,7 +40,7 @@ static enum status residual(const struct model *model, double dt,
     double *force = allocate((size_t)n, sizeof *force);
     enum status status = OK;
     /* SLOT 14a(model, dt, u0, v0, u, q, n, move, force, &status): q[0..n-1],
-     * by model_mass() and model_force() [eq:time-residual]. */
+     * by model_mass() and model_force(). */
     todo("14a", model, dt, u0, v0, u, q, n, move, force, &status);
     /* END 14a */
     free(force);
@@ -48,7 +48,7 @@ static enum status residual(const struct model *model, double dt,
     return status;
 }
 
-/* Symplectic Euler, nothing to be solved [eq:symplectic-euler] (integrate.h).
+/* Given u and v, advance them by a step of symplectic Euler.
  * u, v  in/out  state, of no use unless the status, model_force()'s, is OK */
 static enum status symplectic_euler(const struct model *model, double dt,
                                     double u[], double v[])
@@ -57,7 +57,7 @@ static enum status symplectic_euler(const struct model *model, double dt,
     double *a = allocate((size_t)n, sizeof *a);
     enum status status = OK;
     /* SLOT 14b(model, dt, u, v, n, a, &status): a[0..n-1] is for the
-     * acceleration; model_force(), model_accelerate() [eq:symplectic-euler]. */
+     * acceleration; model_force(), model_accelerate(). */
     todo("14b", model, dt, u, v, n, a, &status);
     /* END 14b */
     free(a);
@@ -65,7 +65,7 @@ static enum status symplectic_euler(const struct model *model, double dt,
 }
 
 /*
- * The three implicit methods as one solve [eq:one-solve]: u* is the end of a
+ * Given a method and a state, return the next by one solve: u* is the end of a
  * step d of backward Euler from a state (a, b), and v* = (u* - a) / d.  For
  * BACKWARD_EULER a = u0, b = v0, d = dt, u+ = u*, v+ = v*; IMPLICIT_MIDPOINT
  * has the boundary values half-way; the first step of BDF2, when s->steps is 0,
@@ -86,7 +86,7 @@ static struct step_report implicit_step(
     struct step_report report = {.status = OK};
     /* SLOT 14c(model, method, dt, g, s, u, v, n, a, b, g_mid, &report):
      * a, b, d of the method; integrate_solve() with your residual(); u, v from
-     * u*, v* [eq:one-solve]. */
+     * u*, v*. */
     todo("14c", model, method, dt, g, s, u, v, n, a, b, g_mid, &report);
     /* END 14c */
     free(g_mid);

@@ -27,7 +27,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* F = U diag(s1, s2) V^T, U and V rotations, s1 >= |s2| [eq:signed-svd];
+/* Given F = U diag(s1, s2) V^T, return U and V, rotations, and s1 >= |s2|;
  * any of them where there are many. */
 static struct svd signed_svd(mat2 F)
 {
@@ -39,8 +39,8 @@ static struct svd signed_svd(mat2 F)
     return svd;
 }
 
-/* value[] := factors, MODE_TWIST, MODE_FLIP, MODE_LOW <= MODE_HIGH [eq:modes];
- * the material must be defined at J. */
+/* Given s1, s2, return in value[] the factors MODE_TWIST, MODE_FLIP, MODE_LOW
+ * <= MODE_HIGH [eq:modes]; the material must be defined at J. */
 static void eigenvalues(const struct material *material, double s1, double s2,
                         double value[4])
 {
@@ -51,8 +51,8 @@ static void eigenvalues(const struct material *material, double s1, double s2,
     /* END 15b */
 }
 
-/* dP for dF, mode by mode, no factor below floor [eq:projection]; with floor =
- * -INFINITY it is material2_dpk1(). */
+/* Given dF, return dP, mode by mode, no factor below floor [eq:projection];
+ * with floor = -INFINITY it is material2_dpk1(). */
 static mat2 projected_dpk1(const struct material *material, mat2 F,
                            double floor, mat2 dF)
 {
@@ -69,7 +69,7 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
     return dP;
 }
 
-/* Newton's direction at u [eq:newton]: K du = -q at the free unknowns, du = 0
+/* Given u, return q and du [eq:newton]: K du = -q at the free unknowns, du = 0
  * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
  * projected elements; ON_DEMAND with these only where K as it is cannot be
  * factored.  *definite: can it?  Not OK: du means nothing. */

@@ -6,8 +6,7 @@
  *
  * Problem.  rho u'' = div P + f on (-1, 1)^2, Neo-Hookean; some ends are held,
  * u = g(t), the others are free or loaded.  Backward Euler turns each time step
- * into one equation q = 0 for the new u [eq:body-q], which Newton's method
- * solves.
+ * into one equation q = 0 for the new u, which Newton's method solves.
  *
  *     6---7---8     component i of vertex a is u[2a + i] [eq:flatten]; triangle
  *     | / | / |     e has the vertices t = &mesh->triangle[3e] and the area
@@ -16,7 +15,7 @@
  *     0---1---2     come from the lesson before, as body_force()
  *
  * Run       make lesson-13; make lesson-13 ARGS=-h lists its options
- * PREDICT 1 part of the spin that is left at t = 1, --scene spin: ...
+ * PREDICT 1 fraction of the spin left at t = 1, --scene spin: ...
  * PREDICT 2 least n whose first step fails, --scene rigid: ...
  * PREDICT 3 times the steps, for a tenth of the error in the energy: ...
  * Plot: steps t elastic
@@ -31,12 +30,13 @@
 
 enum { CAP = 30 }; /* linear systems per time step */
 
-/* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab
- * [eq:overlap] or, LUMPED, the row sums of that to the diagonal [eq:mass]. */
+/* out += M v over all vertices: a triangle adds rho int N_a N_b to M_ab or,
+ * LUMPED, the row sums of that to the diagonal (2.20). */
 static void add_mass(const struct body *body, const double v[], double out[])
 {
     /* SLOT 13a(body, v, out): triangle by triangle; body->rho, body->area[e],
      * body->mass, and body->mesh->triangle for the three vertices. */
+    /* consistent: [eq:overlap] */
     for (int e = 0; e < body->mesh->n_triangle; e++) {
         const int *t = &body->mesh->triangle[3 * e];
         const double m = body->rho * body->area[e];
@@ -53,10 +53,10 @@ static void add_mass(const struct body *body, const double v[], double out[])
 }
 
 /*
- * b of [eq:body-b] at all vertices, for the state u0, v0 before the step, the
- * constant body force s->density (N/m^2) and the constant s->traction (N/m) on
- * the right end, whose edge j, 0 <= j < n, joins the vertices j (n + 1) + n and
- * (j + 1) (n + 1) + n.
+ * Given the state u0, v0 before the step, return b (2.18b) at all vertices, for
+ * the constant body force s->density (N/m^2) and the constant s->traction (N/m)
+ * on the right end, whose edge j, 0 <= j < n, joins the vertices
+ * j (n + 1) + n and (j + 1) (n + 1) + n.
  */
 static void right_hand_side(const struct scene *s, double dt,
                             const double u0[], const double v0[], double b[])
@@ -64,7 +64,7 @@ static void right_hand_side(const struct scene *s, double dt,
     double *w = allocate((size_t)s->n_dof, sizeof *w);
     /* SLOT 13b(s, dt, u0, v0, w, b, add_mass): what add_mass() is to multiply
      * goes into w; then triangle by triangle, then edge by edge. */
-    /* M (u0 + dt v0): where the vertices go if nothing acts on them */
+    /* [eq:body-b]: M (u0 + dt v0), where they go if nothing acts on them */
     for (int r = 0; r < s->n_dof; r++) {
         w[r] = u0[r] + dt * v0[r];
         b[r] = 0.0;
@@ -91,8 +91,8 @@ static void right_hand_side(const struct scene *s, double dt,
     free(w);
 }
 
-/* q of all vertices [eq:body-q] (at a held one it is what holds it, times dt^2)
- * and A = dq/du of the free unknowns [eq:body-tangent].  INVERTED where the
+/* Given u and b, return q of all vertices (at a held one it is what holds it,
+ * times dt^2) and A = dq/du of the free unknowns (2.23).  INVERTED where the
  * material is not defined; q and A are then incomplete. */
 static enum status equation(const struct body *body, double dt,
                             const double u[], const double b[], double q[],

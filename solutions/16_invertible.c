@@ -63,7 +63,7 @@ static void principal_extended(const struct principal_law *law,
     /* END 16a */
 }
 
-/* G[0..2] := G, G', G'' at J of psi = mu/2 (F:F - 2) + G(J): the log law's
+/* Given J, return G, G', G'' of psi = mu/2 (F:F - 2) + G(J): the log law's
  * G = -mu ln J + lambda/2 (ln J)^2 for J >= eps; below it the polynomial of
  * second order with the same G, G', G'' at eps [eq:g-extended]. */
 static void extended(const struct principal_law *law, double J, double G[3])
@@ -93,7 +93,7 @@ static void principal(const struct principal_law *law, const double s[2],
         principal_extended(law, s, P);
 }
 
-/* P = U diag(P^1, P^2) V^T at F [eq:pk1-principal]. */
+/* Given F, return P = U diag(P^1, P^2) V^T [eq:pk1-principal]. */
 static mat2 stress(const struct principal_law *law, mat2 F)
 {
     mat2 P = F;
@@ -111,7 +111,7 @@ static mat2 stress(const struct principal_law *law, mat2 F)
 }
 
 /*
- * Let go: u goes downhill on Psi(u) to where the body rests [alg:release].
+ * Given u, let it go downhill on Psi(u) to where the body rests [alg:release].
  *
  *     K du = -q, K projected and shifted; u += du, or less by release_search()
  *

@@ -1,0 +1,149 @@
+/*
+ * long.c - what is left after a long time: of a picture in the phase plane of
+ * one mode, and of the energy of the square?
+ *
+ * The picture is Arnold's cat, a polygon of points (u, v / omega), which every
+ * step maps; omega dt = 1/2.  Expected area over that of the start: 1, and
+ * (1 + omega^2 dt^2)^-k for backward Euler.  The square: n = 3, cubic law,
+ * lumped mass, both ends held, let go from a swing of 0.05 m, at half of the
+ * critical step [eq:critical-step]; least and largest energy over that of the
+ * start in blocks of steps, to 6 digits.  So small a swing is not chaotic.
+ */
+#include "motion/integrate.h"
+#include "plane/scene.h"
+#include "base/study.h"
+#include "base/table.h"
+
+#include <math.h>
+
+enum { POINTS = 29, SHOWN = 9, EVERY = 3, PER_DECADE = 8, BLOCKS = 33 };
+
+static const double cat[POINTS][2] = {
+    {-0.38, 0.56}, {-0.42, 0.90}, {-0.24, 0.76}, {-0.06, 0.76}, {0.12, 0.90},
+    {0.08, 0.56},  {0.04, 0.42},  {0.20, 0.26},  {0.28, 0.02},  {0.28, -0.26},
+    {0.44, -0.32}, {0.60, -0.28}, {0.70, -0.14}, {0.72, 0.06},  {0.64, 0.24},
+    {0.74, 0.30},  {0.88, 0.08},  {0.84, -0.22}, {0.66, -0.44}, {0.40, -0.50},
+    {0.10, -0.50}, {-0.10, -0.50}, {-0.42, -0.50}, {-0.46, -0.40},
+    {-0.36, -0.24}, {-0.44, 0.04}, {-0.44, 0.26}, {-0.34, 0.42},
+    {-0.40, 0.50}};
+
+/* Of the polygon through the states. */
+static double area(const struct state s[])
+{
+    double twice = 0.0;
+    for (int i = 0; i < POINTS; i++) {
+        const struct state *a = &s[i], *b = &s[(i + 1) % POINTS];
+        twice += a->u[0] * b->v[0] - b->u[0] * a->v[0];
+    }
+    return 0.5 * fabs(twice);
+}
+
+/* The outline every three steps; what is left of the area at the end. */
+static double map_cat(enum method method, double z)
+{
+    struct model *model = model_mode(1.0);
+    struct state s[POINTS];
+    double left = 1.0;
+    for (int i = 0; i < POINTS; i++) {
+        s[i] = state_make(1);
+        s[i].u[0] = 0.95 + 0.5 * cat[i][0];
+        s[i].v[0] = 0.5 * cat[i][1];
+    }
+    const double start = area(s);
+    for (int k = 0; k <= SHOWN; k++) {
+        left = area(s) / start;
+        for (int i = 0; i <= POINTS && k % EVERY == 0; i++)
+            table_row(method_name(method), k, s[i % POINTS].u[0],
+                      s[i % POINTS].v[0], left);
+        for (int i = 0; i < POINTS; i++)
+            integrate_step(model, method, z, NULL, &s[i]);
+    }
+    for (int i = 0; i < POINTS; i++) state_free(&s[i]);
+    model_free(model);
+    return left;
+}
+
+struct range {
+    int last;           /* step */
+    double least, most; /* energy over that of the start */
+};
+
+static double six_digits(double x) { return round(1e6 * x) / 1e6; }
+
+/* A row for each block of steps, while there is energy to be seen. */
+static void swing(struct model *model, enum method method, double dt,
+                  struct range block[BLOCKS])
+{
+    struct state s = state_swing(model->body, 0.05);
+    const double start = model_energy(model, s.u, s.v);
+    int k = 0;
+    for (int n = 0; n < BLOCKS; n++) {
+        struct range r = {.least = INFINITY, .most = 0.0};
+        r.last = (int)round(pow(10.0, 1.0 + (double)n / PER_DECADE));
+        for (; k < r.last; k++) {
+            if (integrate_step(model, method, dt, s.u, &s).status != OK)
+                break;
+            const double E = model_energy(model, s.u, s.v) / start;
+            r.least = fmin(r.least, E);
+            r.most = fmax(r.most, E);
+        }
+        if (k == r.last && r.least > 1e-5)
+            table_row(method_name(method), r.last, r.last * dt,
+                      six_digits(r.least), six_digits(r.most));
+        block[n] = r;
+    }
+    state_free(&s);
+}
+
+int main(void)
+{
+    const double z = 0.5, due = pow(1.0 + z * z, -SHOWN);
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 3);
+    set.mass = LUMPED;
+    struct scene *scene = scene_alloc(&set);
+    struct model *model = model_body(scene->body);
+    const double dt = 1.0 / model_frequency(model);
+    struct range r[N_METHOD][BLOCKS];
+    double left[N_METHOD];
+
+    table_begin("cat", "method k u v area");
+    for (int m = 0; m < N_METHOD; m++)
+        left[m] = map_cat((enum method)m, z);
+    table_end();
+    table_begin("long", "method steps t least most");
+    for (int m = 0; m < N_METHOD; m++)
+        swing(model, (enum method)m, dt, r[m]);
+    table_end();
+    model_free(model);
+    scene_free(scene);
+
+    const double flat = fmax(fabs(left[SYMPLECTIC_EULER] - 1.0),
+                             fabs(left[IMPLICIT_MIDPOINT] - 1.0));
+    claim(flat < 1e-12, "symplectic Euler and the midpoint rule keep the area "
+          "of the cat (to %g)", flat);
+    claim(fabs(left[BACKWARD_EULER] / due - 1.0) < 1e-12 && left[BDF2] < 0.9,
+          "backward Euler leaves %g of it, as predicted, BDF2 %g", due,
+          left[BDF2]);
+    /* the last decade against the second */
+    const int early = PER_DECADE, late = BLOCKS - 1;
+    double wide[2] = {0.0, 0.0}, off = 0.0;
+    for (int n = 1; n <= PER_DECADE; n++) {
+        const struct range *s = r[SYMPLECTIC_EULER];
+        wide[0] = fmax(wide[0], s[n].most - s[n].least);
+        wide[1] = fmax(wide[1], s[BLOCKS - n].most - s[BLOCKS - n].least);
+    }
+    for (int n = 0; n < BLOCKS; n++) {
+        const struct range *s = &r[IMPLICIT_MIDPOINT][n];
+        off = fmax(off, fmax(s->most - 1.0, 1.0 - s->least));
+    }
+    claim(r[SYMPLECTIC_EULER][late].last == 100000 && wide[1] < 1.1 * wide[0],
+          "after %d steps the energy of symplectic Euler wanders no wider than "
+          "in the first 100 (%g, %g)", r[SYMPLECTIC_EULER][late].last,
+          wide[1], wide[0]);
+    claim(off < 0.002, "that of the midpoint rule stays within 0.2 %% (%g)",
+          off);
+    claim(r[BACKWARD_EULER][early].most < 0.02, "of that of backward Euler "
+          "less than 2 %% is left after 100 steps (%g)",
+          r[BACKWARD_EULER][early].most);
+    return table_finish();
+}

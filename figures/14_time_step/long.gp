@@ -1,0 +1,70 @@
+# long.gp - a cat in the phase plane of one mode, every three steps of half a
+# radian, by each method (grey: the start; the number: what is left of its
+# area), and the energy of the square over a hundred thousand steps.
+# Expected: areas 1, 1, and 1.25^-k for backward Euler.
+# Reads   data  tables cat, long
+# Writes  out   SVG
+if (!exists("data")) data = "build/data/14_time_step/long.tsv"
+if (!exists("out"))  out  = "figures/14_time_step/long.svg"
+load "figures/style.gp"
+set terminal svg size 900,460
+set output out
+array Key[4] = ["symplectic", "backward", "midpoint", "bdf2"]
+array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
+array Style[4] = [2, 1, 3, 4]
+# The outline number j = 0..3 of method m has the rows 30 (4 (m - 1) + j) on.
+row(m, j) = 30 * (4 * (m - 1) + j)
+set multiplot
+unset key
+set size ratio -1
+set xrange [-1.6:1.6]
+set yrange [-1.6:1.6]
+set xtics 1
+set ytics 1
+do for [m = 1:4] {
+    col = (m - 1) % 2
+    line = (m - 1) / 2
+    set lmargin at screen 0.055 + 0.225 * col
+    set rmargin at screen 0.265 + 0.225 * col
+    set tmargin at screen 0.93 - 0.43 * line
+    set bmargin at screen 0.56 - 0.43 * line
+    set label 1 Name[m] at graph 0.5, graph 1.06 center
+    set format x line == 1 ? "%g" : ""
+    set format y col == 0 ? "%g" : ""
+    set xlabel line == 1 ? "u" : ""
+    set ylabel col == 0 ? "v / ω" : ""
+    stats data index "cat" using "area" every ::row(m, 3)::row(m, 3) nooutput
+    set label 2 sprintf("area %.2f", STATS_max) at 1.5, 1.4 right font ",12"
+    plot data index "cat" using "u":"v" every ::row(m, 0)::row(m, 0)+29 \
+             with filledcurves closed lc rgb "#bbbbbb", \
+         for [j = 1:3] data index "cat" using "u":"v" \
+             every ::row(m, j)::row(m, j)+29 \
+             with filledcurves closed ls Style[m] fs transparent solid 0.35, \
+         for [j = 1:3] data index "cat" using "u":"v" \
+             every ::row(m, j)::row(m, j)+29 with lines ls Style[m] lw 1
+    unset label 2
+}
+unset label
+set lmargin at screen 0.60
+set rmargin at screen 0.985
+set tmargin at screen 0.80
+set bmargin at screen 0.14
+set key above left vertical maxrows 2 reverse Left samplen 2
+set size noratio
+set logscale x
+set format x "10^{%T}"
+set format y "%g"
+set xtics autofreq
+set ytics 0.2
+set xrange [10:1e5]
+set yrange [0:1.5]
+set xlabel "steps"
+set ylabel "energy over energy at the start"
+only(m, y) = strcol("method") eq Key[m] ? column(y) : NaN
+plot for [m = 1:4] data index "long" \
+         using "steps":(only(m, "least")):(only(m, "most")) \
+         with filledcurves ls Style[m] fs transparent solid 0.5 title Name[m], \
+     for [m = 1:4] data index "long" using "steps":(only(m, "most")) \
+         with lines ls Style[m] lw 1.5 notitle
+unset multiplot
+set output
