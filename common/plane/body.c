@@ -73,6 +73,7 @@ void body_store(struct body *body, enum storage storage)
                   : matrix_alloc(storage, body->n_equation,
                                  numbering_half_bandwidth(numbering));
     numbering_places(numbering, body->K, body->place);
+    body->kept.usable = 0;
 }
 
 struct body *body_alloc_of(enum element element, const struct mesh *mesh,
@@ -167,6 +168,23 @@ double body_min_J(const struct body *body, const double u[])
     return least;
 }
 
+void body_turned(const struct body *body, const double u[], double by[2])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    const double *X = body->mesh->X;
+    double middle[2] = {0.0, 0.0}, along = 0.0, across = 0.0;
+    for (int r = 0; r < n_dof; r++) middle[r % 2] += 2.0 * X[r] / n_dof;
+    for (int r = 0; r < n_dof; r += 2) {
+        const double X1 = X[r] - middle[0], X2 = X[r + 1] - middle[1];
+        const double x1 = X1 + u[r], x2 = X2 + u[r + 1];
+        along += X1 * x1 + X2 * x2;
+        across += X1 * x2 - X2 * x1;
+    }
+    const double size = sqrt(along * along + across * across);
+    by[0] = size > 0.0 ? along / size : 1.0;
+    by[1] = size > 0.0 ? across / size : 0.0;
+}
+
 void body_mass(const struct body *body, const double v[], double out[])
 {
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
@@ -209,7 +227,10 @@ enum status body_assemble(struct body *body, struct incremental Phi,
     const int linear = body->element == LINEAR_TRIANGLE;
 
     assert(linear || !body->add);
-    if (tangent != NO_TANGENT) matrix_zero(body->K);
+    if (tangent != NO_TANGENT) {
+        matrix_zero(body->K);
+        body->kept.usable = 0;
+    }
     for (int r = 0; r < n_dof; r++) q[r] = Phi.f ? -dt * dt * Phi.f[r] : 0.0;
     if (Phi.w && !linear) add_diagonal(body, Phi, u, tangent, q);
     const enum status status = triangles_assemble(body, Phi, u, tangent, q);

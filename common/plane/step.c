@@ -2,6 +2,7 @@
 #include "plane/step.h"
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,37 +129,81 @@ static enum status factor(struct body *body, const struct step_control *control,
     return body_assemble(body, Phi, u, EXACT, q);
 }
 
-/* du := -K^-1 q, 0 at prescribed vertices. */
+/* du := -K^-1 q, 0 at prescribed vertices; K as it was when it was factored,
+ * and turned since then: R K R^T for R = (c -s; s c) at all vertices. */
 static enum status increment(struct body *body, const double q[], int as_it_is,
-                             double b[], double du[])
+                             const double turned[2], double b[], double du[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
+    const double c = turned[0], s = turned[1];
     enum status status = OK;
-    for (int r = 0; r < n_dof; r++)
-        if (body->equation[r] >= 0) b[body->equation[r]] = -q[r];
+    for (int r = 0; r < n_dof; r += 2) {
+        const int k = body->equation[r];
+        if (k < 0) continue;
+        b[k] = -(c * q[r] + s * q[r + 1]);
+        b[k + 1] = -(c * q[r + 1] - s * q[r]);
+    }
     if (as_it_is)
         status = matrix_solve_indefinite(body->K, b, NULL);
     else
         matrix_solve(body->K, b);
-    for (int r = 0; r < n_dof; r++) {
-        du[r] = body->equation[r] >= 0 ? b[body->equation[r]] : 0.0;
-        if (status == OK && !isfinite(du[r])) status = NONFINITE;
+    for (int r = 0; r < n_dof; r += 2) {
+        const int k = body->equation[r];
+        du[r] = k >= 0 ? c * b[k] - s * b[k + 1] : 0.0;
+        du[r + 1] = k >= 0 ? s * b[k] + c * b[k + 1] : 0.0;
+        if (status == OK && !(isfinite(du[r]) && isfinite(du[r + 1])))
+            status = NONFINITE;
     }
     return status;
 }
 
+/* Are the factors in K still good for a step of Phi [alg:kept]? */
+static int is_usable(const struct body *body,
+                     const struct step_control *control, struct incremental Phi)
+{
+    const struct kept *kept = &body->kept;
+    return control->chord == KEPT_ACROSS && kept->usable &&
+           (kept->systems <= KEPT_SYSTEMS ||
+            kept->systems <= kept->least + 1) &&
+           kept->dt == Phi.dt && kept->moving == (Phi.w != NULL) &&
+           (body->K->storage != SPARSE || body->K->factor);
+}
+
+/* K has just been factored at u. */
+static void keep(struct body *body, struct incremental Phi, const double u[],
+                 double scale)
+{
+    body->kept = (struct kept){.usable = 1, .moving = Phi.w != NULL,
+                               .dt = Phi.dt, .scale = scale,
+                               .least = INT_MAX - 1};
+    body_turned(body, u, body->kept.turned);
+}
+
+/* by := how far u has turned the body since K was factored. */
+static void turn(const struct body *body, const double u[], double by[2])
+{
+    const double *then = body->kept.turned;
+    double now[2];
+    body_turned(body, u, now);
+    by[0] = now[0] * then[0] + now[1] * then[1];
+    by[1] = now[1] * then[0] - now[0] * then[1];
+}
+
+/* As step_solve(), by at most `most` systems; the first of them with the
+ * factors that there are, unless fresh. */
 static struct step_report newton(struct body *body,
                                  const struct step_control *control,
                                  struct incremental Phi, struct room room,
-                                 double u[])
+                                 int most, int fresh, double u[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
     struct step_report report = {.increment = INFINITY,
                                  .storage = body->K->storage};
-    double scale = 0.0;
-    int fresh = 1, as_it_is = 0, halved = 0;
+    double scale = body->kept.scale, turned[2] = {1.0, 0.0};
+    int as_it_is = 0, halved = 0;
 
+    if (!fresh) turn(body, u, turned);
     for (;;) {
         const int small = report.increment <= control->tolerance;
         const int with_K = fresh && !small;
@@ -172,16 +217,20 @@ static struct step_report newton(struct body *body,
         report.status = STALLED;
         if (report.increment <= DBL_EPSILON) break;
         report.status = MAX_ITERATIONS;
-        if (report.iterations == control->max_iterations) break;
+        if (report.iterations == most) break;
 
         if (fresh && small)
             body_assemble(body, Phi, u, kind, room.q);
         report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
                                        &as_it_is)
                               : OK;
+        if (fresh && report.status == OK && control->chord == KEPT_ACROSS) {
+            if (!as_it_is) keep(body, Phi, u, scale);
+            turned[0] = 1.0, turned[1] = 0.0;
+        }
         if (report.status == OK)
-            report.status =
-                increment(body, room.q, as_it_is, room.trial, room.du);
+            report.status = increment(body, room.q, as_it_is, turned,
+                                      room.trial, room.du);
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;
@@ -194,6 +243,10 @@ static struct step_report newton(struct body *body,
         fresh = !control->chord || halved || as_it_is ||
                 report.increment > 0.3 * before;
     }
+    if (report.status != OK) body->kept.usable = 0;
+    body->kept.systems = report.iterations;
+    if (report.iterations < body->kept.least)
+        body->kept.least = report.iterations;
     return report;
 }
 
@@ -203,10 +256,26 @@ struct step_report step_solve(struct body *body,
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
     /* one block: the room of one solve, made and freed as one */
-    double *memory = allocate(5 * n_dof, sizeof *memory);
+    double *memory = allocate(6 * n_dof, sizeof *memory);
+    double *start = memory + 5 * n_dof;
     const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
-    const struct step_report report = newton(body, control, Phi, room, u);
+    const int old = is_usable(body, control, Phi);
+    const int most = control->max_iterations;
+    memcpy(start, u, n_dof * sizeof *u);
+    struct step_report report =
+        newton(body, control, Phi, room, most, !old, u);
+    /* it may be the old factors' fault */
+    if (old && report.status != OK && report.iterations < most) {
+        const struct step_report first = report;
+        memcpy(u, start, n_dof * sizeof *u);
+        report =
+            newton(body, control, Phi, room, most - first.iterations, 1, u);
+        report.iterations += first.iterations;
+        report.factorisations += first.factorisations;
+        report.projections += first.projections;
+        report.indefinite += first.indefinite;
+    }
     free(memory);
     return report;
 }
