@@ -24,9 +24,9 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for tiles.c, front.c, readable.c, body.c and triangles.c, where they
-# count: of the list that the compiler takes; the last two go without the last
-# flag, so that their digits are the same everywhere, and without pairs made of
+# Flags for tiles.c, front.c, readable.c, body.c, triangles.c and lanes.c, where
+# they count: of the list that the compiler takes; the last three go without the
+# last flag, so that their digits are the same everywhere, and without pairs made of
 # lines that stand one after the other, which gcc 12 contracts all the same.
 # They make the build one for this machine; `make clean` and NATIVE= give one for
 # any.
@@ -216,7 +216,7 @@ native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
-             $(if $(filter body triangles,$1),$(call same_digits,$(NATIVE)))
+             $(if $(filter body triangles lanes,$1),$(call same_digits,$(NATIVE)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \

@@ -2,6 +2,7 @@
 #include "plane/body.h"
 
 #include "linear/sparse.h"
+#include "plane/lanes.h"
 #include "plane/numbering.h"
 #include "plane/quadratic.h"
 #include "plane/triangles.h"
@@ -67,6 +68,8 @@ void body_store(struct body *body, enum storage storage)
     body->n_equation =
         numbering_lines(body->mesh, body->pattern, body->equation);
     for (int e = 0; e < body->n_element; e++) make_triangle(body, e);
+    free(body->lanes);
+    body->lanes = body->element == LINEAR_TRIANGLE ? lanes_alloc(body) : NULL;
     const struct numbering numbering = numbering_of(body);
     body->K = body->pattern
                   ? matrix_alloc_sparse(body->pattern)
@@ -123,6 +126,7 @@ void body_free(struct body *body)
     free(body->area);
     free(body->gradient);
     free(body->place);
+    free(body->lanes);
     free(body->diagonal);
     matrix_free(body->K);
     sparse_free(body->pattern);

@@ -94,6 +94,7 @@ struct body {
                        * linear triangle at [6 e + 2 a + j]; of a quadratic one
                        * for each of its points p at [36 e + 12 p + 2 a + j] */
     int *place;       /* scatter map of numbering.h, for each triangle */
+    double *lanes;    /* gradients and areas of linear triangles for lanes.h */
     double *diagonal; /* [n_vertex] of quadratic triangles: the area whose mass
                        * a vertex has (m^2); NULL: linear triangles */
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
