@@ -376,19 +376,25 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
 	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \
 	    $(filter %.o,$^) $(LDFLAGS) $(GSL_LIBS) $$rival $$lapack && $(MOVED)
-# One after the other, each time anew, and the pictures with seconds in them in
-# their place in the tree.
+# One after the other, each time anew, their tables into build/data/, and the
+# pictures with seconds in them in their place in the tree.  At the end stands
+# what was wanted and what was measured; the share of a processor that the
+# studies had says whether the machine was quiet.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
 	@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
 	trap 'exit 130' 1 2 15; \
+	begin=$$(date +%s); \
 	for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
 	    data=$(BUILD)/data/$$s.tsv; mkdir -p $${data%/*}; \
 	    printf '  %-8s %s\n' bench "$$s" >&2; \
 	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
 	        $(BUILD)/figures/$$s \
-	        > $$part && mv $$part $$data && cat $$data || exit 1; \
-	done
+	        > $$part && mv $$part $$data || exit 1; \
+	done; end=$$(date +%s); times > $$part; \
+	awk -v processor="$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
+	    print (60 * $$1 + $$2 + 60 * $$3 + $$4) / (wall + (wall == 0)) }' \
+	    $$part)" -f tests/tools/bench.awk $(BUILD)/data/speed/*.tsv
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
 	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$$f.tsv \
 	        figures/$$f.svg || exit 1; done

@@ -1,13 +1,13 @@
 /*
  * realtime.c - up to which n is a step ready for the next picture?
  *
- * The stretch of step.c, on one thread.  Table realtime: its first ninety steps,
- * while it is stretched, with the jolt of the start; an n is in time when 99 of
- * 100 of them take at most 1/30 s.  Table swing: 190 steps, in which it is
+ * The stretch of step.c, on one thread.  Table realtime: its first ninety
+ * steps, while it is stretched, with the jolt of the start; an n is in time when
+ * 99 of 100 of them take at most 1/30 s.  Table swing: 190 steps, in which it is
  * pressed from t = pi on and let go again (dissection); in time when all are.
- * There a step takes up to hundreds of systems, so that `capped` stops at 8
- * and goes on from what the line search has reached [alg:line-search], which
- * has less Phi than the guess.  The largest n is found by halving an interval.
+ * There a step takes up to hundreds of systems, so that `capped` stops at 8 and
+ * goes on from what the line search has reached [alg:line-search], which has
+ * less Phi than the guess.  The largest n is found by halving an interval.
  */
 #include "base/clock.h"
 #include "plane/scene.h"
@@ -154,8 +154,8 @@ int main(void)
     print_swing("all", 64, 300, 0);
     print_swing("capped", 32, CAP, 0);
     print_swing("capped", 64, CAP, 0);
-    print_swing("capped", largest(SOLVERS, 0), CAP, 0);
-    print_swing("capped,single", largest(SOLVERS, 1), CAP, 1);
+    print_swing("capped_most", largest(SOLVERS, 0), CAP, 0);
+    print_swing("single_most", largest(SOLVERS, 1), CAP, 1);
     table_end();
     return table_finish();
 }
