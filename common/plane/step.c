@@ -189,6 +189,16 @@ static void turn(const struct body *body, const double u[], double by[2])
     by[1] = now[1] * then[0] - now[0] * then[1];
 }
 
+/* What comes after an increment with the same factors as that before it, if it
+ * falls as this one did; INFINITY: nobody knows, or nobody asks. */
+static double next_increment(const struct step_control *control, int same,
+                             double increment, double before)
+{
+    return control->chord == KEPT_ACROSS && same && isfinite(before)
+               ? increment * increment / before
+               : INFINITY;
+}
+
 /* As step_solve(), by at most `most` systems; the first of them with the
  * factors that there are, unless fresh. */
 static struct step_report newton(struct body *body,
@@ -200,12 +210,13 @@ static struct step_report newton(struct body *body,
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
     struct step_report report = {.increment = INFINITY,
                                  .storage = body->K->storage};
-    double scale = body->kept.scale, turned[2] = {1.0, 0.0};
+    double scale = body->kept.scale, turned[2] = {1.0, 0.0}, next = INFINITY;
     int as_it_is = 0, halved = 0;
 
     if (!fresh) turn(body, u, turned);
     for (;;) {
-        const int small = report.increment <= control->tolerance;
+        const int small = report.increment <= control->tolerance ||
+                          next <= 0.1 * control->tolerance;
         const int with_K = fresh && !small;
         report.status =
             body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, room.q);
@@ -240,6 +251,8 @@ static struct step_report newton(struct body *body,
         else
             for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         if (report.status != OK) break;
+        next = next_increment(control, !fresh && !halved, report.increment,
+                              before);
         fresh = !control->chord || halved || as_it_is ||
                 report.increment > 0.3 * before;
     }

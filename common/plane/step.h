@@ -24,7 +24,9 @@ enum chord {
                      * more than KEPT_SYSTEMS systems and two more than the
                      * shortest with them; they turn as the body does.  A solve
                      * that fails with those of an earlier step begins again
-                     * with new ones [alg:kept] */
+                     * with new ones; one whose next increment would be below a
+                     * tenth of the tolerance, when it fell as the last one did
+                     * with the same factors, does without it [alg:kept] */
 };
 enum { KEPT_SYSTEMS = 4 };
 

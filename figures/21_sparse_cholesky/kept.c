@@ -19,8 +19,7 @@
 enum { CELLS = 40, STEPS = 60, SCENES_HERE = 4, WAYS = 3 };
 static const enum reading reading[SCENES_HERE] = {STRETCH, RIGID, TRACTION,
                                                   SPIN};
-static const char *const way[WAYS] = {"for each system", "within a step",
-                                     "across steps"};
+static const char *const way[WAYS] = {"never", "within a step", "across steps"};
 
 struct count {
     int systems, factorisations, most; /* most: systems of a step */
@@ -84,8 +83,10 @@ int main(void)
     free(answer);
     for (int k = 0; k < SCENES_HERE; k++) {
         const struct count *in = &c[k][KEPT_IN_STEP], *on = &c[k][KEPT_ACROSS];
-        claim(on->apart < 1e-9 && in->apart < 1e-9, "%s: the same u",
-              scene_name(reading[k]));
+        /* what is left of a step, at most 1e-10 m, is left in v, too, and
+         * moves what nothing holds in each step that follows */
+        claim(fmax(on->apart, in->apart) < 1e-10 * STEPS * STEPS / 2,
+              "%s: the same u", scene_name(reading[k]));
         claim(on->factorisations * 5 <= in->factorisations,
               "%s: kept across steps factors serve at least five",
               scene_name(reading[k]));

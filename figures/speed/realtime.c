@@ -2,12 +2,12 @@
  * realtime.c - up to which n is a step ready for the next picture?
  *
  * The stretch of step.c, on one thread.  Table realtime: its first ninety
- * steps, while it is stretched, with the jolt of the start; an n is in time when
- * 99 of 100 of them take at most 1/30 s.  Table swing: 190 steps, in which it is
- * pressed from t = pi on and let go again (dissection); in time when all are.
- * There a step takes up to hundreds of systems, so that `capped` stops at 8 and
- * goes on from what the line search has reached [alg:line-search], which has
- * less Phi than the guess.  The largest n is found by halving an interval.
+ * steps, while it is stretched, with the jolt of the start; an n is in time
+ * when 99 of 100 of them take at most 1/30 s.  Table swing: 190 steps, in which
+ * it is pressed from t = pi on and let go again (dissection); in time when all
+ * are.  There a step takes up to hundreds of systems, so that `capped` stops at
+ * 8 and goes on from what the line search has reached [alg:line-search], which
+ * has less Phi than the guess.  The largest n is found by halving an interval.
  */
 #include "base/clock.h"
 #include "plane/scene.h"

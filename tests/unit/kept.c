@@ -41,8 +41,7 @@ static double apart(int n, const double a[], const double b[])
 }
 
 /* Every step ends where Newton's method with new factors does from the same
- * state.  Both stop at increments of 1e-10 m that fall, so that what is left is
- * less than one of them. */
+ * state, within the tolerance. */
 static void old_factors_find_the_same_step(void)
 {
     const struct step_control newton = step_method("lift"), kept = across();
@@ -53,16 +52,16 @@ static void old_factors_find_the_same_step(void)
             body_store(s->body, how ? SPARSE : BANDED);
             if (how == 2) matrix_keep_single(s->body->K, 1);
             int factorisations = 0;
-            for (int step = 0; step < 12; step++) {
+            for (int step = 0; step < 40; step++) {
                 copy_state(s, other);
                 const struct step_report r = scene_step(s, &kept);
                 ck_assert_int_eq(r.status, OK);
                 ck_assert_int_eq(scene_step(other, &newton).status, OK);
                 ck_assert(apart(s->n_dof, s->u, other->u) <= 1e-10);
-                ck_assert(r.residual <= 1e-10 && r.increment <= 1e-10);
+                ck_assert(r.residual <= 1e-10);
                 factorisations += r.factorisations;
             }
-            ck_assert_int_le(factorisations, 5);
+            ck_assert_int_le(factorisations, 10);
             scene_free(s);
             scene_free(other);
         }
