@@ -169,11 +169,12 @@ static int is_usable(const struct body *body,
            (body->K->storage != SPARSE || body->K->factor);
 }
 
-/* K has just been factored at u. */
+/* K has just been assembled at u and, usable, factored; by := no turn. */
 static void keep(struct body *body, struct incremental Phi, const double u[],
-                 double scale)
+                 double scale, int usable, double by[2])
 {
-    body->kept = (struct kept){.usable = 1, .moving = Phi.w != NULL,
+    by[0] = 1.0, by[1] = 0.0;
+    body->kept = (struct kept){.usable = usable, .moving = Phi.w != NULL,
                                .dt = Phi.dt, .scale = scale,
                                .least = INT_MAX - 1};
     body_turned(body, u, body->kept.turned);
@@ -235,10 +236,8 @@ static struct step_report newton(struct body *body,
         report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
                                        &as_it_is)
                               : OK;
-        if (fresh && report.status == OK && control->chord == KEPT_ACROSS) {
-            if (!as_it_is) keep(body, Phi, u, scale);
-            turned[0] = 1.0, turned[1] = 0.0;
-        }
+        if (fresh && report.status == OK && control->chord == KEPT_ACROSS)
+            keep(body, Phi, u, scale, !as_it_is, turned);
         if (report.status == OK)
             report.status = increment(body, room.q, as_it_is, turned,
                                       room.trial, room.du);
