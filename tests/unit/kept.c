@@ -275,6 +275,24 @@ static void what_old_factors_spoil_is_done_again(void)
     for (int k = 0; k < 2; k++) scene_free(s[k]);
 }
 
+/* A load of 1e10 N on a body of 1e-300 N/m^2: K is positive definite, and its
+ * increment no number; u stays as it is. */
+static void an_infinite_increment_is_not_taken(void)
+{
+    struct scene *s = scene_of(GRAVITY, CUBIC);
+    const struct step_control kept = across();
+    double *f = calloc((size_t)s->n_dof, sizeof *f);
+    s->body->material = material_make(CUBIC, 1e-300, 0.3);
+    f[s->n_dof - 1] = 1e10;
+    const struct step_report r =
+        step_solve(s->body, &kept, at_rest(f), s->u);
+    ck_assert_int_eq(r.status, NONFINITE);
+    ck_assert_int_eq(r.iterations, 0);
+    for (int k = 0; k < s->n_dof; k++) ck_assert(!(fabs(s->u[k]) > 0.0));
+    free(f);
+    scene_free(s);
+}
+
 static const struct unit_law laws[] = {
     {"old_factors_find_the_same_step", old_factors_find_the_same_step},
     {"factors_are_new_when_the_last_step_was_long",
@@ -286,6 +304,7 @@ static const struct unit_law laws[] = {
     {"factors_are_forgotten", factors_are_forgotten},
     {"what_old_factors_spoil_is_done_again",
      what_old_factors_spoil_is_done_again},
+    {"an_infinite_increment_is_not_taken", an_infinite_increment_is_not_taken},
 };
 
 UNIT_MAIN("kept", laws)
