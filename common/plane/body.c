@@ -95,6 +95,8 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
     const size_t triangles = (size_t)body->n_element;
     const size_t nodes = (size_t)body->nodes;
     const size_t points = (size_t)body->points;
+    body->room =
+        allocate(BODY_ROOM * 2 * (size_t)mesh->n_vertex, sizeof(double));
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
     for (int r = 0; r < 2 * mesh->n_vertex; r++)
         body->equation[r] = held[r / 2] ? -1 : 0;
@@ -121,6 +123,7 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
 void body_free(struct body *body)
 {
     if (!body) return;
+    free(body->room);
     free(body->equation);
     free(body->vertex);
     free(body->area);

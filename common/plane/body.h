@@ -100,6 +100,8 @@ struct body {
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     struct kept kept; /* what is in it */
+    double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:
+                   * of a small body's step new zeros are two per cent */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
     const void *added;  /* what add needs; borrowed */
 };
@@ -108,6 +110,7 @@ struct body {
  * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
  * triangles, whose band is wider; measured, then fixed. */
 enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
+enum { BODY_ROOM = 8 }; /* vectors over all vertices */
 
 /*
  * A body of linear triangles.  held[a] != 0: both components of vertex a are

@@ -267,9 +267,7 @@ struct step_report step_solve(struct body *body,
                               struct incremental Phi, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    /* one block: the room of one solve, made and freed as one */
-    double *memory = allocate(6 * n_dof, sizeof *memory);
-    double *start = memory + 5 * n_dof;
+    double *memory = body->room, *start = memory + 5 * n_dof;
     const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
     const int old = is_usable(body, control, Phi);
@@ -288,7 +286,6 @@ struct step_report step_solve(struct body *body,
         report.projections += first.projections;
         report.indefinite += first.indefinite;
     }
-    free(memory);
     return report;
 }
 
@@ -337,8 +334,8 @@ struct step_report step_backward_euler(struct body *body,
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum guess guess = control->guess;
-    double *w = allocate((size_t)n_dof, sizeof *w);
-    double *next = allocate((size_t)n_dof, sizeof *next);
+    double *w = body->room + 6 * n_dof; /* behind what step_solve() takes */
+    double *next = w + n_dof;
     for (int r = 0; r < n_dof; r++) {
         w[r] = next[r] = u[r] + dt * v[r];
         if (guess == FROM_LAST) next[r] = u[r];
@@ -353,7 +350,5 @@ struct step_report step_backward_euler(struct body *body,
             v[r] = (next[r] - u[r]) / dt;
             u[r] = next[r];
         }
-    free(w);
-    free(next);
     return report;
 }
