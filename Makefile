@@ -24,9 +24,9 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for tiles.c, front.c, readable.c, body.c and triangles.c, where they
-# count: of the list that the compiler takes; the last two go without the last
-# flag, so that their digits are the same everywhere, and without pairs made of
+# Flags for tiles.c, front.c, readable.c, body.c, triangles.c and lanes.c, where
+# they count: of the list that the compiler takes; the last three go without the
+# last flag, so that their digits are the same everywhere, and without pairs made of
 # lines that stand one after the other, which gcc 12 contracts all the same.
 # They make the build one for this machine; `make clean` and NATIVE= give one for
 # any.
@@ -219,7 +219,7 @@ native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
-             $(if $(filter body triangles,$1),$(call same_digits,$(NATIVE)))
+             $(if $(filter body triangles lanes,$1),$(call same_digits,$(NATIVE)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
@@ -379,19 +379,25 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
 	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \
 	    $(filter %.o,$^) $(LDFLAGS) $(GSL_LIBS) $$rival $$lapack && $(MOVED)
-# One after the other, each time anew, and the pictures with seconds in them in
-# their place in the tree.
+# One after the other, each time anew, their tables into build/data/, and the
+# pictures with seconds in them in their place in the tree.  At the end stands
+# what was wanted and what was measured; the share of a processor that the
+# studies had says whether the machine was quiet.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
 	@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
 	trap 'exit 130' 1 2 15; \
+	begin=$$(date +%s); \
 	for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
 	    data=$(BUILD)/data/$$s.tsv; mkdir -p $${data%/*}; \
 	    printf '  %-8s %s\n' bench "$$s" >&2; \
 	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
 	        $(BUILD)/figures/$$s \
-	        > $$part && mv $$part $$data && cat $$data || exit 1; \
-	done
+	        > $$part && mv $$part $$data || exit 1; \
+	done; end=$$(date +%s); times > $$part; \
+	awk -v processor="$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
+	    print (60 * $$1 + $$2 + 60 * $$3 + $$4) / (wall + (wall == 0)) }' \
+	    $$part)" -f tests/tools/bench.awk $(BUILD)/data/speed/*.tsv
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
 	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$$f.tsv \
 	        figures/$$f.svg || exit 1; done

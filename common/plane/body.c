@@ -2,6 +2,7 @@
 #include "plane/body.h"
 
 #include "linear/sparse.h"
+#include "plane/lanes.h"
 #include "plane/numbering.h"
 #include "plane/quadratic.h"
 #include "plane/triangles.h"
@@ -67,12 +68,15 @@ void body_store(struct body *body, enum storage storage)
     body->n_equation =
         numbering_lines(body->mesh, body->pattern, body->equation);
     for (int e = 0; e < body->n_element; e++) make_triangle(body, e);
+    free(body->lanes);
+    body->lanes = body->element == LINEAR_TRIANGLE ? lanes_alloc(body) : NULL;
     const struct numbering numbering = numbering_of(body);
     body->K = body->pattern
                   ? matrix_alloc_sparse(body->pattern)
                   : matrix_alloc(storage, body->n_equation,
                                  numbering_half_bandwidth(numbering));
     numbering_places(numbering, body->K, body->place);
+    body->kept.usable = 0;
 }
 
 struct body *body_alloc_of(enum element element, const struct mesh *mesh,
@@ -91,6 +95,8 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
     const size_t triangles = (size_t)body->n_element;
     const size_t nodes = (size_t)body->nodes;
     const size_t points = (size_t)body->points;
+    body->room =
+        allocate(BODY_ROOM * 2 * (size_t)mesh->n_vertex, sizeof(double));
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
     for (int r = 0; r < 2 * mesh->n_vertex; r++)
         body->equation[r] = held[r / 2] ? -1 : 0;
@@ -117,11 +123,13 @@ struct body *body_alloc(const struct mesh *mesh, struct material material,
 void body_free(struct body *body)
 {
     if (!body) return;
+    free(body->room);
     free(body->equation);
     free(body->vertex);
     free(body->area);
     free(body->gradient);
     free(body->place);
+    free(body->lanes);
     free(body->diagonal);
     matrix_free(body->K);
     sparse_free(body->pattern);
@@ -167,6 +175,23 @@ double body_min_J(const struct body *body, const double u[])
     return least;
 }
 
+void body_turned(const struct body *body, const double u[], double by[2])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    const double *X = body->mesh->X;
+    double middle[2] = {0.0, 0.0}, along = 0.0, across = 0.0;
+    for (int r = 0; r < n_dof; r++) middle[r % 2] += 2.0 * X[r] / n_dof;
+    for (int r = 0; r < n_dof; r += 2) {
+        const double X1 = X[r] - middle[0], X2 = X[r + 1] - middle[1];
+        const double x1 = X1 + u[r], x2 = X2 + u[r + 1];
+        along += X1 * x1 + X2 * x2;
+        across += X1 * x2 - X2 * x1;
+    }
+    const double size = sqrt(along * along + across * across);
+    by[0] = size > 0.0 ? along / size : 1.0;
+    by[1] = size > 0.0 ? across / size : 0.0;
+}
+
 void body_mass(const struct body *body, const double v[], double out[])
 {
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
@@ -209,7 +234,10 @@ enum status body_assemble(struct body *body, struct incremental Phi,
     const int linear = body->element == LINEAR_TRIANGLE;
 
     assert(linear || !body->add);
-    if (tangent != NO_TANGENT) matrix_zero(body->K);
+    if (tangent != NO_TANGENT) {
+        matrix_zero(body->K);
+        body->kept.usable = 0;
+    }
     for (int r = 0; r < n_dof; r++) q[r] = Phi.f ? -dt * dt * Phi.f[r] : 0.0;
     if (Phi.w && !linear) add_diagonal(body, Phi, u, tangent, q);
     const enum status status = triangles_assemble(body, Phi, u, tangent, q);

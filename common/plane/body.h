@@ -64,6 +64,19 @@ typedef void body_addition(const struct body *body, double dt,
                            const double u[], enum tangent tangent,
                            double *energy, double q[]);
 
+/*
+ * What step.h knows of the factors in K, which may serve later steps, too
+ * [alg:kept].  Whoever writes K forgets them: body_assemble() with a tangent,
+ * and body_store().  Whoever changes material, density or mass must as well.
+ */
+struct kept {
+    int usable;       /* 0: K has no factors, or not those of a step */
+    int moving;       /* they have inertia */
+    double dt, scale; /* of their step (s); max K_ii */
+    double turned[2]; /* body_turned() at their u */
+    int systems, least; /* of the last step that they served, of the shortest */
+};
+
 struct body {
     const struct mesh *mesh;  /* borrowed */
     struct material material; /* not LINEAR */
@@ -81,10 +94,14 @@ struct body {
                        * linear triangle at [6 e + 2 a + j]; of a quadratic one
                        * for each of its points p at [36 e + 12 p + 2 a + j] */
     int *place;       /* scatter map of numbering.h, for each triangle */
+    double *lanes;    /* gradients and areas of linear triangles for lanes.h */
     double *diagonal; /* [n_vertex] of quadratic triangles: the area whose mass
                        * a vertex has (m^2); NULL: linear triangles */
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
+    struct kept kept; /* what is in it */
+    double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:
+                   * of a small body's step new zeros are two per cent */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
     const void *added;  /* what add needs; borrowed */
 };
@@ -93,6 +110,7 @@ struct body {
  * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
  * triangles, whose band is wider; measured, then fixed. */
 enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
+enum { BODY_ROOM = 8 }; /* vectors over all vertices */
 
 /*
  * A body of linear triangles.  held[a] != 0: both components of vertex a are
@@ -127,6 +145,11 @@ void body_mass(const struct body *body, const double v[], double out[]);
  * then that of its corners alone.  The least det F of all points. */
 mat2 body_deformation(const struct body *body, const double u[], int e);
 double body_min_J(const struct body *body, const double u[]);
+
+/* by := cosine and sine of the angle by which u turns the body as a whole: the
+ * rotation about its middle that is closest to X -> X + u in the mean square,
+ * all vertices alike [alg:kept].  1 and 0 where none is the closest. */
+void body_turned(const struct body *body, const double u[], double by[2]);
 
 /* q := dPsi/du at all vertices (N) [eq:element-force]; statuses as
  * body_energy(), q is then incomplete. */

@@ -2,6 +2,7 @@
 #include "plane/step.h"
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,39 +129,95 @@ static enum status factor(struct body *body, const struct step_control *control,
     return body_assemble(body, Phi, u, EXACT, q);
 }
 
-/* du := -K^-1 q, 0 at prescribed vertices. */
+/* du := -K^-1 q, 0 at prescribed vertices; K as it was when it was factored,
+ * and turned since then: R K R^T for R = (c -s; s c) at all vertices. */
 static enum status increment(struct body *body, const double q[], int as_it_is,
-                             double b[], double du[])
+                             const double turned[2], double b[], double du[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
+    const double c = turned[0], s = turned[1];
     enum status status = OK;
-    for (int r = 0; r < n_dof; r++)
-        if (body->equation[r] >= 0) b[body->equation[r]] = -q[r];
+    for (int r = 0; r < n_dof; r += 2) {
+        const int k = body->equation[r];
+        if (k < 0) continue;
+        b[k] = -(c * q[r] + s * q[r + 1]);
+        b[k + 1] = -(c * q[r + 1] - s * q[r]);
+    }
     if (as_it_is)
         status = matrix_solve_indefinite(body->K, b, NULL);
     else
         matrix_solve(body->K, b);
-    for (int r = 0; r < n_dof; r++) {
-        du[r] = body->equation[r] >= 0 ? b[body->equation[r]] : 0.0;
-        if (status == OK && !isfinite(du[r])) status = NONFINITE;
+    for (int r = 0; r < n_dof; r += 2) {
+        const int k = body->equation[r];
+        du[r] = k >= 0 ? c * b[k] - s * b[k + 1] : 0.0;
+        du[r + 1] = k >= 0 ? s * b[k] + c * b[k + 1] : 0.0;
+        if (status == OK && !(isfinite(du[r]) && isfinite(du[r + 1])))
+            status = NONFINITE;
     }
     return status;
 }
 
+/* Are the factors in K still good for a step of Phi [alg:kept]? */
+static int is_usable(const struct body *body,
+                     const struct step_control *control, struct incremental Phi)
+{
+    const struct kept *kept = &body->kept;
+    return control->chord == KEPT_ACROSS && kept->usable &&
+           (kept->systems <= KEPT_SYSTEMS ||
+            kept->systems <= kept->least + 1) &&
+           kept->dt == Phi.dt && kept->moving == (Phi.w != NULL) &&
+           (body->K->storage != SPARSE || body->K->factor);
+}
+
+/* K has just been assembled at u and, usable, factored; by := no turn. */
+static void keep(struct body *body, struct incremental Phi, const double u[],
+                 double scale, int usable, double by[2])
+{
+    by[0] = 1.0, by[1] = 0.0;
+    body->kept = (struct kept){.usable = usable, .moving = Phi.w != NULL,
+                               .dt = Phi.dt, .scale = scale,
+                               .least = INT_MAX - 1};
+    body_turned(body, u, body->kept.turned);
+}
+
+/* by := how far u has turned the body since K was factored. */
+static void turn(const struct body *body, const double u[], double by[2])
+{
+    const double *then = body->kept.turned;
+    double now[2];
+    body_turned(body, u, now);
+    by[0] = now[0] * then[0] + now[1] * then[1];
+    by[1] = now[1] * then[0] - now[0] * then[1];
+}
+
+/* What comes after an increment with the same factors as that before it, if it
+ * falls as this one did; INFINITY: nobody knows, or nobody asks. */
+static double next_increment(const struct step_control *control, int same,
+                             double increment, double before)
+{
+    return control->chord == KEPT_ACROSS && same && isfinite(before)
+               ? increment * increment / before
+               : INFINITY;
+}
+
+/* As step_solve(), by at most `most` systems; the first of them with the
+ * factors that there are, unless fresh. */
 static struct step_report newton(struct body *body,
                                  const struct step_control *control,
                                  struct incremental Phi, struct room room,
-                                 double u[])
+                                 int most, int fresh, double u[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
     struct step_report report = {.increment = INFINITY,
                                  .storage = body->K->storage};
-    double scale = 0.0;
-    int fresh = 1, as_it_is = 0, halved = 0;
+    double scale = body->kept.scale, turned[2] = {1.0, 0.0}, next = INFINITY;
+    int as_it_is = 0, halved = 0;
 
+    if (!fresh) turn(body, u, turned);
     for (;;) {
-        const int small = report.increment <= control->tolerance;
+        const int small = report.increment <= control->tolerance ||
+                          next <= 0.1 * control->tolerance;
         const int with_K = fresh && !small;
         report.status =
             body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, room.q);
@@ -172,16 +229,18 @@ static struct step_report newton(struct body *body,
         report.status = STALLED;
         if (report.increment <= DBL_EPSILON) break;
         report.status = MAX_ITERATIONS;
-        if (report.iterations == control->max_iterations) break;
+        if (report.iterations == most) break;
 
         if (fresh && small)
             body_assemble(body, Phi, u, kind, room.q);
         report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
                                        &as_it_is)
                               : OK;
+        if (fresh && report.status == OK && control->chord == KEPT_ACROSS)
+            keep(body, Phi, u, scale, !as_it_is, turned);
         if (report.status == OK)
-            report.status =
-                increment(body, room.q, as_it_is, room.trial, room.du);
+            report.status = increment(body, room.q, as_it_is, turned,
+                                      room.trial, room.du);
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;
@@ -191,9 +250,15 @@ static struct step_report newton(struct body *body,
         else
             for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         if (report.status != OK) break;
+        next = next_increment(control, !fresh && !halved, report.increment,
+                              before);
         fresh = !control->chord || halved || as_it_is ||
                 report.increment > 0.3 * before;
     }
+    if (report.status != OK) body->kept.usable = 0;
+    body->kept.systems = report.iterations;
+    if (report.iterations < body->kept.least)
+        body->kept.least = report.iterations;
     return report;
 }
 
@@ -202,12 +267,25 @@ struct step_report step_solve(struct body *body,
                               struct incremental Phi, double u[])
 {
     const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    /* one block: the room of one solve, made and freed as one */
-    double *memory = allocate(5 * n_dof, sizeof *memory);
+    double *memory = body->room, *start = memory + 5 * n_dof;
     const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
-    const struct step_report report = newton(body, control, Phi, room, u);
-    free(memory);
+    const int old = is_usable(body, control, Phi);
+    const int most = control->max_iterations;
+    memcpy(start, u, n_dof * sizeof *u);
+    struct step_report report =
+        newton(body, control, Phi, room, most, !old, u);
+    /* it may be the old factors' fault */
+    if (old && report.status != OK && report.iterations < most) {
+        const struct step_report first = report;
+        memcpy(u, start, n_dof * sizeof *u);
+        report =
+            newton(body, control, Phi, room, most - first.iterations, 1, u);
+        report.iterations += first.iterations;
+        report.factorisations += first.factorisations;
+        report.projections += first.projections;
+        report.indefinite += first.indefinite;
+    }
     return report;
 }
 
@@ -256,8 +334,8 @@ struct step_report step_backward_euler(struct body *body,
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum guess guess = control->guess;
-    double *w = allocate((size_t)n_dof, sizeof *w);
-    double *next = allocate((size_t)n_dof, sizeof *next);
+    double *w = body->room + 6 * n_dof; /* behind what step_solve() takes */
+    double *next = w + n_dof;
     for (int r = 0; r < n_dof; r++) {
         w[r] = next[r] = u[r] + dt * v[r];
         if (guess == FROM_LAST) next[r] = u[r];
@@ -272,7 +350,5 @@ struct step_report step_backward_euler(struct body *body,
             v[r] = (next[r] - u[r]) / dt;
             u[r] = next[r];
         }
-    free(w);
-    free(next);
     return report;
 }

@@ -16,14 +16,26 @@ enum guess {
     EXTRAPOLATED   /* u0 + dt (2 v0 - v_before) */
 };
 enum projection { NEVER, ON_DEMAND, ALWAYS };
+enum chord {
+    NEW_FACTORS,    /* for every system */
+    KEPT_IN_STEP,   /* kept while max|du| falls below 0.3 times the one before
+                     * [alg:chord] */
+    KEPT_ACROSS     /* ... and on into the next step, unless the last one took
+                     * more than KEPT_SYSTEMS systems and two more than the
+                     * shortest with them; they turn as the body does.  A solve
+                     * that fails with those of an earlier step begins again
+                     * with new ones; one whose next increment would be below a
+                     * tenth of the tolerance, when it fell as the last one did
+                     * with the same factors, does without it [alg:kept] */
+};
+enum { KEPT_SYSTEMS = 4 };
 
 struct step_control {
     double tolerance;   /* of max|du| (m), and of max|q| / max K_ii (m) */
     int max_iterations; /* cap on linear systems solved */
     enum guess guess;
     int lift;        /* spread the jump of the boundary values: step_boundary */
-    int chord;       /* keep the factors while max|du| falls below 0.3 times
-                      * the one before [alg:chord] */
+    enum chord chord; /* how long factors are kept */
     int line_search; /* halve the increment until Phi decreases */
     enum projection projection; /* NEVER: what is indefinite is solved as it
                                  * is, or NOT_SPD with line_search;

@@ -3,6 +3,7 @@
 
 #include "linear/vec.h" /* INLINE */
 #include "material/modes.h"
+#include "plane/lanes.h"
 #include "plane/quadratic.h"
 
 #include <math.h>
@@ -43,11 +44,11 @@ mat2 triangles_deformation(const struct body *body, const double u[], int e,
     return deformation(body, u, e, p, body->nodes);
 }
 
+/* *energy += that of the triangles from `first` on. */
 INLINE enum status energy_of(const struct body *body, const double u[],
-                             double *energy, int nodes)
+                             double *energy, int first, int nodes)
 {
-    *energy = 0.0;
-    for (int e = 0; e < body->n_element; e++)
+    for (int e = first; e < body->n_element; e++)
         for (int p = 0; p < points_of(nodes); p++) {
             const mat2 F = deformation(body, u, e, p, nodes);
             const double J = mat2_det(F);
@@ -61,8 +62,12 @@ INLINE enum status energy_of(const struct body *body, const double u[],
 enum status triangles_energy(const struct body *body, const double u[],
                              double *energy)
 {
-    return body->element == LINEAR_TRIANGLE ? energy_of(body, u, energy, 3)
-                                            : energy_of(body, u, energy, 6);
+    int next = 0;
+    *energy = 0.0;
+    if (body->element != LINEAR_TRIANGLE)
+        return energy_of(body, u, energy, 0, 6);
+    const enum status status = lanes_energy(body, u, energy, &next);
+    return status == OK ? energy_of(body, u, energy, next, 3) : status;
 }
 
 /* What a point adds to K is M_ab I + dt^2 area (...); its factors. */
@@ -193,9 +198,10 @@ INLINE enum status add_point(const struct body *body, struct scales by, int e,
     return OK;
 }
 
+/* ... of triangles first .. end - 1, one after the other. */
 INLINE enum status assemble(const struct body *body, struct incremental Phi,
                             const double u[], enum tangent tangent, double q[],
-                            int nodes)
+                            int first, int end, int nodes)
 {
     const double rho = Phi.w ? body->rho : 0.0;
     const struct scales by = {
@@ -203,7 +209,7 @@ INLINE enum status assemble(const struct body *body, struct incremental Phi,
         rho * body_mass_share(body->mass, 0, 1), u,
         Phi.w ? Phi.w : u, /* at rest u - w is 0 */
         tangent};
-    for (int e = 0; e < body->n_element; e++)
+    for (int e = first; e < end; e++)
         for (int p = 0; p < points_of(nodes); p++) {
             const enum status status = add_point(body, by, e, p, nodes, q);
             if (status != OK) return status;
@@ -215,7 +221,24 @@ enum status triangles_assemble(const struct body *body, struct incremental Phi,
                                const double u[], enum tangent tangent,
                                double q[])
 {
+    enum status status = OK;
+    if (body->element != LINEAR_TRIANGLE)
+        return triangles_one_by_one(body, Phi, u, tangent, q);
+    for (int e = 0; status == OK && e < body->n_element;) {
+        status = lanes_assemble(body, Phi, u, tangent, q, &e);
+        const int end = lanes_end(body, e);
+        if (status == OK)
+            status = assemble(body, Phi, u, tangent, q, e, end, 3);
+        e = end;
+    }
+    return status;
+}
+
+enum status triangles_one_by_one(const struct body *body,
+                                 struct incremental Phi, const double u[],
+                                 enum tangent tangent, double q[])
+{
     return body->element == LINEAR_TRIANGLE
-               ? assemble(body, Phi, u, tangent, q, 3)
-               : assemble(body, Phi, u, tangent, q, 6);
+               ? assemble(body, Phi, u, tangent, q, 0, body->n_element, 3)
+               : assemble(body, Phi, u, tangent, q, 0, body->n_element, 6);
 }

@@ -19,10 +19,16 @@ enum status triangles_energy(const struct body *body, const double u[],
                              double *energy);
 
 /* q += dt^2 dPsi/du and, unless NO_TANGENT, body->K += its derivative
- * [eq:element-force] [eq:element-tangent]; of linear triangles with their mass.
- * Statuses as body_energy(). */
+ * [eq:element-force] [eq:element-tangent]; of linear triangles with their mass,
+ * and many at once, lanes.h.  Statuses as body_energy(). */
 enum status triangles_assemble(const struct body *body, struct incremental Phi,
                                const double u[], enum tangent tangent,
                                double q[]);
+
+/* The same, digit by digit, one triangle after the other: the readable program,
+ * by which the fast one is judged. */
+enum status triangles_one_by_one(const struct body *body,
+                                 struct incremental Phi, const double u[],
+                                 enum tangent tangent, double q[]);
 
 #endif

@@ -1,10 +1,13 @@
 /*
  * realtime.c - up to which n is a step ready for the next picture?
  *
- * The stretch of step.c: ninety steps of 1/30 s from rest, with the jolt of
- * the start.  An n is in time when 99 of 100 steps take at most 1/30 s.  The
- * largest is found by halving an interval, for the band and for dissection with
- * factors in double and in single precision, on one thread.
+ * The stretch of step.c, on one thread.  Table realtime: its first ninety
+ * steps, while it is stretched, with the jolt of the start; an n is in time
+ * when 99 of 100 of them take at most 1/30 s.  Table swing: 190 steps, in which
+ * it is pressed from t = pi on and let go again (dissection); in time when all
+ * are.  There a step takes up to hundreds of systems, so that `capped` stops at
+ * 8 and goes on from what the line search has reached [alg:line-search], which
+ * has less Phi than the guess.  The largest n is found by halving an interval.
  */
 #include "base/clock.h"
 #include "plane/scene.h"
@@ -12,10 +15,11 @@
 #include "base/table.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 enum solver { BAND, DISSECTION, SINGLE, SOLVERS };
 static const char *const name[] = {"band", "dissection", "single"};
-enum { FRAMES = 90, STEP = 2, LEAST = 16, MOST = 400 };
+enum { FRAMES = 90, SWING = 190, STEP = 2, LEAST = 16, MOST = 400, CAP = 8 };
 
 /* Seconds that 99 of 100 steps do not exceed; INFINITY as soon as two of them
  * are late. */
@@ -42,24 +46,117 @@ static double slowest(int k, int n)
     return late < 2 ? times_quantile(&t, 0.99) : (double)INFINITY;
 }
 
+struct swing {
+    struct times t;
+    int systems, unfinished; /* of the worst step; steps that were stopped */
+    double residual;         /* of those, at most (m) */
+};
+
+/* The next step, finished or not. */
+static struct step_report advance(struct scene *s,
+                                  const struct step_control *control)
+{
+    const double dt = s->set.dt;
+    double *w = allocate((size_t)s->n_dof, sizeof *w);
+    double *u = allocate((size_t)s->n_dof, sizeof *u);
+    scene_hold(s, ++s->steps * dt);
+    for (int r = 0; r < s->n_dof; r++) {
+        w[r] = s->u[r] + dt * s->v[r];
+        u[r] = w[r] + dt * (s->v[r] - s->v_before[r]);
+    }
+    step_boundary(s->body, s->g, 1, u);
+    const struct step_report report = step_solve(
+        s->body, control, (struct incremental){dt, w, NULL}, u);
+    for (int r = 0; r < s->n_dof; r++) {
+        const double v = (u[r] - s->u[r]) / dt;
+        /* what was stopped says nothing of how v changes */
+        s->v_before[r] = report.status == OK ? s->v[r] : v;
+        s->v[r] = v;
+        s->u[r] = u[r];
+    }
+    free(w);
+    free(u);
+    return report;
+}
+
+/* The whole swing; it ends with the first late step when `hurry`. */
+static struct swing swing(int n, int most, int single, int hurry)
+{
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
+    struct step_control control = step_method("all");
+    struct swing swing = {.t = {0}};
+    set.reach = 0.5;
+    control.chord = KEPT_IN_STEP;
+    control.max_iterations = most;
+    struct scene *s = scene_alloc(&set);
+    body_store(s->body, SPARSE);
+    matrix_keep_single(s->body->K, single);
+    advance(s, &control); /* memory is touched */
+    scene_rest(s);
+    double worst = 0.0;
+    while (s->steps < SWING && !(hurry && worst > set.dt)) {
+        const double before = clock_seconds();
+        const struct step_report report = advance(s, &control);
+        const double seconds = clock_seconds() - before;
+        if (report.status != OK && report.status != MAX_ITERATIONS)
+            die("n = %d fails: %s", n, status_name(report.status));
+        times_record(&swing.t, seconds, 1);
+        if (seconds > worst) swing.systems = report.iterations;
+        worst = fmax(worst, seconds);
+        if (report.status == OK) continue;
+        swing.unfinished++;
+        swing.residual = fmax(swing.residual, report.residual);
+    }
+    scene_free(s);
+    return swing;
+}
+
+static void print_swing(const char *word, int n, int most, int single)
+{
+    const struct swing s = swing(n, most, single, 0);
+    table_row(word, n, 1e3 * times_quantile(&s.t, 0.99),
+              1e3 * times_quantile(&s.t, 1.0), s.systems, s.unfinished,
+              cell_if(s.unfinished > 0, s.residual));
+}
+
+/* The largest n in time: of the swing, capped, or (k < SOLVERS) of k; *seconds
+ * := its p99 when that was found. */
+static int largest(int k, int single, double *seconds)
+{
+    int n = LEAST, late = MOST;
+    while (late - n > STEP) {
+        const int middle = (n + late) / (2 * STEP) * STEP;
+        double t;
+        if (k < SOLVERS) {
+            t = slowest(k, middle);
+        } else {
+            const struct swing s = swing(middle, CAP, single, 1);
+            t = times_quantile(&s.t, 1.0);
+        }
+        if (t <= 1.0 / 30.0) n = middle, *seconds = t;
+        else late = middle;
+    }
+    return n;
+}
+
 int main(void)
 {
     int n[SOLVERS];
-    double p99[SOLVERS];
+    double p99[SOLVERS] = {NAN, NAN, NAN}, unused;
     study_machine();
-    for (int k = 0; k < SOLVERS; k++) {
-        int late = MOST;
-        n[k] = LEAST, p99[k] = slowest(k, LEAST);
-        while (late - n[k] > STEP) {
-            const int middle = (n[k] + late) / (2 * STEP) * STEP;
-            const double t = slowest(k, middle);
-            if (t <= 1.0 / 30.0) n[k] = middle, p99[k] = t;
-            else late = middle;
-        }
-    }
+    for (int k = 0; k < SOLVERS; k++) n[k] = largest(k, 0, &p99[k]);
     table_begin("realtime", "solver n p99_ms over_band");
     for (int k = 0; k < SOLVERS; k++)
         table_row(name[k], n[k], 1e3 * p99[k], (double)n[k] / n[BAND]);
+    table_end();
+    table_begin_note("swing", "systems n p99_ms worst_ms worst_systems "
+                     "unfinished residual", "capped: at most %d", CAP);
+    print_swing("all", 32, 300, 0);
+    print_swing("all", 64, 300, 0);
+    print_swing("capped", 32, CAP, 0);
+    print_swing("capped", 64, CAP, 0);
+    print_swing("capped_most", largest(SOLVERS, 0, &unused), CAP, 0);
+    print_swing("single_most", largest(SOLVERS, 1, &unused), CAP, 1);
     table_end();
     return table_finish();
 }

@@ -3,20 +3,32 @@
  *
  * K of system.h: analysis, factorisation and solve by the band, by dissection,
  * by the same in single precision, refined, and by CHOLMOD, where there is one,
- * in the same order; and steps of the stretch, after the jolt of the start.
- * They take turns.  A backward error above 1e-12 has no time.
+ * in the same order; and steps of the stretch, after the jolt of the start,
+ * also with factors kept across steps.  They take turns, of steps after ten in
+ * a row, before which one finds the caches full of others' numbers and does not
+ * count.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
+#include "rival.h"
 #include "linear/refine.h"
 #include "linear/sparse.h"
 #include "base/study.h"
 #include "plane/system.h"
 #include "base/table.h"
 
-enum solver { BAND, DISSECTION, SINGLE, CHOLMOD_SAME, SOLVERS };
-static const char *const name[] = {"band", "dissection", "single", "cholmod"};
+enum solver {
+    BAND, DISSECTION, SINGLE, KEPT, KEPT_SINGLE, CHOLMOD_SAME, SOLVERS
+};
+static const struct {
+    const char *name;
+    int single; /* precision of the factors */
+    enum chord chord;
+} solver[] = {{"band", 0, KEPT_IN_STEP},   {"dissection", 0, KEPT_IN_STEP},
+              {"single", 1, KEPT_IN_STEP}, {"kept", 0, KEPT_ACROSS},
+              {"kept_single", 1, KEPT_ACROSS}, {"cholmod", 0, KEPT_IN_STEP}};
 static const int sizes[] = {8, 16, 24, 32, 40, 48, 56, 64, 96, 128, 256};
-enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9, STEPS = 30 };
+enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9 };
+enum { ROUNDS = 3, IN_A_ROW = 10 };
 
 struct measured {
     struct times analysis, factor, solve, step;
@@ -24,46 +36,11 @@ struct measured {
 };
 
 /* A step as step.h makes it, which does it itself without a rival. */
-static enum status one_step(struct scene *s, struct rival *c)
+static enum status one_step(struct scene *s, enum chord chord, struct rival *c)
 {
     struct step_control control = step_method("lift");
-    control.chord = 1;
-    if (!c) return scene_step(s, &control).status;
-    const int n = s->n_dof;
-    double *w = allocate((size_t)n, sizeof *w);
-    double *next = allocate((size_t)n, sizeof *next);
-    double *q = allocate((size_t)n, sizeof *q);
-    double *x = allocate((size_t)n, sizeof *x), size = INFINITY;
-    const struct incremental Phi = {s->set.dt, w, NULL};
-    enum status status = OK;
-    for (int r = 0; r < n; r++) {
-        w[r] = s->u[r] + s->set.dt * s->v[r];
-        next[r] = w[r] + s->set.dt * (s->v[r] - s->v_before[r]);
-    }
-    scene_hold(s, ++s->steps * s->set.dt);
-    step_boundary(s->body, s->g, 1, next);
-    for (int k = 0; status == OK; k++) {
-        status =
-            body_assemble(s->body, Phi, next, k ? NO_TANGENT : EXACT, q);
-        if (status != OK || size <= 1e-10) break;
-        if (k == 0 && !rival_factor(c, s->body->K)) status = NOT_SPD;
-        if (k == 30) status = MAX_ITERATIONS;
-        body_gather(s->body, q, x);
-        rival_solve(c, x);
-        body_scatter(s->body, x, q);
-        size = body_max_free(s->body, q);
-        for (int r = 0; r < n; r++) next[r] -= q[r];
-    }
-    for (int r = 0; r < n; r++) {
-        s->v_before[r] = s->v[r];
-        s->v[r] = (next[r] - s->u[r]) / s->set.dt;
-        s->u[r] = next[r];
-    }
-    free(w);
-    free(next);
-    free(q);
-    free(x);
-    return status;
+    control.chord = chord;
+    return c ? rival_step(s, c) : scene_step(s, &control).status;
 }
 
 static void measure_system(struct system *s, int k, struct measured *m)
@@ -115,28 +92,33 @@ static void measure(int n, struct measured m[SOLVERS])
     const int present = *MACHINE_RIVAL ? SOLVERS : CHOLMOD_SAME;
     set.reach = 0.5;
     for (int turn = 0; turn < (n <= 64 ? 15 : n <= 128 ? 5 : 2); turn++)
-        for (int k = 0; k < present; k++) measure_system(system, k, &m[k]);
+        for (int k = 0; k < present; k++)
+            if (k < KEPT || k == CHOLMOD_SAME)
+                measure_system(system, k, &m[k]);
     struct rival *c[SOLVERS] = {NULL};
     for (int k = 0; k < present; k++) {
         scene[k] = scene_alloc(&set);
-        for (int step = 0; step < START; step++) one_step(scene[k], NULL);
+        for (int step = 0; step < START; step++)
+            one_step(scene[k], solver[k].chord, NULL);
         body_store(scene[k]->body, k == BAND ? BANDED : SPARSE);
-        if (k == SINGLE) matrix_keep_single(scene[k]->body->K, 1);
+        if (solver[k].single) matrix_keep_single(scene[k]->body->K, 1);
         if (k == CHOLMOD_SAME) c[k] = rival_alloc(scene[k]->body->K);
-        one_step(scene[k], c[k]); /* memory is touched */
     }
-    for (int step = 1; step < (n <= 128 ? STEPS : 6); step++)
-        for (int k = 0; k < present; k++) {
-            const double before = clock_seconds();
-            const enum status status = one_step(scene[k], c[k]);
-            times_record(&m[k].step, clock_seconds() - before, status == OK);
-        }
-    for (int k = 0; k < present; k++) {
+    for (int turn = 0; turn < (n <= 128 ? ROUNDS : 1); turn++)
+        for (int k = 0; k < present; k++)
+            for (int step = 0; step <= IN_A_ROW; step++) {
+                const double before = clock_seconds();
+                const enum status status =
+                    one_step(scene[k], solver[k].chord, c[k]);
+                if (step == 0 && status == OK) continue;
+                times_record(&m[k].step, clock_seconds() - before,
+                             status == OK);
+            }
+    for (int k = 0; k < present; k++)
         for (int r = 0; r < scene[k]->n_dof; r++)
             if (!(fabs(scene[k]->u[r] - scene[0]->u[r]) <= 1e-9))
                 m[k].step.second[0] = NAN; /* another answer has no time */
-        scene_free(scene[k]);
-    }
+    for (int k = 0; k < present; k++) scene_free(scene[k]);
     if (c[CHOLMOD_SAME]) rival_free(c[CHOLMOD_SAME]);
     system_free(system);
 }
@@ -152,6 +134,14 @@ static double gain(const struct measured m[SOLVERS], int k)
     return times_median(&m[k].step) / times_median(&m[DISSECTION].step);
 }
 
+/* Of a step from half of n to n. */
+static double exponent(const struct measured n[], const struct measured half[],
+                       int k)
+{
+    return study_order(times_median(&n[k].step), times_median(&half[k].step),
+                       2.0);
+}
+
 int main(void)
 {
     static struct measured m[SIZES][SOLVERS];
@@ -164,8 +154,9 @@ int main(void)
     for (int k = 0; k < SOLVERS; k++)
         for (int i = 0; i < SIZES && m[0][k].step.runs > 0; i++) {
             const struct measured *now = &m[i][k];
-            table_row(name[k], sizes[i], now->step.runs, ms(&now->analysis),
-                      ms(&now->factor), ms(&now->solve), ms(&now->step),
+            table_row(solver[k].name, sizes[i], now->step.runs,
+                      ms(&now->analysis), ms(&now->factor), ms(&now->solve),
+                      ms(&now->step),
                       gain(m[i], k), cell_if(now->mb > 0.0, now->mb));
         }
     table_end();
@@ -173,10 +164,10 @@ int main(void)
     table_begin("crossover", "step_n chosen_n"); /* dissection is faster from */
     table_row(from, BODY_SPARSE_FROM);
     table_end();
-    table_begin("growth", "solver exponent"); /* of a step, n = 64 to 256 */
+    table_begin("growth", "solver to_128 to_256"); /* from half of this n */
     for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++)
-        table_row(name[k], study_order(times_median(&m[SIZES - 1][k].step),
-                                    times_median(&m[N_64][k].step), 4.0));
+        table_row(solver[k].name, exponent(m[N_64 + 2], m[N_64], k),
+                  exponent(m[N_64 + 3], m[N_64 + 2], k));
     table_end();
     return table_finish();
 }

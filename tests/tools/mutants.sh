@@ -204,7 +204,7 @@ common)
         units=$(echo "$units" | sed 's/.* //')
         case $name in
         tiles | front | readable) native=$NATIVE ;;
-        body | triangles) native=$NATIVE_BODY ;;
+        body | triangles | lanes) native=$NATIVE_BODY ;;
         *) native= ;;
         esac
         native="$native -I${file%/*}" # where a module beside studies has its header

@@ -1,0 +1,98 @@
+/*
+ * kept.c - how long do factors last?
+ *
+ * Four scenes of scene.h, cubic law, 60 steps of 1/30 s from rest with the best
+ * guess: new factors for every system, factors kept within a step [alg:chord],
+ * and kept across steps [alg:kept].  Counted, so that no clock and no other
+ * program is in it.  Mflop: per step, to factor, to solve, and 250 flops for an
+ * element with its tangent, 100 without [eq:roofline].  All end in the same u.
+ */
+#include "linear/sparse.h"
+#include "motion/work.h"
+#include "base/study.h"
+#include "base/table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CELLS = 40, STEPS = 60, SCENES_HERE = 4, WAYS = 3 };
+static const enum reading reading[SCENES_HERE] = {STRETCH, RIGID, TRACTION,
+                                                  SPIN};
+static const char *const way[WAYS] = {"never", "within a step", "across steps"};
+
+struct count {
+    int systems, factorisations, most; /* most: systems of a step */
+    double flops, worst;               /* of all steps, of the worst */
+    double apart;                      /* (m) */
+};
+
+/* answer: [n_dof], written by new factors. */
+static struct count run(enum reading scene, enum chord chord, double answer[])
+{
+    struct scene_setting set = scene_notes(scene, CUBIC, CELLS);
+    struct step_control control = step_method("lift");
+    struct count c = {0};
+    if (scene == STRETCH) set.reach = 0.5;
+    control.chord = chord;
+    struct scene *s = scene_alloc(&set);
+    body_store(s->body, SPARSE);
+    const struct sparse *K = s->body->pattern;
+    const double with_K = work_elements(s->body, EXACT);
+    const double without = work_elements(s->body, NO_TANGENT);
+    while (s->steps < STEPS) {
+        const struct step_report r = scene_step(s, &control);
+        claim(r.status == OK, "step %d of %s", s->steps, scene_name(scene));
+        const double flops = r.factorisations * (K->flops + with_K - without) +
+                             r.iterations * K->solve +
+                             (r.iterations + 1) * without;
+        c.systems += r.iterations;
+        c.factorisations += r.factorisations;
+        c.flops += flops;
+        if (r.iterations > c.most) c.most = r.iterations;
+        if (flops > c.worst) c.worst = flops;
+    }
+    if (chord == NEW_FACTORS)
+        memcpy(answer, s->u, (size_t)s->n_dof * sizeof *answer);
+    for (int r = 0; r < s->n_dof; r++)
+        c.apart = fmax(c.apart, fabs(s->u[r] - answer[r]));
+    scene_free(s);
+    return c;
+}
+
+int main(void)
+{
+    double *answer =
+        allocate(2 * (CELLS + 1) * (CELLS + 1), sizeof *answer);
+    struct count c[SCENES_HERE][WAYS];
+    table_begin_note("kept", "scene factors systems most factorisations mflop "
+                     "worst_mflop times_fewer",
+                     "n = %d, per step; times_fewer: flops than within a step",
+                     CELLS);
+    for (int k = 0; k < SCENES_HERE; k++) {
+        for (int w = 0; w < WAYS; w++)
+            c[k][w] = run(reading[k], (enum chord)w, answer);
+        for (int w = 0; w < WAYS; w++)
+            table_row(scene_name(reading[k]), way[w],
+                      (double)c[k][w].systems / STEPS, c[k][w].most,
+                      (double)c[k][w].factorisations / STEPS,
+                      1e-6 * c[k][w].flops / STEPS, 1e-6 * c[k][w].worst,
+                      c[k][KEPT_IN_STEP].flops / c[k][w].flops);
+    }
+    table_end();
+    free(answer);
+    for (int k = 0; k < SCENES_HERE; k++) {
+        const struct count *in = &c[k][KEPT_IN_STEP], *on = &c[k][KEPT_ACROSS];
+        /* what is left of a step, at most 1e-10 m, is left in v, too, and
+         * moves what nothing holds in each step that follows */
+        claim(fmax(on->apart, in->apart) < 1e-10 * STEPS * STEPS / 2,
+              "%s: the same u", scene_name(reading[k]));
+        claim(on->factorisations * 5 <= in->factorisations,
+              "%s: kept across steps factors serve at least five",
+              scene_name(reading[k]));
+        claim(2.0 * on->flops < in->flops && on->worst <= in->worst,
+              "%s: less than half of the flops, and no more in the worst step",
+              scene_name(reading[k]));
+    }
+    return table_finish();
+}
