@@ -91,6 +91,7 @@ struct ladder_state {
     double *u;          /* [2 n_vertex] the displacement asked for (m) */
     double *v;          /* [2 n_vertex] its velocity, 0 at rest (m/s) */
     double t;           /* the moment of it (s) */
+    double fastest;     /* the largest |v| of a motion (m/s) */
     double rival; /* the second highest peak of the load's work, over the
                    * highest, and how far apart u is (m); 0: there is none */
     double apart;

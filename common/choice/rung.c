@@ -189,6 +189,7 @@ static enum status move(struct ladder_state *s)
         }
         if (falls && work > before) sort_in(peak); /* a new rise begins */
         falls = work < before;
+        s->fastest = fmax(s->fastest, ladder_size(s, v));
         before = work;
         if (work > peak[2].work) keep(&peak[2], work, t + d, u, v, size);
     }
