@@ -340,7 +340,8 @@ int main(int argc, char *argv[])
         enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
                                   error / 100.0, t->part, &t->estimate,
                                   &t->add);
-        more = !enough && n < COUNT(tried) && ladder_add(scene, t->add, &model);
+        more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried) &&
+               ladder_add(scene, t->add, &model);
         if (!more) {
             const double choosing = clock_seconds() - start;
             say_numbers(&file, s);
