@@ -124,21 +124,8 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     return enough;
 }
 
-/* A row of `ladder`; truth may be NULL. */
-static void print_rung(int rung, const struct ladder_state *s,
-                       const double part[N_PART], int stable, double estimate,
-                       const struct ladder_state *truth, const char *verdict)
-{
-    table_row(rung, ladder_rung(s->model.rung),
-              s->model.moving ? "motion" : "rest", s->model.level,
-              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], part[STRESS], stable ? "stable" : "unstable",
-              estimate, cell_if(truth != NULL,
-                                truth ? ladder_error(s, truth) : 0.0),
-              s->flops, verdict);
-}
-
-/* Climb from the bar, a row per rung.  Returns whether the last is enough. */
+/* Climb from the bar, a row of `ladder` per rung; truth may be NULL.  Returns
+ * whether the last is enough. */
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
@@ -151,16 +138,19 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
-        struct matrix *K = relax_factors(s); /* |e| / |u + e| of what moves */
-        part[MESH] = relax_mesh(s, K, mesh_forces);
-        part[STRESS] = relax_part(s, K, stress_forces);
-        matrix_free(K);
+        relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
         more = !enough && ladder_add(scene, add, &model);
-        print_rung(rung, s, part, stable, estimate, truth,
-                   enough ? "enough" : more ? ladder_part(add) : "nothing");
+        table_row(rung, ladder_rung(s->model.rung),
+                  s->model.moving ? "motion" : "rest", s->model.level,
+                  part[GEOMETRY], part[LAW], part[DIMENSION],
+                  part[INERTIA], part[MESH], part[STRESS],
+                  stable ? "stable" : "unstable", estimate,
+                  cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+                  s->flops,
+                  enough ? "enough" : more ? ladder_part(add) : "nothing");
         free(Mu);
         ladder_free(s);
     }

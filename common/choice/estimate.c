@@ -139,10 +139,7 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[INERTIA] = estimate_inertia(s);
     part[MESH] = part[STRESS] = 0.0;
     if (s->model.rung == BAR) return; /* and it needs no factors of K */
-    struct matrix *K = relax_factors(s);
-    part[MESH] = relax_mesh(s, K, estimate_mesh);
-    part[STRESS] = relax_part(s, K, estimate_stress);
-    matrix_free(K);
+    relax_parts(s, estimate_mesh, estimate_stress, part);
 }
 
 int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,

@@ -192,3 +192,12 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
         part = hypot(part, s->apart / ladder_size(s, s->u));
     return part;
 }
+
+void relax_parts(const struct ladder_state *s, relax_forces *mesh,
+                 relax_forces *stress, double part[N_PART])
+{
+    struct matrix *K = relax_factors(s);
+    part[MESH] = relax_mesh(s, K, mesh);
+    part[STRESS] = relax_part(s, K, stress);
+    matrix_free(K);
+}

@@ -70,4 +70,8 @@ double relax_part(const struct ladder_state *state,
 double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);
 
+/* part[MESH] and part[STRESS], K factored for both. */
+void relax_parts(const struct ladder_state *state, relax_forces *mesh,
+                 relax_forces *stress, double part[N_PART]);
+
 #endif

@@ -485,6 +485,9 @@ static void a_swing_has_a_rival(void)
     ck_assert(s->rival > 0.9 && s->rival <= 1.0);
     ck_assert_double_lt(s->apart, 0.2 * ladder_size(s, s->u));
     ck_assert(s->t > 4.0 && s->t <= 30.0);
+    /* a swing of |u| / T at least */
+    ck_assert_double_gt(s->fastest, 0.9 * ladder_size(s, s->u) / 3.0);
+    ck_assert_double_lt(s->fastest, 2.0 * ladder_size(s, s->u) / 3.0);
     scene.end = 5.0; /* one peak, at 3 pi / 2 */
     struct ladder_state *once =
         ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 1, 0});
@@ -492,6 +495,32 @@ static void a_swing_has_a_rival(void)
     close_to(once->t, 1.5 * acos(-1.0), 0.5);
     ladder_free(s);
     ladder_free(once);
+}
+
+/* Beyond an edge lies the triangle that has its two ends, and there lies e; at
+ * the boundary, 2 (n + rows) edges, e itself. */
+static void triangles_know_what_is_beyond_their_edges(void)
+{
+    struct mesh *mesh = mesh_rectangle(5, 3, 1.0, 0.5);
+    int *across = mesh_across(mesh), outer = 0;
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int b = across[3 * e + k];
+            int ends = 0, back = 0;
+            outer += b == e;
+            if (b == e) continue;
+            for (int i = 0; i < 3; i++) {
+                const int a = mesh->triangle[3 * b + i];
+                ends += a == mesh->triangle[3 * e + (k + 1) % 3] ||
+                        a == mesh->triangle[3 * e + (k + 2) % 3];
+                back += across[3 * b + i] == e;
+            }
+            ck_assert_int_eq(ends, 2);
+            ck_assert_int_eq(back, 1);
+        }
+    ck_assert_int_eq(outer, 2 * (5 + 3));
+    free(across);
+    mesh_free(mesh);
 }
 
 static void what_nobody_may_rely_on_is_named(void)
@@ -602,6 +631,8 @@ static const struct unit_law laws[] = {
     {"verdicts_add_squares", verdicts_add_squares},
     {"a_climb_ends_with_enough", a_climb_ends_with_enough},
     {"a_motion_is_late", a_motion_is_late},
+    {"triangles_know_what_is_beyond_their_edges",
+     triangles_know_what_is_beyond_their_edges},
     {"a_swing_has_a_rival", a_swing_has_a_rival},
     {"what_nobody_may_rely_on_is_named", what_nobody_may_rely_on_is_named},
 };
