@@ -41,20 +41,24 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
 }
 
 /*
- * The forces that a mesh leaves out [eq:left-mesh].  The recovered stress of a
- * vertex is the mean of P over its triangles, weighted with their areas; that
- * of a triangle is the mean of its three vertices.  g += int (P - recovered)
- * grad N: relax_push(s, e, T, g) adds those of a stress T in triangle e.
+ * The forces that a mesh leaves out [eq:left-mesh]: g += int (P + p I - what is
+ * recovered) grad N.  Of P that is the mean of the triangle's three edges, each
+ * the mean of the two triangles that meet there, weighted with their areas; of
+ * p the mean of its three vertices, each the mean of all triangles around, so
+ * too.
  */
 static void mesh_forces(const struct ladder_state *s,
                         const struct relax_field *of, double g[])
 {
     const size_t n = (size_t)s->mesh->n_vertex;
-    mat2 *mean = allocate(n, sizeof *mean);       /* zero, */
+    const double *area = s->body->area;
+    double *mean = allocate(n, sizeof *mean);     /* zero, */
     double *around = allocate(n, sizeof *around); /* and zero */
-    /* SLOT 23b(s, of, g, mean, around): two loops over the triangles, with the
-     * vertices s->mesh->triangle[3 * e + k], s->body->area[e] and of->P[e]. */
-    todo("23b", s, of, g, mean, around);
+    /* SLOT 23b(s, of, g, area, mean, around): two loops over the triangles,
+     * with of->P[e], of->p[e], the vertices s->mesh->triangle[3 * e + k] and,
+     * beyond the edges opposite to them, the triangles s->across[3 * e + k], e
+     * itself at the boundary. relax_push(s, e, T, g) adds int T grad N. */
+    todo("23b", s, of, g, area, mean, around);
     /* END 23b */
     free(mean);
     free(around);
@@ -79,9 +83,9 @@ static void stress_forces(const struct ladder_state *s,
  * length^2 / height^3: what the load moves the free end by, times E', as a bar
  * and as a beam.  N is the sum of the forces along X1, moment that about the
  * middle of the left end, which is held.  A bar has no across, and of along it
- * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  Where N
- * presses, across is divided by 1 - |N| / buckles; from |N| = buckles on the
- * part is 1.  0 where along and across are 0.
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  What bends is
+ * less where N pulls, more where it presses: across is divided by 1 + N /
+ * buckles; from -N = buckles on the part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
  * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
@@ -120,21 +124,8 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     return enough;
 }
 
-/* A row of `ladder`; truth may be NULL. */
-static void print_rung(int rung, const struct ladder_state *s,
-                       const double part[N_PART], int stable, double estimate,
-                       const struct ladder_state *truth, const char *verdict)
-{
-    table_row(rung, ladder_rung(s->model.rung),
-              s->model.moving ? "motion" : "rest", s->model.level,
-              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], part[STRESS], stable ? "stable" : "unstable",
-              estimate, cell_if(truth != NULL,
-                                truth ? ladder_error(s, truth) : 0.0),
-              s->flops, verdict);
-}
-
-/* Climb from the bar, a row per rung.  Returns whether the last is enough. */
+/* Climb from the bar, a row of `ladder` per rung; truth may be NULL.  Returns
+ * whether the last is enough. */
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
@@ -147,16 +138,19 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
-        struct matrix *K = relax_factors(s); /* |e| / |u + e| of what moves */
-        part[MESH] = RELAX_SHARE * relax_part(s, K, mesh_forces);
-        part[STRESS] = relax_part(s, K, stress_forces);
-        matrix_free(K);
+        relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
         more = !enough && ladder_add(scene, add, &model);
-        print_rung(rung, s, part, stable, estimate, truth,
-                   enough ? "enough" : more ? ladder_part(add) : "nothing");
+        table_row(rung, ladder_rung(s->model.rung),
+                  s->model.moving ? "motion" : "rest", s->model.level,
+                  part[GEOMETRY], part[LAW], part[DIMENSION],
+                  part[INERTIA], part[MESH], part[STRESS],
+                  stable ? "stable" : "unstable", estimate,
+                  cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+                  s->flops,
+                  enough ? "enough" : more ? ladder_part(add) : "nothing");
         free(Mu);
         ladder_free(s);
     }

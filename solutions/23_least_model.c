@@ -60,32 +60,40 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
 }
 
 /*
- * The forces that a mesh leaves out [eq:left-mesh].  The recovered stress of a
- * vertex is the mean of P over its triangles, weighted with their areas; that
- * of a triangle is the mean of its three vertices.  g += int (P - recovered)
- * grad N: relax_push(s, e, T, g) adds those of a stress T in triangle e.
+ * The forces that a mesh leaves out [eq:left-mesh]: g += int (P + p I - what is
+ * recovered) grad N.  Of P that is the mean of the triangle's three edges, each
+ * the mean of the two triangles that meet there, weighted with their areas; of
+ * p the mean of its three vertices, each the mean of all triangles around, so
+ * too.
  */
 static void mesh_forces(const struct ladder_state *s,
                         const struct relax_field *of, double g[])
 {
     const size_t n = (size_t)s->mesh->n_vertex;
-    mat2 *mean = allocate(n, sizeof *mean);       /* zero, */
+    const double *area = s->body->area;
+    double *mean = allocate(n, sizeof *mean);     /* zero, */
     double *around = allocate(n, sizeof *around); /* and zero */
-    /* SLOT 23b(s, of, g, mean, around): two loops over the triangles, with the
-     * vertices s->mesh->triangle[3 * e + k], s->body->area[e] and of->P[e]. */
+    /* SLOT 23b(s, of, g, area, mean, around): two loops over the triangles,
+     * with of->P[e], of->p[e], the vertices s->mesh->triangle[3 * e + k] and,
+     * beyond the edges opposite to them, the triangles s->across[3 * e + k], e
+     * itself at the boundary. relax_push(s, e, T, g) adds int T grad N. */
     for (int e = 0; e < s->mesh->n_triangle; e++)
         for (int k = 0; k < 3; k++) {
             const int a = s->mesh->triangle[3 * e + k];
-            /* sums of area P and of area, whose quotient is the mean */
-            mean[a] =
-                mat2_add(mean[a], mat2_scale(s->body->area[e], of->P[e]));
-            around[a] += s->body->area[e];
+            mean[a] += area[e] * of->p[e]; /* over around[a]: the mean */
+            around[a] += area[e];
         }
     for (int e = 0; e < s->mesh->n_triangle; e++) {
-        mat2 T = of->P[e];
+        mat2 T = mat2_scale(of->p[e], mat2_identity());
         for (int k = 0; k < 3; k++) {
             const int a = s->mesh->triangle[3 * e + k];
-            T = mat2_subtract(T, mat2_scale(1.0 / (3.0 * around[a]), mean[a]));
+            const int b = s->across[3 * e + k];
+            /* P[e] less the edge's mean is b's share of the jump */
+            const double share = area[b] / (area[e] + area[b]);
+            const mat2 jump = mat2_subtract(of->P[e], of->P[b]);
+            const mat2 p = mat2_scale(mean[a] / around[a], mat2_identity());
+            T = mat2_add(T, mat2_scale(share / 3.0, jump));
+            T = mat2_subtract(T, mat2_scale(1.0 / 3.0, p));
         }
         relax_push(s, e, T, g);
     }
@@ -116,9 +124,9 @@ static void stress_forces(const struct ladder_state *s,
  * length^2 / height^3: what the load moves the free end by, times E', as a bar
  * and as a beam.  N is the sum of the forces along X1, moment that about the
  * middle of the left end, which is held.  A bar has no across, and of along it
- * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  Where N
- * presses, across is divided by 1 - |N| / buckles; from |N| = buckles on the
- * part is 1.  0 where along and across are 0.
+ * misses s^2 height / (2 length), s = lambda / (2 mu + lambda).  What bends is
+ * less where N pulls, more where it presses: across is divided by 1 + N /
+ * buckles; from -N = buckles on the part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
  * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
@@ -144,7 +152,7 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
     const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
     const double along = fabs(N) * length / height;
     double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
-    if (N < 0.0) across /= fmax(0.0, 1.0 + N / buckles);
+    across /= fmax(0.0, 1.0 + N / buckles);
     const double missed = lateral * lateral * height / (2.0 * length);
     part[DIMENSION] = 0.0;
     if (N <= -buckles)
@@ -193,21 +201,8 @@ static int verdict(struct ladder_model model, enum ladder_time time, int stable,
     return enough;
 }
 
-/* A row of `ladder`; truth may be NULL. */
-static void print_rung(int rung, const struct ladder_state *s,
-                       const double part[N_PART], int stable, double estimate,
-                       const struct ladder_state *truth, const char *verdict)
-{
-    table_row(rung, ladder_rung(s->model.rung),
-              s->model.moving ? "motion" : "rest", s->model.level,
-              part[GEOMETRY], part[LAW], part[DIMENSION], part[INERTIA],
-              part[MESH], part[STRESS], stable ? "stable" : "unstable",
-              estimate, cell_if(truth != NULL,
-                                truth ? ladder_error(s, truth) : 0.0),
-              s->flops, verdict);
-}
-
-/* Climb from the bar, a row per rung.  Returns whether the last is enough. */
+/* Climb from the bar, a row of `ladder` per rung; truth may be NULL.  Returns
+ * whether the last is enough. */
 static int climb(const struct ladder_scene *scene, double tolerance,
                  const struct ladder_state *truth)
 {
@@ -220,16 +215,19 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         enum part add;
         const int stable = ladder_stable(s);
         shape_parts(s, part);
-        struct matrix *K = relax_factors(s); /* |e| / |u + e| of what moves */
-        part[MESH] = RELAX_SHARE * relax_part(s, K, mesh_forces);
-        part[STRESS] = relax_part(s, K, stress_forces);
-        matrix_free(K);
+        relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
         more = !enough && ladder_add(scene, add, &model);
-        print_rung(rung, s, part, stable, estimate, truth,
-                   enough ? "enough" : more ? ladder_part(add) : "nothing");
+        table_row(rung, ladder_rung(s->model.rung),
+                  s->model.moving ? "motion" : "rest", s->model.level,
+                  part[GEOMETRY], part[LAW], part[DIMENSION],
+                  part[INERTIA], part[MESH], part[STRESS],
+                  stable ? "stable" : "unstable", estimate,
+                  cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+                  s->flops,
+                  enough ? "enough" : more ? ladder_part(add) : "nothing");
         free(Mu);
         ladder_free(s);
     }

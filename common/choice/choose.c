@@ -10,6 +10,7 @@
 #include "choice/scene_file.h"
 #include "base/clock.h"
 #include "base/options.h"
+#include "linear/sparse.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -18,47 +19,25 @@
 
 enum { FINEST = 2 };
 
-/* max |G|, G the Green strain, and the largest angle (rad) of the rotation in
- * F. */
-static void sizes(const struct ladder_state *s, double *strain, double *turn)
+/* The largest angle (rad) of the rotation in F. */
+static double largest_turn(const struct ladder_state *s)
 {
-    *strain = *turn = 0.0;
+    double turn = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
-        const mat2 C = mat2_multiply(mat2_transpose(F), F);
-        const mat2 G = mat2_scale(0.5, mat2_subtract(C, mat2_identity()));
-        *strain = fmax(*strain, mat2_norm(G));
-        *turn = fmax(*turn, fabs(atan2(F.m[1][0] - F.m[0][1],
-                                       F.m[0][0] + F.m[1][1])));
+        turn = fmax(turn, fabs(atan2(F.m[1][0] - F.m[0][1],
+                                     F.m[0][0] + F.m[1][1])));
     }
+    return turn;
 }
 
-/* omega dt, omega^2 = f.u / u.M u as in the estimate of the inertia; 0 at rest
- * and for u = 0. */
-static double omega_dt(const struct ladder_state *s)
-{
-    if (!s->model.moving) return 0.0;
-    double *Mu = ladder_momentum(s), work = 0.0, mass = 0.0;
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
-        work += s->f[r] * s->u[r];
-        mass += s->u[r] * Mu[r];
-    }
-    free(Mu);
-    return mass > 0.0 ? sqrt(fabs(work) / mass) * s->scene->dt : 0.0;
-}
-
-/* What no part of the estimate sees, but nobody may rely on; NULL: nothing. */
-static const char *doubt(const struct ladder_state *s)
-{
-    double strain, turn;
-    sizes(s, &strain, &turn);
-    return !(strain <= 4.0) ? "the strain is beyond 4: the load is more than a "
-                              "body of this E can bear" :
-           omega_dt(s) > 1.0 ? "the steps are too long for a body that swings "
-                               "so fast: make 'end' shorter" :
-           !ladder_stable(s) ? "the body gives way under this load: K is not "
-                               "positive definite (lesson 15)" : NULL;
-}
+/* Why nobody may rely on what the parts say. */
+static const char *const doubts[] = {
+    [TORN] = "the load is more than a body of this E can bear",
+    [LONG_STEPS] = "the steps are too long for a body that swings so fast: "
+                   "make 'end' shorter",
+    [GIVES_WAY] = "the body gives way under this load: K is not positive "
+                  "definite (lesson 15)"};
 
 /* What a part of the error comes from. */
 static const char *const says[N_PART] = {
@@ -69,12 +48,12 @@ static const char *const says[N_PART] = {
     [MESH] = "the cells have a size",
     [STRESS] = "in the linear law stress does not turn with the body"};
 
-/* The models that were tried, and why none of them but the last is taken. */
+/* The models that were tried, what is said of them, and what is added next. */
 struct tried {
     struct ladder_model model;
-    double estimate;
+    double part[N_PART], estimate;
     enum part add;
-    int stable;
+    enum doubt doubt;
 };
 
 static void say_climb(const struct tried tried[], int n)
@@ -85,7 +64,7 @@ static void say_climb(const struct tried tried[], int n)
         printf("  %s %s, mesh %d: ", ladder_rung(tried[k].model.rung),
                tried[k].model.moving ? "in motion" : "at rest",
                tried[k].model.level);
-        if (!tried[k].stable) {
+        if (tried[k].doubt == GIVES_WAY) {
             printf("gives way, for K is not positive definite\n");
             continue;
         }
@@ -102,8 +81,8 @@ static void say_numbers(const struct scene_file *file,
                         const struct ladder_state *s)
 {
     const struct ladder_scene *scene = s->scene;
-    double strain, turn, N = 0.0;
-    sizes(s, &strain, &turn);
+    const double strain = estimate_strain(s), turn = largest_turn(s);
+    double N = 0.0;
     for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2) N += s->f[r];
     N /= ladder_buckles(scene);
     printf("Scene %s, %g m long, in numbers without dimension\n", file->name,
@@ -123,6 +102,34 @@ static void say_numbers(const struct scene_file *file,
     if (scene->time != STANDS)
         printf("  1 / (omega T) %.2g: inertia counts where it is not small "
                "(lesson 23)\n", estimate_inertia(s));
+    if (s->model.moving) {
+        const double sound = sqrt(material_modulus(&s->body->material));
+        printf("  fastest motion over speed of sound %.2g, its jump per step "
+               "over a cell %.2g:\n  beyond 1 triangles may turn inside out "
+               "(lesson 14)\n", s->fastest / sound,
+               s->fastest * scene->dt * s->mesh->n / 2.0);
+    }
+}
+
+/* What one factorisation costs by each solver, and which one to take. */
+static void say_solver(const struct ladder_state *s)
+{
+    if (s->model.rung == BAR) {
+        printf("  solver: a sum along the bar, %d unknowns (lesson 9)\n",
+               s->mesh->n);
+        return;
+    }
+    struct ladder_state *other = ladder_alloc(s->scene, s->model);
+    const int n = other->body->n_equation, p = other->body->K->p;
+    const int by_dissection = s->mesh->rows >= BODY_SPARSE_FROM;
+    body_store(other->body, SPARSE);
+    printf("  solver: Cholesky factors %s, %d unknowns (lesson 21):\n    a "
+           "factorisation has %.2g flops in a band, %.2g by dissection, %.2g "
+           "dense;\n    the band is the faster one below %d cells across\n",
+           by_dissection ? "by dissection" : "of a band", n,
+           matrix_cost(BANDED, n, p).flops, other->body->pattern->flops,
+           matrix_cost(DENSE, n, 0).flops, BODY_SPARSE_FROM);
+    ladder_free(other);
 }
 
 static void say_model(const struct scene_file *file,
@@ -155,47 +162,46 @@ static void say_model(const struct scene_file *file,
     if (s->model.moving)
         printf("  implicit midpoint rule, %.0f steps of %.3g s, omega dt %.2g "
                "(lesson 14)\n", scene->end / scene->dt,
-               scene->dt * file->second, omega_dt(s));
-    printf("  solver: %s, %d unknowns (lesson %s)\n",
-           s->model.rung == BAR ? "a sum along the bar"
-                                : "Cholesky factors of a band",
-           s->model.rung == BAR ? s->mesh->n : s->body->n_equation,
-           s->model.rung == BAR ? "9" : "21");
+               scene->dt * file->second, estimate_frequency(s) * scene->dt);
+    say_solver(s);
     if (s->model.rung > LINEAR_PLANE)
         printf("  cures to switch on: line search (lesson 11), projection on "
                "demand (lesson 15)\n");
 }
 
 /* The parts of the error, and what no part sees. */
-static void say_error(const struct ladder_state *s, double tolerance)
+static void say_error(const struct ladder_state *s, const struct tried *t)
 {
-    double part[N_PART], estimate, strain, turn;
-    enum part add;
-    const char *reason = doubt(s);
-    estimate_parts(s, part);
-    estimate_verdict(s->model, s->scene->time, 1, tolerance, part, &estimate,
-                     &add);
-    sizes(s, &strain, &turn);
-    if (ladder_stable(s)) {
+    if (t->doubt != GIVES_WAY) {
         printf("Expected error %.2g %% of the largest displacement, the root "
                "of the sum of the\nsquares of its parts (lesson 23)\n",
-               100.0 * estimate);
+               100.0 * t->estimate);
         for (int k = 0; k < N_PART; k++)
-            if (part[k] > 0.0)
+            if (t->part[k] > 0.0)
                 printf("  %-9s %8.2g %%  %s\n", ladder_part((enum part)k),
-                       100.0 * part[k], says[k]);
+                       100.0 * t->part[k], says[k]);
     } else
         printf("Expected error: not known, for the body gives way "
                "(lesson 23)\n");
     printf("Not sure of\n");
-    if (reason) printf("  the answer as a whole:\n    %s\n", reason);
-    printf("  the estimate: the error was up to 1.7 times as large in "
+    if (t->doubt == TORN)
+        printf("  the answer as a whole:\n    the strain is beyond %g: %s\n",
+               ESTIMATE_STRAIN, doubts[TORN]);
+    else if (t->doubt != NO_DOUBT)
+        printf("  the answer as a whole:\n    %s\n", doubts[t->doubt]);
+    printf("  the estimate: the error was up to 1.9 times as large in "
            "the twelve scenes of\n  lesson 23, and seldom far more in random "
            "ones\n");
+    if (s->model.moving && s->rival > 0.9)
+        printf("  the moment: another peak of the load's work is %.0f %% as "
+               "high, and there u\n  differs by %.2g %%\n", 100.0 * s->rival,
+               100.0 * s->apart / ladder_size(s, s->u));
     if (s->model.moving)
-        printf("  the time step, which no part measures, and whether K stays "
-               "positive definite\n");
-    if (turn > 1.57)
+        printf("  whether K stays positive definite, which is not asked in "
+               "motion\n");
+    printf("  the force in a hand: the load is given here, and no hand holds "
+           "the body\n");
+    if (largest_turn(s) > 1.57)
         printf("  contact: the body turns by more than a right angle, and may "
                "meet itself\n");
     if (s->scene->nu >= 0.45)
@@ -250,7 +256,7 @@ static void say_price(const struct ladder_state *s, double within,
                "does not pay here\n");
 }
 
-static void verify(const struct ladder_state *s)
+static void verify(const struct ladder_state *s, enum doubt doubt)
 {
     struct ladder_scene finer = *s->scene;
     finer.finest = s->model.level;
@@ -258,7 +264,7 @@ static void verify(const struct ladder_state *s)
     if (truth->status != OK)
         printf("Verified: no, the richest model on a finer mesh ends with %s\n",
                status_name(truth->status));
-    else if (!ladder_stable(s) || !ladder_stable(truth))
+    else if (doubt == GIVES_WAY || !ladder_stable(truth))
         printf("Verified: no, for a body that gives way may go elsewhere\n");
     else
         printf("Verified: the answer differs by %.2g %% of the largest "
@@ -270,19 +276,16 @@ static void verify(const struct ladder_state *s)
 
 /* For figures/scene.gp: the parts of the error (%), and the triangles (m). */
 static void write_picture(const char *path, const struct scene_file *file,
-                          const struct ladder_state *s, double tolerance)
+                          const struct ladder_state *s, const struct tried *t,
+                          double tolerance)
 {
-    double part[N_PART], estimate;
-    enum part add;
     FILE *out = fopen(path, "w");
     if (!out) die("%s: cannot be written", path);
-    estimate_parts(s, part);
-    estimate_verdict(s->model, s->scene->time, 1, tolerance, part, &estimate,
-                     &add);
     fprintf(out, "# %s\t%g\n", file->name, 100.0 * tolerance);
     for (int k = 0; k < N_PART; k++)
-        fprintf(out, "%s\t%.6g\n", ladder_part((enum part)k), 100.0 * part[k]);
-    fprintf(out, "together\t%.6g\n\n\n", 100.0 * estimate);
+        fprintf(out, "%s\t%.6g\n", ladder_part((enum part)k),
+                100.0 * t->part[k]);
+    fprintf(out, "together\t%.6g\n\n\n", 100.0 * t->estimate);
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         for (int i = 0; i < 4; i++) {
             const int a = s->mesh->triangle[3 * e + i % 3];
@@ -321,36 +324,34 @@ int main(int argc, char *argv[])
     const struct ladder_scene *scene = &file.scene;
     struct ladder_model model = ladder_first(scene);
     const double start = clock_seconds();
-    double estimate = 1.0;
     int enough = 0, n = 0;
     struct tried tried[16]; /* each adds a rung, motion or one of FINEST */
     for (int more = 1; more;) {
         struct ladder_state *s = ladder_solve(scene, model);
-        enum part add = GEOMETRY;
         if (s->status != OK)
             die("%s: the %s model finds no state (%s): the load may be beyond "
                 "every equilibrium%s", path, ladder_rung(model.rung),
                 status_name(s->status), model.moving ? ", or the steps too "
                 "long: make 'end' shorter" : "");
-        double part[N_PART];
-        const int stable = ladder_stable(s);
-        estimate_parts(s, part);
-        enough = estimate_verdict(model, scene->time, stable, error / 100.0,
-                                  part, &estimate, &add);
-        if (n < COUNT(tried))
-            tried[n++] = (struct tried){model, estimate, add, stable};
-        more = !enough && ladder_add(scene, add, &model);
+        struct tried *t = &tried[n++];
+        t->model = model;
+        t->doubt = estimate_doubt(s);
+        estimate_parts(s, t->part);
+        enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
+                                  error / 100.0, t->part, &t->estimate,
+                                  &t->add);
+        more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried) &&
+               ladder_add(scene, t->add, &model);
         if (!more) {
             const double choosing = clock_seconds() - start;
-            if (doubt(s)) enough = 0;
             say_numbers(&file, s);
             say_climb(tried, n);
             say_model(&file, s, error / 100.0, enough);
-            say_error(s, error / 100.0);
+            say_error(s, t);
             say_price(s, within / 1e3, choosing);
-            if (check) verify(s);
-            if (picture && ladder_stable(s))
-                write_picture(picture, &file, s, error / 100.0);
+            if (check) verify(s, t->doubt);
+            if (picture && t->doubt != GIVES_WAY)
+                write_picture(picture, &file, s, t, error / 100.0);
         }
         ladder_free(s);
     }

@@ -52,13 +52,13 @@ double estimate_dimension(const struct ladder_state *s)
     const double along = fabs(N) * length / height;
     double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
     if (N <= -buckles) return 1.0;
-    if (N < 0.0) across /= 1.0 + N / buckles;
+    across /= 1.0 + N / buckles;
     const double missed = lateral * lateral * height / (2.0 * length);
     if (!(across + along > 0.0)) return 0.0;
     return (across + missed * along) / (across + along);
 }
 
-double estimate_inertia(const struct ladder_state *s)
+double estimate_frequency(const struct ladder_state *s)
 {
     double *Mu = ladder_momentum(s), work = 0.0, mass = 0.0;
     for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
@@ -66,8 +66,33 @@ double estimate_inertia(const struct ladder_state *s)
         mass += s->u[r] * Mu[r];
     }
     free(Mu);
-    if (!(mass > 0.0)) return 1.0;
-    return fmin(1.0, 1.0 / (sqrt(work / mass) * s->scene->T));
+    return mass > 0.0 ? sqrt(fabs(work) / mass) : 0.0;
+}
+
+double estimate_inertia(const struct ladder_state *s)
+{
+    return fmin(1.0, 1.0 / (estimate_frequency(s) * s->scene->T));
+}
+
+double estimate_strain(const struct ladder_state *s)
+{
+    double most = 0.0;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(s->body, s->u, e);
+        const mat2 C = mat2_multiply(mat2_transpose(F), F);
+        const mat2 twice = mat2_subtract(C, mat2_identity());
+        most = fmax(most, 0.5 * mat2_norm(twice));
+    }
+    return most;
+}
+
+enum doubt estimate_doubt(const struct ladder_state *s)
+{
+    if (!(estimate_strain(s) <= ESTIMATE_STRAIN)) return TORN;
+    if (s->model.moving &&
+        estimate_frequency(s) * ladder_step(s) > ESTIMATE_ANGLE)
+        return LONG_STEPS;
+    return ladder_stable(s) ? NO_DOUBT : GIVES_WAY;
 }
 
 void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
@@ -75,20 +100,21 @@ void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
 {
     const struct mesh *mesh = s->mesh;
     const double *area = s->body->area;
-    mat2 *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
+    double *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
     double *around = allocate((size_t)mesh->n_vertex, sizeof *around);
-    for (int e = 0; e < mesh->n_triangle; e++)
-        for (int k = 0; k < 3; k++) {
-            const int a = mesh->triangle[3 * e + k];
-            mean[a] = mat2_add(mean[a], mat2_scale(area[e], of->P[e]));
-            around[a] += area[e];
-        }
+    for (int r = 0; r < 3 * mesh->n_triangle; r++) {
+        mean[mesh->triangle[r]] += area[r / 3] * of->p[r / 3];
+        around[mesh->triangle[r]] += area[r / 3];
+    }
     for (int e = 0; e < mesh->n_triangle; e++) {
-        mat2 off = of->P[e];
+        mat2 off = mat2_scale(of->p[e], mat2_identity());
         for (int k = 0; k < 3; k++) {
-            const int a = mesh->triangle[3 * e + k];
-            off = mat2_subtract(off,
-                                mat2_scale(1.0 / (3.0 * around[a]), mean[a]));
+            const int a = mesh->triangle[3 * e + k], b = s->across[3 * e + k];
+            const double share = area[b] / (area[e] + area[b]) / 3.0;
+            const mat2 jump = mat2_subtract(of->P[e], of->P[b]);
+            const double p = mean[a] / (3.0 * around[a]);
+            off = mat2_add(off, mat2_scale(share, jump));
+            off = mat2_subtract(off, mat2_scale(p, mat2_identity()));
         }
         relax_push(s, e, off, g);
     }
@@ -113,15 +139,12 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[INERTIA] = estimate_inertia(s);
     part[MESH] = part[STRESS] = 0.0;
     if (s->model.rung == BAR) return; /* and it needs no factors of K */
-    struct matrix *K = relax_factors(s);
-    part[MESH] = RELAX_SHARE * relax_part(s, K, estimate_mesh);
-    part[STRESS] = relax_part(s, K, estimate_stress);
-    matrix_free(K);
+    relax_parts(s, estimate_mesh, estimate_stress, part);
 }
 
-int estimate_verdict(struct ladder_model model, enum ladder_time time,
-                     int stable, double tolerance, double part[N_PART],
-                     double *estimate, enum part *add)
+int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,
+                     double tolerance, double part[N_PART], double *estimate,
+                     enum part *add)
 {
     if (model.rung != BAR) part[DIMENSION] = 0.0;
     if (model.rung > LINEAR_PLANE) part[GEOMETRY] = 0.0;
@@ -135,8 +158,8 @@ int estimate_verdict(struct ladder_model model, enum ladder_time time,
         *estimate = hypot(*estimate, part[k]);
         if (part[k] > part[*add]) *add = (enum part)k;
     }
-    if (!stable && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
-    return stable && *estimate <= tolerance;
+    if (!sure && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
+    return sure && *estimate <= tolerance;
 }
 
 int estimate_state(const struct ladder_state *s, double tolerance,
@@ -145,8 +168,9 @@ int estimate_state(const struct ladder_state *s, double tolerance,
     double part[N_PART];
     if (s->status != OK) die("a model ends with %s", status_name(s->status));
     estimate_parts(s, part);
-    return estimate_verdict(s->model, s->scene->time, ladder_stable(s),
-                            tolerance, part, estimate, add);
+    return estimate_verdict(s->model, s->scene->time,
+                            estimate_doubt(s) == NO_DOUBT, tolerance, part,
+                            estimate, add);
 }
 
 struct ladder_state *estimate_climb(const struct ladder_scene *scene,

@@ -1,13 +1,12 @@
 /* ladder.c - see ladder.h. */
 #include "choice/ladder.h"
 
+#include "choice/rung.h"
 #include "plane/step.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { CAP = 400 }; /* linear systems of one solve */
 
 const struct ladder_scene ladder_scene[LADDER_SCENES] = {
     {"hanging", 4, 0.3, .weight = {20.0, 0.0}, .finest = 3},
@@ -45,8 +44,7 @@ struct ladder_scene ladder_loaded(const struct ladder_scene *of, double load)
     return scene;
 }
 
-/* E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free. */
-static double bar_modulus(const struct material *m)
+double ladder_modulus(const struct material *m)
 {
     return 4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
 }
@@ -56,7 +54,7 @@ double ladder_buckles(const struct ladder_scene *scene)
     const struct material m = material_make(CUBIC, 1000.0, scene->nu);
     const double length = 2.0, height = length / scene->slender;
     const double I = pow(height, 3) / 12.0;
-    return pow(acos(-1.0), 2) * bar_modulus(&m) * I / (4.0 * length * length);
+    return pow(acos(-1.0) / length, 2) * ladder_modulus(&m) * I / 4.0;
 }
 
 const char *ladder_rung(enum rung rung)
@@ -150,6 +148,8 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     if (s->body->K->storage != BANDED) body_store(s->body, BANDED);
     s->f = allocate(size, sizeof *s->f);
     s->u = allocate(size, sizeof *s->u);
+    s->v = allocate(size, sizeof *s->v);
+    s->across = mesh_across(s->mesh);
     load(s);
     return s;
 }
@@ -161,171 +161,16 @@ void ladder_free(struct ladder_state *s)
     mesh_free(s->mesh);
     free(s->f);
     free(s->u);
+    free(s->v);
+    free(s->across);
     free(s);
-}
-
-/* Flops of one pass over the triangles: 60 for F, P and the forces, 40 more for
- * a logarithm, 150 for the tangent. */
-static double sweep(const struct ladder_state *s, int tangent)
-{
-    const double each = s->model.rung == LINEAR_PLANE ? 60.0
-                        : s->model.rung == CUBIC_PLANE ? 80.0 : 120.0;
-    return s->mesh->n_triangle * (each + (tangent ? 150.0 : 0.0));
-}
-
-/* Each section moves as one: u' = N / (E' A), N the force beyond it; and it
- * grows thinner as it would if nothing held it. */
-static void solve_bar(struct ladder_state *s)
-{
-    const struct material *m = &s->body->material;
-    const double modulus = bar_modulus(m);
-    const double thinner = m->lambda / (2.0 * m->mu + m->lambda);
-    const int n = s->mesh->n, columns = n + 1;
-    const double area = 2.0 / s->scene->slender, h = 2.0 / n;
-    double *slope = allocate((size_t)n + 2, sizeof *slope), u = 0.0;
-
-    for (int i = n; i > 0; i--) { /* slope of element i, left of node i */
-        slope[i] = slope[i + 1];
-        for (int j = 0; j <= s->mesh->rows; j++)
-            slope[i] += s->f[2 * (j * columns + i)] / (modulus * area);
-    }
-    for (int i = 1; i <= n; i++) {
-        const double here = 0.5 * (slope[i] + slope[i < n ? i + 1 : n]);
-        u += slope[i] * h;
-        for (int j = 0; j <= s->mesh->rows; j++) {
-            const int a = 2 * (j * columns + i);
-            s->u[a] = u;
-            s->u[a + 1] = -thinner * here * s->mesh->X[a + 1];
-        }
-    }
-    s->flops = 5.0 * n;
-    free(slope);
-}
-
-/* Linear: A u = M w + d^2 share f, A = M + d^2 K factored; M = 0 at rest. */
-struct linear {
-    struct matrix *K, *A;
-    double *rhs, *some;
-};
-
-static enum status linear_start(struct ladder_state *s, double d,
-                                struct linear *l)
-{
-    const struct matrix_cost cost =
-        matrix_cost(BANDED, s->body->n_equation, s->body->K->p);
-    const size_t size = 2 * (size_t)s->mesh->n_vertex;
-    *l = (struct linear){.K = body_matrix(s->body), .A = body_matrix(s->body)};
-    l->rhs = allocate(size, sizeof *l->rhs);
-    l->some = allocate(size, sizeof *l->some);
-    enum status status = body_stiffness(s->body, s->u, EXACT, l->K);
-    if (s->model.moving) body_mass_matrix(s->body, l->A);
-    matrix_combine(l->A, d * d, l->K, l->A);
-    if (status == OK) status = matrix_factor(l->A);
-    s->flops += cost.flops + sweep(s, 1);
-    return status;
-}
-
-static void linear_solve(struct ladder_state *s, const struct linear *l,
-                         double d, const double w[], double share, double u[])
-{
-    const int size = 2 * s->mesh->n_vertex;
-    for (int r = 0; r < size; r++) l->rhs[r] = 0.0;
-    if (s->model.moving) body_mass(s->body, w, l->rhs);
-    for (int r = 0; r < size; r++) l->rhs[r] += d * d * share * s->f[r];
-    body_gather(s->body, l->rhs, l->some);
-    matrix_solve(l->A, l->some);
-    body_scatter(s->body, l->some, u);
-    s->flops += matrix_cost(BANDED, s->body->n_equation, s->body->K->p).solve;
-    if (s->model.moving) s->flops += 20.0 * s->mesh->n_triangle;
-}
-
-static void linear_end(struct linear *l)
-{
-    matrix_free(l->K);
-    matrix_free(l->A);
-    free(l->rhs);
-    free(l->some);
-}
-
-/* Newton's method for backward Euler from w by d, or for rest (w NULL). */
-static enum status newton(struct ladder_state *s, double d, const double w[],
-                          double share, double u[])
-{
-    const struct step_control control = {
-        1e-9, CAP, FROM_LAST, 0, 1, 1, ON_DEMAND};
-    const struct matrix_cost cost =
-        matrix_cost(BANDED, s->body->n_equation, s->body->K->p);
-    const size_t size = 2 * (size_t)s->mesh->n_vertex;
-    double *f = allocate(size, sizeof *f);
-    for (size_t r = 0; r < size; r++) f[r] = share * s->f[r];
-    const struct incremental Phi = {d, w, f};
-    const struct step_report report = step_solve(s->body, &control, Phi, u);
-    s->flops += report.factorisations * (cost.flops + sweep(s, 1)) +
-                report.iterations * (cost.solve + sweep(s, 0));
-    free(f);
-    return report.status;
-}
-
-static double share_of(const struct ladder_scene *scene, double t)
-{
-    if (scene->time == SWINGS) return sin(t / scene->T);
-    return scene->time == RISES && t < scene->T ? t / scene->T : 1.0;
-}
-
-/* Implicit midpoint from rest; u is the state in which f.u was largest. */
-static enum status move(struct ladder_state *s)
-{
-    const double dt = s->scene->dt, d = 0.5 * dt;
-    const size_t size = 2 * (size_t)s->mesh->n_vertex;
-    double *u = allocate(size, sizeof *u), *v = allocate(size, sizeof *v);
-    double *w = allocate(size, sizeof *w), *half = allocate(size, sizeof *half);
-    double most = 0.0;
-    struct linear linear;
-    enum status status = OK;
-    if (s->model.rung == LINEAR_PLANE) status = linear_start(s, d, &linear);
-    for (double t = d; status == OK && t < s->scene->end; t += dt) {
-        double work = 0.0;
-        for (size_t r = 0; r < size; r++) half[r] = w[r] = u[r] + d * v[r];
-        if (s->model.rung == LINEAR_PLANE)
-            linear_solve(s, &linear, d, w, share_of(s->scene, t), half);
-        else
-            status = newton(s, d, w, share_of(s->scene, t), half);
-        for (size_t r = 0; r < size; r++) {
-            v[r] = 2.0 * (half[r] - u[r]) / d - v[r];
-            u[r] = 2.0 * half[r] - u[r];
-            work += s->f[r] * u[r];
-        }
-        if (work > most) {
-            most = work;
-            memcpy(s->u, u, size * sizeof *u);
-        }
-    }
-    if (s->model.rung == LINEAR_PLANE) linear_end(&linear);
-    free(u);
-    free(v);
-    free(w);
-    free(half);
-    return status;
-}
-
-static enum status rest(struct ladder_state *s)
-{
-    if (s->model.rung != LINEAR_PLANE) return newton(s, 1.0, NULL, 1.0, s->u);
-    struct linear linear;
-    const enum status status = linear_start(s, 1.0, &linear);
-    if (status == OK) linear_solve(s, &linear, 1.0, NULL, 1.0, s->u);
-    linear_end(&linear);
-    return status;
 }
 
 struct ladder_state *ladder_solve(const struct ladder_scene *scene,
                                   struct ladder_model model)
 {
     struct ladder_state *s = ladder_alloc(scene, model);
-    if (model.rung == BAR)
-        solve_bar(s);
-    else
-        s->status = model.moving ? move(s) : rest(s);
+    s->status = rung_solve(s);
     return s;
 }
 
@@ -333,6 +178,12 @@ struct ladder_model ladder_truth(const struct ladder_scene *scene)
 {
     return (struct ladder_model){
         LOG_PLANE, scene->time != STANDS, scene->finest + 1};
+}
+
+double ladder_step(const struct ladder_state *s)
+{
+    return s->model.level > s->scene->finest ? 0.5 * s->scene->dt
+                                             : s->scene->dt;
 }
 
 double *ladder_momentum(const struct ladder_state *s)
@@ -363,20 +214,32 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
            model->level != old.level;
 }
 
+double ladder_size(const struct ladder_state *s, const double u[])
+{
+    const int n = coarsest(s->scene), a = s->mesh->n / n;
+    double size = 0.0;
+    for (int j = 0; j <= ROWS; j++)
+        for (int i = 0; i <= n; i++) {
+            const double *here =
+                &u[2 * (a * j * (s->mesh->n + 1) + a * i)];
+            size = fmax(size, hypot(here[0], here[1]));
+        }
+    return size;
+}
+
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth)
 {
-    const int n = coarsest(state->scene), rows = ROWS;
+    const int n = coarsest(state->scene);
     const int a = state->mesh->n / n, b = truth->mesh->n / n;
-    double off = 0.0, size = 0.0;
-    for (int j = 0; j <= rows; j++)
+    double off = 0.0;
+    for (int j = 0; j <= ROWS; j++)
         for (int i = 0; i <= n; i++) {
             const double *u =
                 &state->u[2 * (a * j * (state->mesh->n + 1) + a * i)];
             const double *v =
                 &truth->u[2 * (b * j * (truth->mesh->n + 1) + b * i)];
             off = fmax(off, hypot(u[0] - v[0], u[1] - v[1]));
-            size = fmax(size, hypot(v[0], v[1]));
         }
-    return off / size;
+    return off / ladder_size(truth, truth->u);
 }

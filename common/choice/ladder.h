@@ -37,7 +37,7 @@ struct ladder_scene {
     enum ladder_held held;
     enum ladder_time time;
     double T;         /* (s) */
-    double dt;        /* of all models in motion (s) */
+    double dt;        /* of all models in motion but the truth (s) */
     double end;       /* the motion is followed so long (s) */
     int finest;       /* level of the finest mesh that a model may have */
 };
@@ -57,6 +57,9 @@ extern const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS];
 /* A scene, its load multiplied. */
 struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
                                   double load);
+
+/* E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free. */
+double ladder_modulus(const struct material *material);
 
 /* The force (N) under which a straight column of this length, height and
  * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
@@ -86,6 +89,13 @@ struct ladder_state {
     struct body *body;
     double *f;          /* [2 n_vertex] nodal forces of the full load (N) */
     double *u;          /* [2 n_vertex] the displacement asked for (m) */
+    double *v;          /* [2 n_vertex] its velocity, 0 at rest (m/s) */
+    double t;           /* the moment of it (s) */
+    double fastest;     /* the largest |v| of a motion (m/s) */
+    double rival; /* the second highest peak of the load's work, over the
+                   * highest, and how far apart u is (m); 0: there is none */
+    double apart;
+    int *across; /* [3 n_triangle] of mesh_across() */
     enum status status; /* OK, or how it was not solved */
     double flops;       /* counted: assembly, factors, solves */
 };
@@ -119,10 +129,15 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
 double *ladder_momentum(const struct ladder_state *state);
 
 /* The richest model of a scene, on the mesh after its finest: the truth that
- * the others are measured against. */
+ * the others are measured against.  Its time step, beyond the finest mesh, is
+ * half of the others' (s). */
 struct ladder_model ladder_truth(const struct ladder_scene *scene);
+double ladder_step(const struct ladder_state *state);
 
-/* max |u - u_truth| / max |u_truth| over the vertices of the coarsest mesh. */
+/* max |u| over the vertices of the coarsest mesh (m). */
+double ladder_size(const struct ladder_state *state, const double u[]);
+
+/* max |u - u_truth| / max |u_truth| over these vertices. */
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth);
 

@@ -13,10 +13,10 @@ static struct material law_of(const struct ladder_state *s)
     return material;
 }
 
-/* Whether K and dP/dF are those at u. */
+/* Where K and dP/dF are taken: at u, or of a linear model at rest. */
 static int at_u(const struct ladder_state *s)
 {
-    return s->model.rung > LINEAR_PLANE && !s->model.moving;
+    return s->model.rung > LINEAR_PLANE;
 }
 
 mat2 relax_stress(const struct ladder_state *s, int e)
@@ -35,17 +35,8 @@ void relax_push(const struct ladder_state *s, int e, mat2 T, double g[])
                         T.m[i][1] * gradient[2 * k + 1]);
 }
 
-double relax_size(const struct ladder_state *s, const double u[])
-{
-    double sum = 0.0;
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) sum += u[r] * u[r];
-    return sqrt(sum / s->mesh->n_vertex);
-}
-
 struct matrix *relax_factors(const struct ladder_state *s)
 {
-    const struct material law = law_of(s);
-    if (!material_defined(&law, body_min_J(s->body, s->u))) return NULL;
     double *zero = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *zero);
     struct matrix *K = body_matrix(s->body);
     enum status status =
@@ -76,18 +67,22 @@ static void product(const struct ladder_state *s, relax_forces *forces,
     const struct material law = law_of(s);
     mat2 *H = allocate(triangles, sizeof *H);
     mat2 *P = allocate(triangles, sizeof *P);
+    double *p = allocate(triangles, sizeof *p);
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = at_u(s) ? body_deformation(s->body, s->u, e)
                                : mat2_identity();
         H[e] = mat2_subtract(body_deformation(s->body, w, e), mat2_identity());
         P[e] = w == s->u ? relax_stress(s, e) : material2_dpk1(&law, F, H[e]);
+        p[e] = s->scene->nu * mat2_trace(P[e]);
+        P[e] = mat2_subtract(P[e], mat2_scale(p[e], mat2_identity()));
     }
     for (int r = 0; r < 2 * s->mesh->n_vertex; r++) g[r] = 0.0;
-    forces(s, &(struct relax_field){H, P}, g);
+    forces(s, &(struct relax_field){H, P, p}, g);
     for (int r = 0; r < 2 * s->mesh->n_vertex; r++)
         if (s->body->equation[r] < 0) g[r] = 0.0;
     free(H);
     free(P);
+    free(p);
 }
 
 static double dot(const struct ladder_state *s, const double a[],
@@ -142,10 +137,67 @@ double relax_part(const struct ladder_state *s, const struct matrix *factors,
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
     double *e = allocate(n, sizeof *e), part = 1.0;
     if (factors && relax_follow(s, factors, forces, STEPS, e)) {
-        const double off = relax_size(s, e);
+        const double off = ladder_size(s, e);
         for (size_t r = 0; r < n; r++) e[r] += s->u[r];
-        part = off > 0.0 ? off / relax_size(s, e) : 0.0;
+        part = off > 0.0 ? off / ladder_size(s, e) : 0.0;
     }
     free(e);
     return part;
+}
+
+/* K w: int (P + p I) grad N. */
+static void stiffness(const struct ladder_state *s,
+                      const struct relax_field *of, double g[])
+{
+    for (int e = 0; e < s->mesh->n_triangle; e++)
+        relax_push(s, e, mat2_add(of->P[e], mat2_scale(of->p[e],
+                                                       mat2_identity())), g);
+}
+
+/* How far the answer is off, for it is late [eq:left-phase]. */
+static double late(const struct ladder_state *s, const struct matrix *factors,
+                   relax_forces *mesh)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    struct body heavy = *s->body;
+    double *Kv = allocate(n, sizeof *Kv), *Mv = allocate(n, sizeof *Mv);
+    double *Dv = allocate(n, sizeof *Dv), *d = allocate(n, sizeof *d);
+    heavy.rho = 1.0;
+    product(s, stiffness, s->v, Kv);
+    product(s, mesh, s->v, Dv);
+    solve(s, factors, Dv, d);
+    body_mass(&heavy, s->v, Mv);
+    const double kinetic = dot(s, s->v, Mv), speed = ladder_size(s, s->v);
+    const double square = fmax(0.0, dot(s, s->v, Kv)) / kinetic;
+    const double stiffer = ladder_size(s, d) / speed;
+    free(Kv);
+    free(Mv);
+    free(Dv);
+    free(d);
+    if (!(kinetic > 0.0 && square > 0.0)) return 0.0;
+    const double angle = sqrt(square) * s->t *
+                         (0.5 * stiffer +
+                          square * pow(ladder_step(s), 2) / 12.0);
+    return speed / sqrt(square) * fmin(2.0, angle) / ladder_size(s, s->u);
+}
+
+double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
+                  relax_forces *mesh)
+{
+    double part = relax_part(s, factors, mesh);
+    if (!s->model.moving || !factors) return part;
+    part = hypot(part, late(s, factors, mesh));
+    /* works are off by as much as u each, so that either may be the higher */
+    if (s->rival > 1.0 - 2.0 * part)
+        part = hypot(part, s->apart / ladder_size(s, s->u));
+    return part;
+}
+
+void relax_parts(const struct ladder_state *s, relax_forces *mesh,
+                 relax_forces *stress, double part[N_PART])
+{
+    struct matrix *K = relax_factors(s);
+    part[MESH] = relax_mesh(s, K, mesh);
+    part[STRESS] = relax_part(s, K, stress);
+    matrix_free(K);
 }

@@ -8,20 +8,24 @@
  *
  * and factors of K are there.  K^-1 (K - D) has all but a few eigenvalues near
  * 1, so two steps of conjugate gradients with K as the preconditioner [alg:cg]
- * are nearly exact: two solves.  A part of the estimate is |e| / |u + e|.
+ * are nearly exact: two solves.  A part of the estimate is |e| / |u + e|, in
+ * the norm that the error has, ladder_size().
  *
- * K is that of rest: where a nonlinear model rests, d2Psi/du2 at u, and e is
- * then the first step of Newton's method; else the linear one.
+ * K is that of rest: of a nonlinear model d2Psi/du2 at u, and e is then the
+ * first step of Newton's method; else the linear one.
  */
 #ifndef COMMON_RELAX_H
 #define COMMON_RELAX_H
 
 #include "choice/ladder.h"
 
-/* A displacement w on the triangles: its gradient H, and the stress P that it
- * brings (N/m^2), dP/dF : H in general and for w = u the stress that u has. */
+/* A displacement w on the triangles: its gradient H, and the stress P + p I
+ * that it brings (N/m^2), dP/dF : H in general and for w = u the stress that u
+ * has. p = nu tr(stress), of the linear law lambda tr(strain), is kept apart,
+ * for in this part of the stress linear triangles lock. */
 struct relax_field {
     const mat2 *H, *P; /* [n_triangle]; borrowed */
+    const double *p;   /* [n_triangle] */
 };
 
 /* P of the model's law at u in triangle e (N/m^2); of a BAR the linear one. */
@@ -30,9 +34,6 @@ mat2 relax_stress(const struct ladder_state *state, int e);
 /* g_a += int T grad N_a for the three vertices of triangle e (N), T constant.
  */
 void relax_push(const struct ladder_state *state, int e, mat2 T, double g[]);
-
-/* The root of the mean square of |u_a| over all vertices (m). */
-double relax_size(const struct ladder_state *state, const double u[]);
 
 /* The factors of K, for the caller to free; NULL: K is not positive definite,
  * or u has no K or no stress, as LOG has none where J <= 0. */
@@ -58,10 +59,19 @@ int relax_follow(const struct ladder_state *state,
 double relax_part(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *forces);
 
-/* Of what the mesh's forces move, so much is its part.  At a free side, where a
- * vertex has triangles on one side only, the recovered stress lags behind: in
- * beams all of it is 1.5 times the error, near nu = 1/2, where linear triangles
- * lock, it is as large as the error.  Measured; this lies between. */
-#define RELAX_SHARE 0.8
+/*
+ * The part of the mesh: relax_part() of its forces, and in motion what these
+ * and the time step have made it late by, and the rival where it may be the
+ * higher one.  The stiffness that they add to the velocity, |D v| over |K v|,
+ * makes half of that the frequency too high, and the midpoint rule (omega dt)^2
+ * / 12 too low; after the time t the displacement is off by the angle of it, at
+ * most 2, times the amplitude |v| / omega [eq:left-phase].
+ */
+double relax_mesh(const struct ladder_state *state,
+                  const struct matrix *factors, relax_forces *mesh);
+
+/* part[MESH] and part[STRESS], K factored for both. */
+void relax_parts(const struct ladder_state *state, relax_forces *mesh,
+                 relax_forces *stress, double part[N_PART]);
 
 #endif

@@ -124,3 +124,38 @@ void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
         }
     }
 }
+
+/* Whether vertex a is one of triangle e. */
+static int has(const struct mesh *mesh, int e, int a)
+{
+    const int *t = &mesh->triangle[3 * e];
+    return t[0] == a || t[1] == a || t[2] == a;
+}
+
+int *mesh_across(const struct mesh *mesh)
+{
+    enum { MOST = 8 };
+    const size_t vertices = (size_t)mesh->n_vertex;
+    int *across = allocate(3 * (size_t)mesh->n_triangle, sizeof *across);
+    int *around = allocate(MOST * vertices, sizeof *around); /* a vertex */
+    int *n = allocate(vertices, sizeof *n);                  /* so many */
+    for (int r = 0; r < 3 * mesh->n_triangle; r++) {
+        const int a = mesh->triangle[r];
+        assert(n[a] < MOST);
+        around[MOST * a + n[a]++] = r / 3;
+    }
+    for (int e = 0; e < mesh->n_triangle; e++)
+        for (int k = 0; k < 3; k++) {
+            const int a = mesh->triangle[3 * e + (k + 1) % 3];
+            const int b = mesh->triangle[3 * e + (k + 2) % 3];
+            across[3 * e + k] = e;
+            for (int i = 0; i < n[a]; i++) {
+                const int beyond = around[MOST * a + i];
+                if (beyond != e && has(mesh, beyond, b))
+                    across[3 * e + k] = beyond;
+            }
+        }
+    free(around);
+    free(n);
+    return across;
+}

@@ -58,4 +58,9 @@ double mesh_gradients(const struct mesh *mesh, int e, double gradient[6]);
 double mesh_gradients_of(const struct mesh *mesh, const int vertex[3],
                          double gradient[6]);
 
+/* [3 n_triangle] for the caller to free: the triangle beyond the edge of e that
+ * lies opposite to its vertex k at [3 e + k], or e itself at the boundary.  At
+ * most eight triangles meet in a vertex (asserted). */
+int *mesh_across(const struct mesh *mesh);
+
 #endif

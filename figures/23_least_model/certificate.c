@@ -5,26 +5,18 @@
  * Columns that are pressed more and more: the largest load that the bound
  * passes, over the largest at which K is positive definite, both by bisection,
  * on the coarsest mesh and on cells of a quarter of the size.  Then random
- * scenes, loads along the axis and across, two at once, up to twice a column's
- * buckling load, on three meshes.  Tables: reach, scatter.
+ * scenes, loads along the axis and across, up to twice a column's buckling
+ * load, on three meshes.  Tables: reach, scatter.
  */
 #include "compression.h"
+#include "drawn.h"
 #include "base/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_rng.h>
 #include <math.h>
 
 enum { SCENES = 1000, LEVELS = 3 };
-
-/* What presses a column of length 2 until it buckles, as a beam (N/m^2). */
-static double euler(const struct ladder_scene *scene)
-{
-    const double pi = 2.0 * acos(0.0), height = 2.0 / scene->slender;
-    return pi * pi * 1000.0 / (1.0 - scene->nu * scene->nu) * height * height /
-           192.0;
-}
 
 /* Of the bar's answer on a mesh: the bound's verdict, and that of K. */
 static void ask(const struct ladder_scene *scene, int level, int *bound,
@@ -41,7 +33,7 @@ static void ask(const struct ladder_scene *scene, int level, int *bound,
 /* The largest load that passes: by the bound, or by K on a mesh. */
 static double largest(struct ladder_scene scene, int level, int by_bound)
 {
-    double low = 0.0, high = 3.0 * euler(&scene);
+    double low = 0.0, high = 1.5 * ladder_buckles(&scene) * scene.slender;
     for (int k = 0; k < 30; k++) {
         int bound, stable;
         scene.pull[0] = -0.5 * (low + high);
@@ -52,22 +44,6 @@ static double largest(struct ladder_scene scene, int level, int by_bound)
             high = -scene.pull[0];
     }
     return low;
-}
-
-/* A scene of the seed: what it has of each load is within (-1, 1), or none. */
-static struct ladder_scene scene_of(gsl_rng *random)
-{
-    struct ladder_scene scene = {.name = "random", .finest = LEVELS};
-    scene.slender = 1 << gsl_rng_uniform_int(random, 4);
-    scene.nu = 0.49 * gsl_rng_uniform(random);
-    const double size = 2.0 * euler(&scene);
-    for (int i = 0; i < 2; i++) {
-        const double pull = 2.0 * gsl_rng_uniform(random) - 1.0;
-        const double weight = 2.0 * gsl_rng_uniform(random) - 1.0;
-        if (gsl_rng_uniform(random) < 0.7) scene.pull[i] = size * pull;
-        if (gsl_rng_uniform(random) < 0.5) scene.weight[i] = size * weight;
-    }
-    return scene;
 }
 
 int main(void)
@@ -94,11 +70,10 @@ int main(void)
     table_end();
     table_begin("scatter", "level scenes stable bound wrong");
     for (int level = 0; level < LEVELS; level++) {
-        gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
+        gsl_rng *random = drawn_start(23);
         int n_stable = 0, n_bound = 0, n_wrong = 0;
-        gsl_rng_set(random, 23);
         for (int k = 0; k < SCENES; k++) {
-            const struct ladder_scene scene = scene_of(random);
+            const struct ladder_scene scene = drawn_squares(random, 2.0, 3.0);
             int bound, stable;
             ask(&scene, level, &bound, &stable);
             n_stable += stable;

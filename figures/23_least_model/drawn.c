@@ -3,6 +3,20 @@
 
 #include <math.h>
 
+gsl_rng *drawn_start(unsigned long seed)
+{
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(random, seed);
+    return random;
+}
+
+const char *drawn_name(enum drawn_kind kind)
+{
+    static const char *const name[DRAWN_KINDS] = {"pulled", "pressed",
+                                                  "clamped", "moving"};
+    return name[kind];
+}
+
 static double between(gsl_rng *random, double low, double high)
 {
     return low + (high - low) * gsl_rng_uniform(random);
@@ -10,9 +24,7 @@ static double between(gsl_rng *random, double low, double high)
 
 struct ladder_scene drawn_scene(gsl_rng *random, enum drawn_kind kind)
 {
-    static const char *const name[DRAWN_KINDS] = {"pulled", "pressed",
-                                                  "clamped", "moving"};
-    struct ladder_scene s = {.name = name[kind], .finest = 2};
+    struct ladder_scene s = {.name = drawn_name(kind), .finest = 2};
     s.slender = exp(between(random, 0.0, log(6.0)));
     s.nu = between(random, 0.0, 0.48);
     const double height = 2.0 / s.slender, stiff = 1000.0 * pow(height, 3);
@@ -37,6 +49,23 @@ struct ladder_scene drawn_scene(gsl_rng *random, enum drawn_kind kind)
         s.dt = fmin(s.T, 2.0 / swing) / 16.0;
         s.dt = fmax(s.dt, s.end / 150.0);
         s.finest = 1;
+    }
+    return s;
+}
+
+struct ladder_scene drawn_squares(gsl_rng *random, double most, double spread)
+{
+    struct ladder_scene s = {.name = "squares", .finest = 1};
+    s.slender = 1 << gsl_rng_uniform_int(random, 4);
+    s.nu = between(random, 0.0, 0.45);
+    const double along = most * ladder_buckles(&s) * s.slender / 2.0;
+    double *const load[] = {&s.weight[0], &s.pull[0], &s.weight[1],
+                            &s.pull[1]};
+    for (int k = 0; k < 4; k++) {
+        const double size = along * exp(-between(random, 0.0, spread));
+        const double sign = gsl_rng_uniform(random) < 0.5 ? -1.0 : 1.0;
+        if (gsl_rng_uniform(random) < 0.6)
+            *load[k] = sign * size / (k < 2 ? 1.0 : 4.0 * s.slender);
     }
     return s;
 }

@@ -1,5 +1,5 @@
 /*
- * drawn.h - random scenes of ladder.h, each with two loads at once.
+ * drawn.h - random scenes of ladder.h, each with two loads at once or more.
  */
 #ifndef FIGURES_23_DRAWN_H
 #define FIGURES_23_DRAWN_H
@@ -8,7 +8,11 @@
 
 #include <gsl/gsl_rng.h>
 
+/* Random numbers from a seed, for the caller to free with gsl_rng_free(). */
+gsl_rng *drawn_start(unsigned long seed);
+
 enum drawn_kind { PULLED, PRESSED, CLAMPED, MOVING, DRAWN_KINDS };
+const char *drawn_name(enum drawn_kind kind); /* a word */
 
 /*
  * A scene of a kind.  Slenderness 1 to 6, nu from 0 to 0.48; weight across that
@@ -20,5 +24,14 @@ enum drawn_kind { PULLED, PRESSED, CLAMPED, MOVING, DRAWN_KINDS };
  * the first frequency of a beam; on two meshes, the others on three.
  */
 struct ladder_scene drawn_scene(gsl_rng *random, enum drawn_kind kind);
+
+/*
+ * A body of whole squares, 1, 2, 4 or 8, at rest, nu up to 0.45, with up to
+ * four loads of either sign, weight and pull along the axis and across, each of
+ * them there in 6 of 10 scenes.  Along the axis it is at most `most` times the
+ * pull under which a beam buckles, across 4 times the slenderness less;
+ * e^-spread to 1 times that, as likely in one decade as in another.
+ */
+struct ladder_scene drawn_squares(gsl_rng *random, double most, double spread);
 
 #endif

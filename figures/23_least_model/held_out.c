@@ -1,11 +1,17 @@
 /*
  * held_out.c - do the estimates hold in scenes on which they were not made?
  *
- * Random scenes, drawn from a seed: slenderness, Poisson's ratio, one end or
- * both held, two loads at once, standing or rising.  Each is climbed, and what
- * is accepted for 10, 3 and 1 % is compared with the logarithmic law on a mesh
- * finer than the finest, where the estimate of that is at most half of this.
- * Tables: rungs, accepted, counts (of scenes).
+ * Random scenes of drawn.h are climbed, and what is accepted for 10, 3 and 1 %
+ * is compared with the logarithmic law on a mesh finer than the finest, in
+ * steps of half the length; a scene is judged where the estimate of that is at
+ * most half of the tolerance.  Nothing was made on the seed.  Three digits: of
+ * a pressed column the fifth depends on where Newton's method stops, and so on
+ * the compiler.  A larger run is
+ *
+ *     make BUILD=build/more CFLAGS='-O2 -DSCENES=200 -DSEED=11' \
+ *         build/more/data/23_least_model/held_out.tsv
+ *
+ * Tables: rungs, counts (of scenes, by tolerance), kinds (by kind of scene).
  */
 #include "choice/estimate.h"
 #include "base/options.h"
@@ -16,13 +22,18 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-enum { SCENES = 80, SEED = 2357, MOST = 14 };
-static const double wanted[] = {0.1, 0.03, 0.01};
+#ifndef SCENES
+#define SCENES 60
+#define SEED 2357
+#endif
+enum { MOST = 14, WANTED = 3 };
+static const double wanted[WANTED] = {0.1, 0.03, 0.01};
 
 struct row {
     double estimate, error;
     struct ladder_model model;
-    int stable;
+    int sure;
+    const char *how[WANTED]; /* is it accepted */
 };
 
 /* All rungs; how many, as far as each has an answer. */
@@ -33,118 +44,116 @@ static int climb(const struct ladder_scene *scene,
     int n = 0;
     for (int more = 1; more && n < MOST;) {
         struct ladder_state *s = ladder_solve(scene, model);
-        enum part add;
-        more = s->status == OK;
-        if (more) {
-            struct row *r = &row[n++];
-            r->model = model;
-            estimate_state(s, 0.0, &r->estimate, &add);
-            r->error = ladder_error(s, truth);
-            r->stable = ladder_stable(s);
-            more = ladder_add(scene, add, &model);
+        enum part add = MESH;
+        if (s->status == OK) {
+            row[n] = (struct row){.model = model, .how = {"-", "-", "-"},
+                                  .error = ladder_error(s, truth)};
+            estimate_state(s, 0.0, &row[n].estimate, &add);
+            row[n++].sure = estimate_doubt(s) == NO_DOUBT;
         }
+        more = s->status == OK && ladder_add(scene, add, &model);
         ladder_free(s);
     }
     return n;
 }
 
-/* Of a tolerance: scenes judged, those that some rung meets, those for which
- * one was accepted; of these errors beyond twice and three times the tolerance,
- * and scenes for which a lower rung would have done. */
+/* Scenes judged, those that some rung meets, those for which one was accepted;
+ * of these errors beyond twice and three times the tolerance, and scenes for
+ * which a lower rung would have done. */
+enum { JUDGED, REACHED, ACCEPTED, TWICE, THRICE, LOWER, COUNTS };
 struct count {
-    int judged, reached, accepted, twice, thrice, lower;
+    int of[COUNTS];
 };
 
-/* What was accepted, for the table. */
-static struct accepted {
-    const char *kind, *how;
-    double tolerance, estimate, error;
-} accepted[SCENES * COUNT(wanted)];
-static int n_accepted;
-
-/* The first rung that is enough, and how it does. */
-static void judge(const char *kind, const struct row row[], int n,
-                  double tolerance, struct count *c)
+/* The first rung that is enough for wanted[t], and how it does. */
+static struct count judge(struct row row[], int n, int t)
 {
-    int k = 0, lower = 0, reached = 0;
-    while (k < n && !(row[k].stable && row[k].estimate <= tolerance)) k++;
+    struct count c = {.of = {[JUDGED] = 1}};
+    int k = 0;
+    while (k < n && !(row[k].sure && row[k].estimate <= wanted[t])) k++;
     for (int i = 0; i < n; i++) {
-        reached |= row[i].error <= tolerance;
-        lower |= i < k && row[i].error <= tolerance;
+        c.of[REACHED] |= row[i].error <= wanted[t];
+        c.of[LOWER] |= i < k && k < n && row[i].error <= wanted[t];
     }
-    c->judged++;
-    c->reached += reached;
-    if (k == n) return;
-    const double off = row[k].error / tolerance;
-    c->accepted++;
-    c->twice += off > 2.0;
-    c->thrice += off > 3.0;
-    c->lower += lower;
-    accepted[n_accepted++] = (struct accepted){
-        kind, off > 2.0 ? "wrong" : lower ? "lower" : "right",
-        100.0 * tolerance, 100.0 * row[k].estimate, 100.0 * row[k].error};
+    if (k == n) return c;
+    c.of[ACCEPTED] = 1;
+    c.of[TWICE] = row[k].error > 2.0 * wanted[t];
+    c.of[THRICE] = row[k].error > 3.0 * wanted[t];
+    row[k].how[t] = c.of[TWICE] ? "wrong" : c.of[LOWER] ? "lower" : "right";
+    return c;
+}
+
+static void add(struct count *to, struct count c)
+{
+    for (int k = 0; k < COUNTS; k++) to->of[k] += c.of[k];
 }
 
 /* One scene: its rungs into the table, and what is accepted. */
-static void try(int k, const struct ladder_scene *scene, struct count count[])
+static void try(int k, const struct ladder_scene *scene, struct count *kind,
+                struct count count[])
 {
     struct row row[MOST];
     struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
     double own = INFINITY;
-    enum part add;
+    enum part part;
     int n = 0;
-    if (truth->status == OK && ladder_stable(truth)) {
-        estimate_state(truth, 0.0, &own, &add);
+    if (truth->status == OK && estimate_doubt(truth) == NO_DOUBT) {
+        estimate_state(truth, 0.0, &own, &part);
         n = climb(scene, truth, row);
     }
+    ladder_free(truth);
+    for (int t = 0; t < WANTED; t++)
+        if (own <= 0.5 * wanted[t]) {
+            const struct count c = judge(row, n, t);
+            add(&count[t], c);
+            add(kind, c);
+        }
     for (int i = 0; i < n; i++)
         table_row(k, scene->name, ladder_rung(row[i].model.rung),
-                  cell_rounded(6, 100.0 * row[i].estimate),
-                  cell_rounded(6, 100.0 * row[i].error),
-                  row[i].stable ? "stable" : "unstable");
-    for (int t = 0; t < COUNT(wanted); t++)
-        if (own <= 0.5 * wanted[t])
-            judge(scene->name, row, n, wanted[t], &count[t]);
-    ladder_free(truth);
+                  cell_rounded(3, 100.0 * row[i].estimate),
+                  cell_rounded(3, 100.0 * row[i].error),
+                  row[i].sure ? "yes" : "no", row[i].how[0], row[i].how[1],
+                  row[i].how[2]);
+}
+
+static void print(struct cell first, struct count c)
+{
+    table_row(first, c.of[JUDGED], c.of[REACHED], c.of[ACCEPTED], c.of[TWICE],
+              c.of[THRICE], c.of[LOWER]);
 }
 
 int main(void)
 {
-    struct count count[COUNT(wanted)] = {{0}};
+    struct count count[WANTED] = {{{0}}}, kind[DRAWN_KINDS] = {{{0}}};
+    struct count all = {{0}};
     gsl_set_error_handler_off();
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(random, SEED);
-    table_begin_note("rungs", "scene kind model estimate error stable",
-                     "estimate and error in %%");
+    gsl_rng *random = drawn_start(SEED);
+    table_begin("rungs",
+                "scene kind model estimate error sure ten three one");
     for (int k = 0; k < SCENES; k++) {
-        const struct ladder_scene scene =
-            drawn_scene(random, (enum drawn_kind)(k % DRAWN_KINDS));
-        try(k, &scene, count);
+        const enum drawn_kind of = (enum drawn_kind)(k % DRAWN_KINDS);
+        const struct ladder_scene scene = drawn_scene(random, of);
+        try(k, &scene, &kind[of], count);
     }
     table_end();
     gsl_rng_free(random);
-    table_begin_note("accepted", "kind how tolerance estimate error", "in %%");
-    for (int i = 0; i < n_accepted; i++)
-        table_row(accepted[i].kind, accepted[i].how, accepted[i].tolerance,
-                  cell_rounded(6, accepted[i].estimate),
-                  cell_rounded(6, accepted[i].error));
-    table_end();
     table_begin("counts",
                 "tolerance judged reached accepted twice thrice lower");
-    for (int t = 0; t < COUNT(wanted); t++) {
-        const struct count *c = &count[t];
-        table_row(100.0 * wanted[t], c->judged, c->reached, c->accepted,
-                  c->twice, c->thrice, c->lower);
-    }
+    for (int t = 0; t < WANTED; t++)
+        print(cell_number(100.0 * wanted[t]), count[t]);
     table_end();
-    for (int t = 0; t < COUNT(wanted); t++) {
-        const struct count *c = &count[t];
-        claim(50 * c->twice <= c->accepted && c->thrice == 0, "for %g %% %d of "
-              "%d accepted are wrong by more than twice the tolerance, %d by "
-              "more than three times", 100.0 * wanted[t], c->twice,
-              c->accepted, c->thrice);
-        claim(2 * c->lower < c->accepted, "for %g %% a lower rung would have "
-              "done in %d of %d", 100.0 * wanted[t], c->lower, c->accepted);
+    table_begin("kinds", "kind judged reached accepted twice thrice lower");
+    for (int k = 0; k < DRAWN_KINDS; k++) {
+        print(cell_word(drawn_name((enum drawn_kind)k)), kind[k]);
+        add(&all, kind[k]);
     }
+    print(cell_word("all"), all);
+    table_end();
+    const int accepted = all.of[ACCEPTED];
+    claim(50 * all.of[TWICE] <= accepted && all.of[THRICE] == 0, "%d of %d "
+          "accepted are wrong by more than twice the tolerance, %d by thrice",
+          all.of[TWICE], accepted, all.of[THRICE]);
+    claim(5 * all.of[LOWER] <= accepted, "a lower rung would have done in %d "
+          "of %d", all.of[LOWER], accepted);
     return table_finish();
 }

@@ -15,22 +15,11 @@ static double axial(const struct ladder_scene *s)
              s->weight[0] * L * height / 7.84) / bending;
 }
 
-static double largest_strain(const struct ladder_state *s)
-{
-    double most = 0.0;
-    for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const mat2 F = body_deformation(s->body, s->u, e);
-        const mat2 C = mat2_multiply(mat2_transpose(F), F);
-        most = fmax(most, 0.5 * mat2_norm(mat2_subtract(C, mat2_identity())));
-    }
-    return most;
-}
-
 struct numbers numbers_of(const struct ladder_scene *scene)
 {
     struct ladder_state *s =
         ladder_solve(scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
-    struct numbers n = {.strain = largest_strain(s),
+    struct numbers n = {.strain = estimate_strain(s),
                         .geometry = estimate_geometry(s),
                         .bends = estimate_dimension(s), .force = axial(scene)};
     if (scene->time != STANDS) n.moves = estimate_inertia(s);

@@ -7,12 +7,12 @@
  * Wrong: by more than twice the tolerance, lost: by more than three times;
  * rich: the rung below would have done.  Table: random.
  */
+#include "drawn.h"
 #include "numbers.h"
 #include "base/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_rng.h>
 #include <math.h>
 
 enum { ASKED = 1200 };
@@ -32,24 +32,6 @@ static double wrong_by(const struct ladder_scene *scene, enum rung rung)
     ladder_free(s);
     ladder_free(log);
     return error;
-}
-
-/* Two loads at once, along the axis and across, of any shape. */
-static struct ladder_scene random_scene(gsl_rng *random)
-{
-    struct ladder_scene scene = {"random", 1 << gsl_rng_uniform_int(random, 4),
-                                 0.45 * gsl_rng_uniform(random), .finest = 1};
-    const double stiff = 1000.0 / pow(scene.slender, 2);
-    double *const load[] = {&scene.weight[0], &scene.pull[0], &scene.weight[1],
-                            &scene.pull[1]};
-    for (int k = 0; k < 4; k++) {
-        const double size = exp(-8.0 * gsl_rng_uniform(random));
-        const double sign = gsl_rng_uniform(random) < 0.5 ? -1.0 : 1.0;
-        if (gsl_rng_uniform(random) < 0.6)
-            *load[k] =
-                sign * size * stiff / (k < 2 ? 1.0 : 4.0 * scene.slender);
-    }
-    return scene;
 }
 
 /* Of the scenes for which a model is named: wrong by more than twice and three
@@ -76,12 +58,11 @@ static void ask(const struct ladder_scene *scene, struct result result[])
 int main(void)
 {
     struct result result[CUBIC_PLANE + 1] = {{0}}, all = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_taus2);
-    gsl_rng_set(random, 25);
     gsl_set_error_handler_off();
+    gsl_rng *random = drawn_start(25);
     table_begin("random", "model scenes wrong lost rich");
     for (int k = 0; k < ASKED; k++) {
-        const struct ladder_scene scene = random_scene(random);
+        const struct ladder_scene scene = drawn_squares(random, 5.0, 8.0);
         ask(&scene, result);
     }
     gsl_rng_free(random);

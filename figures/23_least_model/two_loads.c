@@ -27,9 +27,9 @@ static double after(const struct ladder_state *s, const struct matrix *K,
     const int n = 2 * s->mesh->n_vertex;
     double *e = allocate((size_t)n, sizeof *e), part = 1.0;
     if (relax_follow(s, K, estimate_stress, steps, e)) {
-        const double off = relax_size(s, e);
+        const double off = ladder_size(s, e);
         for (int r = 0; r < n; r++) e[r] += s->u[r];
-        part = off / relax_size(s, e);
+        part = off / ladder_size(s, e);
     }
     free(e);
     return part;
@@ -46,7 +46,7 @@ static void compare(const struct ladder_scene *scene, double part[3])
     claim(s->status == OK && t->status == OK, "both laws have an answer");
     for (int k = 1; k <= 2; k++) part[k] = after(s, K, k);
     for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] -= t->u[r];
-    part[0] = relax_size(s, s->u) / relax_size(s, t->u);
+    part[0] = ladder_size(s, s->u) / ladder_size(s, t->u);
     matrix_free(K);
     ladder_free(s);
     ladder_free(t);

@@ -225,6 +225,10 @@ says '--error abc: must be a number from 0.01 to 100 %' \
     "$MAKE" choose SCENE=lessons/scenes/flap.scene ERROR=abc%
 says 'takes VERIFIED=yes' 'make choose knows VERIFY' \
     "$MAKE" choose SCENE=lessons/scenes/flap.scene VERIFY=yes
+says 'fastest motion over speed of sound' 'make choose has the Mach number' \
+    "$MAKE" choose SCENE=lessons/scenes/plunge.scene
+says 'by dissection, .* dense' 'and what each solver costs' \
+    "$MAKE" choose SCENE=lessons/scenes/flap.scene
 says 'SCENE=FILE' 'make choose needs a scene' "$MAKE" choose
 says 'make live ignores ERROR; that is for make choose' \
     'what make choose takes is for it alone' \

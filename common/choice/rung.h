@@ -1,0 +1,14 @@
+/*
+ * rung.h - how each rung of ladder.h is solved: a sum along the bar, one linear
+ * system, Newton's method, and for a motion implicit midpoint with either.
+ */
+#ifndef COMMON_RUNG_H
+#define COMMON_RUNG_H
+
+#include "choice/ladder.h"
+
+/* Sets u, and of a motion v, t, fastest, rival and apart; adds to flops what it
+ * counts. OK, or how it was not solved: u is then of no use. */
+enum status rung_solve(struct ladder_state *state);
+
+#endif
