@@ -38,13 +38,16 @@ static mat2 strain(int which, mat2 F)
                                                mat2_scale(2.0, I)));
 }
 
-/* The Green strain of the arc, and how far its linear strain is off, at X. */
+/* The Green strain of the arc, in closed form, and how far its linear strain is
+ * off, at X. */
 static mat2 arc_strain(double k, const double X[2], mat2 *off)
 {
-    const mat2 U = {{{1.0 - k * X[1], 0.0}, {0.0, 1.0}}};
+    const double stretch = 1.0 - k * X[1];
+    const mat2 U = {{{stretch, 0.0}, {0.0, 1.0}}};
+    const mat2 G = {{{0.5 * (stretch * stretch - 1.0), 0.0}, {0.0, 0.0}}};
     const mat2 F = mat2_multiply(mat2_rotation(k * X[0]), U);
-    *off = mat2_subtract(strain(LINEAR_STRAIN, F), strain(GREEN_STRAIN, F));
-    return strain(GREEN_STRAIN, F);
+    *off = mat2_subtract(strain(LINEAR_STRAIN, F), G);
+    return G;
 }
 
 /* Add the squares of the errors of the triangle with the corner X and edges
