@@ -41,6 +41,8 @@ set label 1 machine(data) at screen 0.01,0.025 left font ",10"
 
 set xrange [1e-7:1]
 set xlabel "time of factor + solve (s)"
+set arrow 1 from 1.0/30, graph 0 to 1.0/30, graph 1 nohead ls 8 dt 4
+set label 2 "33 ms" at 1.0/30, graph 0.96 right offset -0.5,0
 plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2 \
          title sprintf("dense, slope %.2f", Dseconds_slope), \
      "" index "chart_banded" using (ok("seconds")):"L2" with linespoints ls 1 \
@@ -58,7 +60,8 @@ plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2 \
      "" index "chart_banded" using (4e-7):(failed(top)) with points pt 2 ps 1 \
          lc rgb "#0072B2" notitle
 
-unset label 1
+unset label
+unset arrow
 set xrange [1e1:1e9]
 set xlabel "work of factor + solve (flops)"
 unset ylabel

@@ -33,13 +33,16 @@ set format xy "10^{%T}"
 set xrange [3e-7:0.3]
 set yrange [1e-14:1e-3]
 set xlabel "time of the whole solve (s)"
+set arrow 1 from 1.0/30, graph 0 to 1.0/30, graph 1 nohead ls 8 dt 4
+set label 2 "33 ms" at 1.0/30, graph 0.97 right offset -0.5,0
 set ylabel "relative error of u(1)"
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s] \
          title sprintf("%s, slope %.2f", Name[s], slope(Table[s])), \
      4e-17 * x**-2 with lines ls 8 title "slope -2 expected"
 
-unset label 1
+unset label
+unset arrow
 set format y "%g"
 set ytics (2, 5, 10, 20, 50, 100, 200)
 set xrange [8:3e6]
