@@ -43,7 +43,7 @@ set xrange [1e-7:1]
 set xlabel "time of factor + solve (s)"
 set label 1 sprintf("dense: slope %.2f", Dseconds_slope) at 2.5e-4, 1e-5 tc ls 2
 set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 5e-6, 8e-9 right tc ls 1
-set label 3 "rings: round-off\ngoverns" at 1.4e-3, 4e-11 tc ls 1
+set label 3 "rings:\nround-off\ngoverns" at 0.042, 2e-8 tc ls 1
 set label 4 "1/30 s" at 0.045, 6e-4
 set label 5 "dashed: expected,\n-2/3 and -2" at 1.2e-7, 1e-10
 set arrow 1 from 1/30., 1e-11 to 1/30., 2*top nohead ls 8
