@@ -28,6 +28,10 @@ set key above left vertical maxrows 3 reverse Left     # never over data
 set datafile columnheaders                             # columns by name
 set datafile separator "\t"
 
+# A GIF has letters of its own; a scalable font is better where there is one.
+scalable = system("fc-match -f '%{file}' sans 2>/dev/null")
+gif_font = scalable eq "" ? "giant" : "font '".scalable.",12'"
+
 # The machine that a table with seconds names in its note, and the library that
 # took part as LAPACK ("openblas"; plain "lapack" is the reference one).
 lapack(file) = system("sed -n 's/^#.*LAPACK: -l//p' '".file."' | head -n 1")

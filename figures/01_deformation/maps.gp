@@ -4,13 +4,13 @@
 # Reads   data  tables curve, bar, refine
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,400
+set terminal svg size 900,350
 set output out
 
-set key above left vertical maxrows 3 reverse Left samplen 2 font ",12"
+unset key
 set multiplot
-set tmargin at screen 0.77
-set bmargin at screen 0.14
+set tmargin at screen 0.95
+set bmargin at screen 0.16
 
 # an element as an arrow along (X, phi): its ends are on the curve
 square(X) = X * X
@@ -26,19 +26,20 @@ set ylabel "φ(X) (m)" offset 1.5
 set xtics 0.25
 set ytics 0.25
 set label 1 "φ' = 0 at X = 0" at 0.03, 0.33 font ",12"
+set label 2 "φ = X^2: J > 0\nin every element" at 0.06, 0.85 tc ls 1
 set arrow 1 from 0.07, 0.28 to 0.012, 0.012 lw 1 lc rgb "black" size 0.03, 20
-plot data index "curve" using "X":"square" with lines ls 8 title "φ = X^2", \
+plot data index "curve" using "X":"square" with lines ls 8 notitle, \
      data index "bar" using "X0":(square(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(square(column("X1")) - square(column("X0")), \
                strcol("square_sign"), "upright")) \
-         with vectors nohead ls 1 lw 3 title "elements, J > 0", \
+         with vectors nohead ls 1 lw 3 notitle, \
      data index "bar" using "X0":(square(column("X0"))) with points \
          pt 7 ps 0.45 lc rgb "black" notitle, \
      data index "bar" using "X1":(square(column("X1"))) with points \
          pt 7 ps 0.45 lc rgb "black" notitle
 unset arrow 1
-unset label 1
+unset label
 
 set lmargin at screen 0.40
 set rmargin at screen 0.66
@@ -47,29 +48,36 @@ set ytics 0.5
 set object 1 rect from 0.25, graph 0 to 0.75, graph 1 behind \
     fc rgb "#D55E00" fs transparent solid 0.10 noborder
 set label 1 "φ' < 0" at 0.5, 0.93 center font ",12"
+set label 2 "φ = sin 2πX" at 0.04, -0.9
+set label 3 "J > 0" at 0.1, 0.35 tc ls 1
+set label 4 "J < 0" at 0.55, 0.1 tc ls 2
+set label 5 "J = 0" at 0.25, 1.04 center tc ls 3
+set label 6 "J = 0" at 0.75, -1.04 center tc ls 3
 plot data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
                strcol("sine_sign"), "upright")) \
-         with vectors nohead ls 1 lw 3 title "J > 0", \
+         with vectors nohead ls 1 lw 3 notitle, \
      data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
                strcol("sine_sign"), "inverted")) \
-         with vectors nohead ls 2 lw 3 dt (6,2) title "J < 0, inverted", \
+         with vectors nohead ls 2 lw 3 dt (6,2) notitle, \
      data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \
                strcol("sine_sign"), "collapsed")) \
-         with vectors nohead ls 3 lw 4 dt (2,2) title "J = 0, collapsed", \
-     data index "curve" using "X":"sine" with lines ls 8 \
-         title "φ = sin 2πX", \
+         with vectors nohead ls 3 lw 4 dt (2,2) notitle, \
+     data index "curve" using "X":"sine" with lines ls 8 notitle, \
      data index "bar" using "X0":(sine(column("X0"))) with points \
          pt 7 ps 0.45 lc rgb "black" notitle, \
      data index "bar" using "X1":(sine(column("X1"))) with points \
          pt 7 ps 0.45 lc rgb "black" notitle
 unset object 1
-unset label 1
+unset label
+set label 1 "n odd" at 6.5, 0.6 tc ls 4
+set label 2 "n = 4k: one half" at 32, 0.66 right tc ls 1
+set label 3 "n = 4k + 2:\ntwo elements collapse" at 9, 0.33 tc ls 3
 
 set lmargin at screen 0.745
 set rmargin at screen 0.985
@@ -78,14 +86,14 @@ set yrange [0:0.72]
 set xtics 4
 set ytics 0.1
 set xlabel "elements n of (0, 1)"
-set ylabel "share inverted" offset 1
+set ylabel "share of inverted elements" offset 1
 only(n, want) = int(n) % 4 == want ? n : NaN
 odd(n) = int(n) % 2 == 1 ? n : NaN
 plot data index "refine" using (only(column("n"), 0)):"share" \
-         with points ls 1 ps 0.8 title "n = 4k: one half", \
+         with points ls 1 ps 0.8 notitle, \
      data index "refine" using (odd(column("n"))):"share" \
-         with points ls 4 title "n odd", \
+         with points ls 4 notitle, \
      data index "refine" using (only(column("n"), 2)):"share" \
-         with points ls 3 title "n = 4k + 2: two collapse", \
+         with points ls 3 notitle, \
      0.5 with lines ls 8 notitle
 unset multiplot

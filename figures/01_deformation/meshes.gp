@@ -4,7 +4,7 @@
 # Reads   data  tables square, strip (one row per triangle)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,400
+set terminal svg size 860,345
 set output out
 unset key
 unset grid
@@ -44,8 +44,8 @@ s = system("awk -F'\t' '$0 == \"# square\" { on = 1 } NF == 0 { on = 0 } \
 
 set style fill solid noborder
 set multiplot
-set tmargin at screen 0.84
-set bmargin at screen 0.13
+set tmargin at screen 0.9
+set bmargin at screen 0.18
 set border 15 back ls 9
 set size ratio -1
 set xrange [-1.2:1.2]
@@ -57,7 +57,7 @@ set lmargin at screen 0.05
 set rmargin at screen 0.345
 set xlabel "X (m)"
 set ylabel "Y (m)" offset 2
-set label 1 "before: where J < 0" at graph 0, graph 1.05
+set label 1 "at rest: where J < 0" at graph 0, graph 1.05
 # J = 0 where (1 - Y^2)^2 = 1 / (4 s X (1 - X^2))
 height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
 edge(X) = X > 0 && X < 1 && height(X) >= 0 ? sqrt(height(X)) : NaN
@@ -75,7 +75,7 @@ set lmargin at screen 0.38
 set rmargin at screen 0.675
 set xlabel "x (m)"
 set ylabel "y (m)" offset 2
-set label 1 "after: inverted triangles" at graph 0, graph 1.05
+set label 1 "pushed: inverted triangles" at graph 0, graph 1.05
 plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("square", 3, "$1 <= 0") using 1:2 with filledcurves closed \
@@ -89,7 +89,7 @@ set xrange [-1.45:1.45]
 set yrange [-0.4:2.5]
 set xlabel "x (m)"
 unset ylabel
-set label 1 "J > 0 everywhere, covered twice" at graph 0, graph 1.05
+set label 1 "J > 0, and covered twice" at graph 0, graph 1.05
 plot polygons("strip", 3, "$1 > 0 && $2 <= 1") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("strip", 3, "$2 > 1") using 1:2 with filledcurves closed \

@@ -4,21 +4,23 @@
 # Reads   data  tables angles, thresholds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,410
+set terminal svg size 860,370
 set output out
-set key above left vertical maxrows 3 reverse Left samplen 2.5
+unset key
 
-set multiplot layout 1,2 margins 0.08,0.985,0.14,0.79 spacing 0.105,0
+set multiplot layout 1,2 margins 0.08,0.985,0.15,0.96 spacing 0.105,0
 set xlabel "rotation (degrees)"
 set ylabel "size of entry 11 (%)"
 set xrange [0:40]
 set yrange [-0.8:24]
 set xtics 10
 set ytics 5
+set label 1 "linear strain: 1 - cos θ" at 26.5, 14 right tc ls 2
+set label 2 "Green and left strain: 0" at 39.5, 1.5 right tc ls 1
 plot data index "angles" using "degrees":(100 * abs(column("linear"))) \
-         with linespoints ls 2 title "linear strain, 1 - cos θ", \
+         with linespoints ls 2 notitle, \
      data index "angles" using "degrees":(100 * abs(column("green"))) \
-         with linespoints ls 1 title "Green and left strain: 0", \
+         with linespoints ls 1 notitle, \
      data index "thresholds" using (0):(100 * column("level")): \
          "degrees":(0) with vectors nohead ls 8 notitle, \
      data index "thresholds" using "degrees":(100 * column("level")): \
@@ -31,13 +33,16 @@ plot data index "angles" using "degrees":(100 * abs(column("linear"))) \
 
 set ylabel "largest change of an entry"
 set xrange [0:180]
-set yrange [-0.08:2.75]
+set yrange [-0.3:2.75]
 set xtics 45
 set ytics 0.5
+set label 1 "linear" at 88, 1.6 right tc ls 2
+set label 2 "left, (FF^T - I)/2: turns along" at 179, 0.5 right tc ls 3
+set label 3 "Green, (F^TF - I)/2: none" at 179, -0.16 right tc ls 1
 plot data index "angles" using "degrees":"linear_change" \
-         with linespoints ls 2 pi 5 title "linear", \
+         with linespoints ls 2 pi 5 notitle, \
      data index "angles" using "degrees":"left_change" \
-         with linespoints ls 3 pi 5 title "left, (FF^T - I)/2: turns along", \
+         with linespoints ls 3 pi 5 notitle, \
      data index "angles" using "degrees":"green_change" \
-         with linespoints ls 1 pi 5 title "Green, (F^TF - I)/2: none"
+         with linespoints ls 1 pi 5 notitle
 unset multiplot

@@ -2,7 +2,7 @@
 # Reads   data  tables tangent_cubic, tangent_log, thresholds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,450
+set terminal svg size 860,400
 set output out
 
 stats data index "thresholds" using "nu_cubic" nooutput
@@ -23,28 +23,33 @@ set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
 set label 1 "softening: dP/dF < 0" at graph 0.03, graph 0.05 \
     font ",12" textcolor rgb "#8a3c00"
 set xlabel "deformation gradient F (-)"
-set tmargin at screen 0.74
-set bmargin at screen 0.13
+set tmargin at screen 0.96
+set bmargin at screen 0.15
 
-set key at screen 0.09, screen 0.975 left top vertical maxrows 4 reverse Left
+unset key
+set label 2 "cubic law" at 4.9, 2.25 right
+set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
+set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
+set label 5 sprintf("%.7f:\ntouches 0", nu_cubic) at 2.35, -0.15 left tc rgb Cubic[3]
+set label 6 "0.02" at 4.55, 0.6 tc rgb Cubic[4]
 set lmargin at screen 0.09
 set rmargin at screen 0.49
 set xrange [0:5]
 set yrange [-0.8:2.4]
 set ylabel "dP/dF over its value at rest, 2μ + λ"
-plot data index "tangent_cubic" using "F":"nu_03" with lines lw 2 lc rgb Cubic[1] \
-         title "cubic, ν = 0.3", \
-     "" index "tangent_cubic" using "F":"nu_01" with lines lw 2 lc rgb Cubic[2] \
-         title "cubic, ν = 0.1", \
-     "" index "tangent_cubic" using "F":"nu_critical" with lines lw 3.5 lc rgb Cubic[3] \
-         title sprintf("cubic, ν = %.7f: touches 0", nu_cubic), \
-     "" index "tangent_cubic" using "F":"nu_002" with lines lw 2 dt 4 lc rgb Cubic[4] \
-         title "cubic, ν = 0.02", \
-     0 with lines ls 9 lw 1 notitle, \
+plot data index "tangent_cubic" using "F":"nu_03" with lines lw 2 lc rgb Cubic[1], \
+     "" index "tangent_cubic" using "F":"nu_01" with lines lw 2 lc rgb Cubic[2], \
+     "" index "tangent_cubic" using "F":"nu_critical" with lines lw 3.5 lc rgb Cubic[3], \
+     "" index "tangent_cubic" using "F":"nu_002" with lines lw 2 dt 4 lc rgb Cubic[4], \
+     0 with lines ls 9 lw 1, \
      "+" using (F_cubic):(0) every ::0::0 with points pt 7 ps 0.8 \
-         lc rgb Cubic[3] notitle
+         lc rgb Cubic[3]
 
-set key at screen 0.59, screen 0.975 left top vertical maxrows 4 reverse Left
+set label 2 "log law" at 31, 0.308 right
+set label 3 "ν = 0.3" at 16, 0.27 left tc rgb Log[1]
+set label 4 "0.45" at 16, 0.072 left tc rgb Log[2]
+set label 5 sprintf("%.7f: touches 0", nu_log) at 5.2, 0.033 left tc rgb Log[3]
+set label 6 "0.499" at 6, -0.033 left tc rgb Log[4]
 set lmargin at screen 0.59
 set rmargin at screen 0.985
 set logscale x
@@ -52,15 +57,11 @@ set xrange [1:32]
 set xtics (1, 2, 4, 8, 16, 32)
 set yrange [-0.06:0.32]
 unset ylabel
-plot data index "tangent_log" using "F":"nu_03" with lines lw 2 lc rgb Log[1] \
-         title "log, ν = 0.3", \
-     "" index "tangent_log" using "F":"nu_045" with lines lw 2 lc rgb Log[2] \
-         title "log, ν = 0.45", \
-     "" index "tangent_log" using "F":"nu_critical" with lines lw 3.5 lc rgb Log[3] \
-         title sprintf("log, ν = %.7f: touches 0", nu_log), \
-     "" index "tangent_log" using "F":"nu_0499" with lines lw 2 dt 4 lc rgb Log[4] \
-         title "log, ν = 0.499", \
-     0 with lines ls 9 lw 1 notitle, \
+plot data index "tangent_log" using "F":"nu_03" with lines lw 2 lc rgb Log[1], \
+     "" index "tangent_log" using "F":"nu_045" with lines lw 2 lc rgb Log[2], \
+     "" index "tangent_log" using "F":"nu_critical" with lines lw 3.5 lc rgb Log[3], \
+     "" index "tangent_log" using "F":"nu_0499" with lines lw 2 dt 4 lc rgb Log[4], \
+     0 with lines ls 9 lw 1, \
      "+" using (F_log):(0) every ::0::0 with points pt 7 ps 0.8 \
-         lc rgb Log[3] notitle
+         lc rgb Log[3]
 unset multiplot

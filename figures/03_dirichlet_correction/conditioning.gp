@@ -4,7 +4,7 @@
 # Reads   data  tables A, A_corrected (i j value), condition (n kept one)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,380 enhanced font "Helvetica,13" \
+set terminal svg size 900,340 enhanced font "Helvetica,13" \
     background rgb "white"
 set output out
 
@@ -31,24 +31,24 @@ entry(v) = v == 0 ? NaN : 1
 set lmargin at screen 0.07
 set rmargin at screen 0.33
 set tmargin at screen 0.90
-set bmargin at screen 0.16
+set bmargin at screen 0.2
 set label 1 "A as assembled: singular" at graph 0, graph 1.06
 plot data index "A" using "j":(entry(column("value"))*column("i")) \
-         with points pt 5 ps 2.2 lc rgb "#0072B2"
+         with points pt 5 ps 1.8 lc rgb "#0072B2"
 set lmargin at screen 0.40
 set rmargin at screen 0.66
 set label 1 "A corrected: nodes 0, 4, 6 given"
 plot data index "A_corrected" \
          using "j":(entry(column("value"))*column("i")) \
-         with points pt 5 ps 2.2 lc rgb "#0072B2"
+         with points pt 5 ps 1.8 lc rgb "#0072B2"
 
 unset object
 unset label 1
 set size noratio
 set lmargin at screen 0.745
 set rmargin at screen 0.985
-set tmargin at screen 0.80
-set bmargin at screen 0.17
+set tmargin at screen 0.96
+set bmargin at screen 0.2
 set border 3 back ls 9
 set grid back ls 9
 set xrange [3:45]
@@ -59,12 +59,14 @@ set ytics auto scale 0.5
 set format y "10^{%T}"
 set xlabel "elements n, left end given"
 set ylabel "condition number" offset 1
-set key above left vertical maxrows 3 reverse Left
+set label 1 "diagonal 1" at 3.6, 3e5 tc ls 2
+set label 2 "diagonal kept" at 6, 20 tc ls 1 offset 1, 0
+set label 3 "dashed: 16n²/π²" at 40, 4e3 right offset 0, 1
 # 64 elements are a prediction of the chapter
 plot data index "condition" using "n":"one" every ::::3 \
-         with linespoints ls 2 title "diagonal 1", \
+         with linespoints ls 2, \
      ""   index "condition" using "n":"kept" every ::::3 \
-         with linespoints ls 1 title "diagonal kept", \
-     16*x**2/pi**2 with lines ls 8 title "16n²/π²"
+         with linespoints ls 1, \
+     16*x**2/pi**2 with lines ls 8
 unset multiplot
 set output

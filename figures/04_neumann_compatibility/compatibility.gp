@@ -4,8 +4,9 @@
 #               gauss2); expected (e-1) h^2/24, (e-1) h^2/12, (e-1) h^4/4320
 # Writes  out   SVG
 load "figures/style.gp"
+set terminal svg size 640,400
 set output out
-set key maxrows 4
+unset key
 
 stats data index "compatibility" using (log(column("h"))):\
     (log(abs(column("sum_b")))) name "M" nooutput
@@ -24,18 +25,20 @@ set yrange [1e-12:1e-1]
 set xtics ("1/256" 1./256, "1/128" 1./128, "1/64" 1./64, "1/32" 1./32, \
     "1/16" 1./16, "1/8" 1./8, "1/4" 1./4)
 set ytics 1e-12, 100, 1
+set label 1 sprintf("trapezoid rule: order %.2f, predicted (e-1)h^2/12", T_slope) \
+    at 0.0035, 3e-2 tc ls 2
+set label 2 sprintf("midpoint rule: order %.2f, predicted (e-1)h^2/24", M_slope) \
+    at 0.0035, 6e-8 tc ls 1
+set label 3 sprintf("two Gauss points: order %.2f,\npredicted (e-1)h^4/4320", G_slope) \
+    at 0.34, 1e-10 right tc ls 3
 
 plot data index "rules" using "h":(abs(column("trapezoid"))) \
-         with points ls 2 ps 1 \
-         title sprintf("trapezoid rule, measured order %.2f", T_slope), \
+         with points ls 2 ps 1, \
      "" index "compatibility" using "h":(abs(column("sum_b"))) \
-         with points ls 1 ps 1 \
-         title sprintf("midpoint rule, measured order %.2f", M_slope), \
+         with points ls 1 ps 1, \
      "" index "rules" using "h":(abs(column("gauss2"))) \
-         with points ls 3 ps 1.1 \
-         title sprintf("two Gauss points, measured order %.2f", G_slope), \
-     E * x**2 / 12 with lines ls 8 \
-         title "predicted: (e-1)h^2/12, (e-1)h^2/24, (e-1)h^4/4320 (dashed, slopes 2, 2, 4)", \
-     E * x**2 / 24 with lines ls 8 notitle, \
-     E * x**4 / 4320 with lines ls 8 notitle
+         with points ls 3 ps 1.1, \
+     E * x**2 / 12 with lines ls 8, \
+     E * x**2 / 24 with lines ls 8, \
+     E * x**4 / 4320 with lines ls 8
 set output

@@ -3,8 +3,10 @@
 # Reads   data  table family (x below minimum_norm above exact)
 # Writes  out   SVG
 load "figures/style.gp"
+set terminal svg size 640,400
 set output out
-set key maxrows 5
+unset key
+set rmargin 23
 
 # the constant of the exact solution x - e^x + C with nodal mean 0
 stats data index "family" using (column("exact") - column("x") + \
@@ -16,16 +18,16 @@ set xrange [0:1]
 set yrange [-0.9:0.7]
 unset grid
 set xzeroaxis ls 9
+set label 1 "c = 0.3" at 1.02, -0.17 tc ls 2
+set label 2 "c = 0: minimum norm,\nthe nodal values\nadd up to 0" at 1.02, -0.42 tc ls 1
+set label 3 "c = -0.3" at 1.02, -0.77 tc ls 3
+set label 4 "grey: c = -0.4, -0.3, ..., 0.4" at 0.98, 0.62 right tc rgb "#777777"
+set label 5 "dashed: exact" at 0.98, 0.51 right
 
 plot for [k = -4:4] data index "family" \
-         using "x":(column("minimum_norm") + 0.1 * k) with lines ls 9 lw 1 \
-         title (k == -4 ? "members of the family, c = -0.4, -0.3, ..., 0.4" : ""), \
-     data index "family" using "x":"above" with linespoints ls 2 \
-         title "c = +0.3", \
-     "" index "family" using "x":"below" with linespoints ls 3 \
-         title "c = -0.3", \
-     "" index "family" using "x":"minimum_norm" with linespoints ls 1 lw 4 \
-         ps 1 title "c = 0: minimum norm, the nodal values add up to 0", \
-     x - exp(x) + C_mean with lines ls 8 lw 1.5 \
-         title "exact, x - e^x + C with the same nodal mean"
+         using "x":(column("minimum_norm") + 0.1 * k) with lines ls 9 lw 1, \
+     data index "family" using "x":"above" with linespoints ls 2, \
+     "" index "family" using "x":"below" with linespoints ls 3, \
+     "" index "family" using "x":"minimum_norm" with linespoints ls 1 lw 4 ps 1, \
+     x - exp(x) + C_mean with lines ls 8 lw 1.5
 set output

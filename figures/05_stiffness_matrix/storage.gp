@@ -3,12 +3,12 @@
 # Reads   data  tables costs, times_dense, times_banded
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,450
+set terminal svg size 760,400
 set output out
 
 dense = "times_dense"
 banded = "times_banded"
-# slopes that are due, through the last point of each series
+# slopes that are due, a little below the last point of each series
 stats data index dense using "N":"seconds" nooutput
 N_dense = STATS_max_x
 s_dense = STATS_max_y
@@ -28,33 +28,34 @@ set format y "10^{%T}"
 set xrange [10:1.5e6]
 set xlabel "unknowns N"
 set multiplot
-set label 1 machine(data) at screen 0.98, screen 0.025 right font ",10" \
+set label 9 machine(data) at screen 0.98, screen 0.025 right font ",10" \
     textcolor rgb "#555555"
-set tmargin at screen 0.76
-set bmargin at screen 0.17
+unset key
+set tmargin at screen 0.96
+set bmargin at screen 0.18
 set lmargin at screen 0.10
 set rmargin at screen 0.48
-set key at screen 0.07, screen 0.985 left top vertical maxrows 4 reverse Left
 set ylabel "storage, bytes" offset 0.5
 set yrange [100:1e13]
-plot data index "costs" using "N":"dense_bytes" with linespoints ls 2 lw 1 \
-         title "dense: 8 N^2", \
-     data index "costs" using "N":"plane_bytes" with linespoints ls 6 lw 1 \
-         title "banded, p = √N: 8 N(p + 1)", \
-     data index "costs" using "N":"line_bytes" with linespoints ls 1 lw 1 \
-         title "banded, p = 1: 16 N", \
-     16 * 2.0**30 with lines ls 8 title "16 GiB"
-unset label 1
+set label 1 "dense: 8 N^2" at 13, 2e12 tc ls 2
+set label 2 "banded, p = √N: 8 N(p + 1)" at 13, 3e11 tc ls 6
+set label 3 "banded, p = 1: 16 N" at 4e3, 1e4 tc ls 1
+set label 4 "16 GiB" at 13, 5e10
+plot data index "costs" using "N":"dense_bytes" with linespoints ls 2 lw 1, \
+     data index "costs" using "N":"plane_bytes" with linespoints ls 6 lw 1, \
+     data index "costs" using "N":"line_bytes" with linespoints ls 1 lw 1, \
+     16 * 2.0**30 with lines ls 8
+unset label
 set lmargin at screen 0.60
 set rmargin at screen 0.98
-set key at screen 0.57, screen 0.985 left top vertical maxrows 4 reverse Left
 set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
-plot data index dense using "N":"seconds" with linespoints ls 2 lw 1 \
-         title sprintf("dense: measured N^{%.2f}", p_dense), \
-     s_dense * (x / N_dense)**3 with lines ls 8 title "due: N and N^3", \
-     data index banded using "N":"seconds" with linespoints ls 1 lw 1 \
-         title sprintf("banded, p = 1: measured N^{%.2f}", p_banded), \
-     s_banded * (x / N_banded) with lines ls 8 notitle
+set label 1 sprintf("dense: N^{%.2f}", p_dense) at 3e2, 3e-1 right tc ls 2
+set label 2 sprintf("banded, p = 1: N^{%.2f}", p_banded) at 3e3, 4e-6 tc ls 1
+set label 3 "dashed: slopes 3 and 1" at 1.2e6, 3e-7 right
+plot data index dense using "N":"seconds" with linespoints ls 2 lw 1, \
+     0.3 * s_dense * (x / N_dense)**3 with lines ls 8, \
+     data index banded using "N":"seconds" with linespoints ls 1 lw 1, \
+     0.4 * s_banded * (x / N_banded) with lines ls 8
 unset multiplot
 set output

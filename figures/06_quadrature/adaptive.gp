@@ -5,6 +5,7 @@
 #               error evaluations_split error_split)
 # Writes  out   SVG
 load "figures/style.gp"
+set terminal svg size 640,400
 set output out
 set logscale xy
 set format y "10^{%T}"
@@ -12,13 +13,17 @@ set xlabel "evaluations of the integrand"
 set ylabel "|error| of the integral"
 set xrange [3:1000]
 set yrange [1e-14:1]
-set key above left vertical maxrows 4
+unset key
+set label 1 "midpoint, n equal elements" at 20, 3e-3 tc ls 1
+set label 2 "Gauss, n equal elements" at 6, 8e-6 tc ls 3
+set label 3 "qag: finds the\nkink by halving" at 200, 1e-10 right tc ls 2
+set label 4 "qagp: is told\nwhere the kink is" at 36, 1.6e-13 right tc ls 4
 plot data index "load_kink" using "n":(abs(column("midpoint"))) \
-         with linespoints ls 1 title "midpoint, n equal elements", \
+         with linespoints ls 1, \
      data index "load_kink" using (2 * column("n")):(abs(column("gauss2"))) \
-         with linespoints ls 3 title "Gauss, n equal elements", \
+         with linespoints ls 3, \
      data index "adaptive" using "evaluations":"error" \
-         with linespoints ls 2 title "qag: finds the kink by halving", \
+         with linespoints ls 2, \
      data index "adaptive" every ::0::0 \
          using "evaluations_split":"error_split" \
-         with points ls 4 ps 1.2 title "qagp: is told where the kink is"
+         with points ls 4 ps 1.2

@@ -51,8 +51,12 @@ do for [row = 1:2] {
         s = row == 1 ? (col == 1 ? 2 : 1.5) : (col == 1 ? 1 : 0.5)
         dashed = (row == 1 ? (col == 1 ? 1.1 : 0.25) : col == 1 ? 2.4 : \
                   col == 2 ? 0.85 : 1.4)
-        set label 2 row == 1 && col == 3 ? "slopes 1, 1.5" : \
-            sprintf("slope %g", s) at graph 0.6, graph 0.08 font ",12"
+        # above its line, and the second one of the last panel below
+        set label 2 sprintf("slope %g", row == 1 && col == 3 ? 1 : s) \
+            at 0.012, (row == 1 && col == 3 ? 0.4 * 0.012 : \
+                dashed * 0.012**s) * (row == 1 ? 4 : 1.9) center font ",12"
+        set label 3 row == 1 && col == 3 ? "slope 1.5" : "" \
+            at 0.35, 1.2e-3 right font ",12"
         if (col == 1) {
             plot for [k = 1:3] data index "solution" \
                 using "h":(column(norm."_".Smooth[k])) \

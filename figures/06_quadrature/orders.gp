@@ -42,11 +42,11 @@ do for [panel = 1:3] {
     set label 1 word("smooth kink jump", panel).( panel == 1 ? " load" : \
         panel == 2 ? ": f = |x - 1/3|" : ": f steps at 1/3") \
         at graph 0.04, graph 0.95 font ",13"
-    set label 2 panel == 3 ? "slope 1" : "slope 2" \
-        at 0.0062, (panel == 1 ? 9e-4 : panel == 2 ? 4e-4 : 2.2e-2) font ",12"
-    set label 3 panel == 1 ? "slope 4" : "" at 0.022, 1.2e-10 font ",12"
     slope = panel == 3 ? 1 : 2
     top = panel == 3 ? 0.62 : panel == 2 ? 0.6 : 1.6
+    set label 2 panel == 3 ? "slope 1" : "slope 2" \
+        at 0.02, top * 0.02**slope * (panel == 3 ? 2.2 : 5) font ",12" right
+    set label 3 panel == 1 ? "slope 4" : "" at 0.03, 9e-10 font ",12"
     if (panel == 1) {
         plot for [r = 1:3] data index table using "h":(abs(column(Rule[r]))) \
                  with linespoints ls r \

@@ -7,7 +7,7 @@
 # Writes  out   SVG
 
 load "figures/style.gp"
-set terminal svg size 860,440
+set terminal svg size 860,400
 set output out
 
 is(c, word) = strcol(c) eq word
@@ -28,7 +28,7 @@ failed(y) = is("valid", "no") ? y : 1/0
 line(x, m, lx, ly, factor) = factor*exp(ly + m*(log(x) - lx))
 
 set multiplot layout 1,2
-set lmargin 10; set rmargin 3; set tmargin 5.5; set bmargin 5
+set lmargin 10; set rmargin 3; set tmargin 1; set bmargin 5
 set logscale xy
 set format xy "10^{%T}"
 top = 1e-3
@@ -36,50 +36,46 @@ set yrange [1e-11:2*top]
 set ytics 10
 set mytics 1; set mxtics 1
 set ylabel "L² error (-)"
-set key above left vertical maxrows 4 reverse Left samplen 2.5
-set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+unset key
+set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 
 set xrange [1e-7:1]
 set xlabel "time of factor + solve (s)"
-set arrow 1 from 1.0/30, graph 0 to 1.0/30, graph 1 nohead ls 8 dt 4
-set label 2 "33 ms" at 1.0/30, graph 0.96 right offset -0.5,0
-plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2 \
-         title sprintf("dense, slope %.2f", Dseconds_slope), \
-     "" index "chart_banded" using (ok("seconds")):"L2" with linespoints ls 1 \
-         title sprintf("banded, slope %.2f", Bseconds_slope), \
-     "" index "chart_banded" using (any("seconds")):"L2" with lines ls 1 lw 1 \
-         notitle, \
+set label 1 sprintf("dense: slope %.2f", Dseconds_slope) at 2.5e-4, 1e-5 tc ls 2
+set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 5e-6, 8e-9 right tc ls 1
+set label 3 "rings:\nround-off\ngoverns" at 0.042, 2e-8 tc ls 1
+set label 4 "1/30 s" at 0.045, 6e-4
+set label 5 "dashed: expected,\n-2/3 and -2" at 1.2e-7, 1e-10
+set arrow 1 from 1/30., 1e-11 to 1/30., 2*top nohead ls 8
+plot data index "chart_dense" using (ok("seconds")):"L2" with linespoints ls 2, \
+     "" index "chart_banded" using (ok("seconds")):"L2" with linespoints ls 1, \
+     "" index "chart_banded" using (any("seconds")):"L2" with lines ls 1 lw 1, \
      "" index "chart_banded" using (turned("seconds")):"L2" with points \
-         ls 1 pt 6 title "banded, round-off governs", \
-     line(x, -2.0/3, Dseconds_mean_x, Dseconds_mean_y, 2.2) with lines ls 8 \
-         title "slopes -2/3 and -2 expected", \
-     line(x, -2.0, Bseconds_mean_x, Bseconds_mean_y, 0.35) with lines ls 8 \
-         notitle, \
+         ls 1 pt 6, \
+     line(x, -2.0/3, Dseconds_mean_x, Dseconds_mean_y, 1.6) with lines ls 8, \
+     line(x, -2.0, Bseconds_mean_x, Bseconds_mean_y, 0.5) with lines ls 8, \
      "" index "chart_dense" using (2e-7):(failed(top)) with points pt 2 ps 1 \
-         lc rgb "#D55E00" notitle, \
+         lc rgb "#D55E00", \
      "" index "chart_banded" using (4e-7):(failed(top)) with points pt 2 ps 1 \
-         lc rgb "#0072B2" notitle
+         lc rgb "#0072B2"
 
 unset label
 unset arrow
 set xrange [1e1:1e9]
 set xlabel "work of factor + solve (flops)"
 unset ylabel
-plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2 \
-         title sprintf("dense, slope %.2f", Dflops_slope), \
-     "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1 \
-         title sprintf("banded, slope %.2f", Bflops_slope), \
-     "" index "chart_banded" using (any("flops")):"L2" with lines ls 1 lw 1 \
-         notitle, \
+set label 1 sprintf("dense: slope %.2f", Dflops_slope) at 5e5, 1e-5 tc ls 2
+set label 2 sprintf("banded:\nslope %.2f", Bflops_slope) at 1.3e3, 8e-9 right tc ls 1
+plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2, \
+     "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1, \
+     "" index "chart_banded" using (any("flops")):"L2" with lines ls 1 lw 1, \
      "" index "chart_banded" using (turned("flops")):"L2" with points \
-         ls 1 pt 6 title "banded, round-off governs", \
-     line(x, -2.0/3, Dflops_mean_x, Dflops_mean_y, 2.2) with lines ls 8 \
-         title "slopes -2/3 and -2 expected", \
-     line(x, -2.0, Bflops_mean_x, Bflops_mean_y, 0.35) with lines ls 8 \
-         notitle, \
+         ls 1 pt 6, \
+     line(x, -2.0/3, Dflops_mean_x, Dflops_mean_y, 1.6) with lines ls 8, \
+     line(x, -2.0, Bflops_mean_x, Bflops_mean_y, 0.5) with lines ls 8, \
      "" index "chart_dense" using "flops":(failed(top)) with points pt 2 ps 1 \
-         lc rgb "#D55E00" notitle, \
+         lc rgb "#D55E00", \
      "" index "chart_banded" using "flops":(failed(top)) with points pt 2 ps 1 \
-         lc rgb "#0072B2" notitle
+         lc rgb "#0072B2"
 unset multiplot
 set output

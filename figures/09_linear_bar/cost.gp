@@ -4,7 +4,7 @@
 # Reads   data  tables newton, cost
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,430
+set terminal svg size 720,400
 set output out
 set logscale y
 set xrange [0.6:5.6]
@@ -14,8 +14,16 @@ set ytics 1e-15,1e3
 set xtics 1
 set xlabel "linear solves"
 set ylabel "relative error of u(L)"
-set key above left vertical maxrows 2 reverse Left samplen 2.5
+unset key
+set rmargin 18
+load_of(l) = system(sprintf( \
+    "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
+     { if (on++ == %d + 1) { print $1; exit } }' '%s'", l, data)) + 0.0
 set label 1 "linear bar" at 1, 4 center
+set label 4 sprintf("%+g N/m³", load_of(1)) at 2.38, 3e-11 right tc ls 1
+set label 5 sprintf("%+g N/m³", load_of(2)) at 3.22, 3e-11 right tc ls 2
+set label 6 sprintf("%+g N/m³", load_of(3)) at 4.1, 3e-11 right tc ls 3
+set label 7 "full: hanging (+)\ndashed: standing (-),\nas much force" at 5.65, 1e-5
 set arrow 1 from 0.6, 0.01 to 5.6, 0.01 nohead ls 8
 set label 3 "1 %" at 5.55, 0.03 right
 set label 2 "round-off" at 5.55, 4e-16 right tc rgb "#555555"
@@ -23,9 +31,6 @@ set object 1 rectangle from 0.6, 1e-16 to 5.6, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
 set object 2 rectangle from 0.8, 1e-13 to 1.2, 10 behind \
     fc rgb "#F0E442" fs transparent solid 0.30 noborder
-load_of(l) = system(sprintf( \
-    "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
-     { if (on++ == %d + 1) { print $1; exit } }' '%s'", l, data)) + 0.0
 # a curve ends where only round-off is left; of that there is no more to see
 # than that it is there
 shown(c) = (before = column(0) == 0 ? 1 : now, now = column(c), \
@@ -34,11 +39,8 @@ shown(c) = (before = column(0) == 0 ? 1 : now, now = column(c), \
 array Hollow[2] = [4, 8]
 plot for [l = 1:3] data index "newton" \
          using (column("solves")):(shown(l + 1)) \
-         with linespoints ls l ps 0.9 \
-         title sprintf("hanging, %+g N/m³", load_of(l)), \
-     NaN with points pt 0 lc rgb "white" title " ", \
+         with linespoints ls l ps 0.9, \
      for [l = 4:5] data index "newton" \
          using (column("solves")):(shown(l + 1)) with linespoints ls l - 2 \
-         dt 2 pt Hollow[l - 3] ps 1.3 \
-         title sprintf("standing, %+g N/m³", load_of(l))
+         dt 2 pt Hollow[l - 3] ps 1.3
 set output

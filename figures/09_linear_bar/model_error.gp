@@ -3,54 +3,59 @@
 # Reads   data  tables model_error, thresholds, leading
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,430
+set terminal svg size 860,390
 set output out
 
 stats data index "leading" using "slope" name "SLOPE" nooutput
 stats data index "leading" using "modulus" name "MODULUS" nooutput
-set multiplot layout 1,2 margins 0.085,0.985,0.135,0.83 spacing 0.11,0
+set multiplot layout 1,2 margins 0.085,0.985,0.145,0.96 spacing 0.11,0
 set yrange [0:22]
 set ytics ("0" 0, "1 %%" 1, "5 %%" 5, "10 %%" 10, "20 %%" 20)
-set key above left vertical maxrows 2 reverse Left samplen 2.5
+unset key
 
 set xrange [-0.24:0.24]
 set xtics ("-20 %%" -0.2, "-10 %%" -0.1, "0" 0, "10 %%" 0.1, "20 %%" 0.2)
 set xlabel "strain e = F - 1"
 set ylabel "relative error of the linear stress"
+set label 3 "log" at -0.205, 20.8 tc ls 1
+set label 4 "cubic" at -0.235, 17.5 tc ls 2
+set label 5 sprintf("dashed: %.2f |e|", SLOPE_max) at 0, 20.8 center
 set label 1 "compression" at graph 0.03, graph 0.13 tc rgb "#555555"
 set label 2 "tension" at graph 0.97, graph 0.13 right tc rgb "#555555"
 plot data index "model_error" using "e":(100 * column("stress_t")) \
-         with lines ls 1 title "log", \
+         with lines ls 1, \
      "" index "model_error" using (-column("e")):(100 * column("stress_c")) \
-         with lines ls 1 notitle, \
+         with lines ls 1, \
      "" index "model_error" using "e":(100 * column("cubic_t")) \
-         with lines ls 2 title "cubic", \
+         with lines ls 2, \
      "" index "model_error" using (-column("e")):(100 * column("cubic_c")) \
-         with lines ls 2 notitle, \
-     100 * SLOPE_max * abs(x) ls 8 title sprintf("%.2f |e|", SLOPE_max), \
+         with lines ls 2, \
+     100 * SLOPE_max * abs(x) ls 8, \
      for [side in "t c"] data index "thresholds" every ::0::2 \
          using (column("strain_".side)):"percent" with points ls 1 ps 0.9 \
-         notitle, \
+        , \
      for [k = 1:2] data index "thresholds" every ::0::2 \
          using (column(word("strain_t strain_c", k))):"percent": \
          (sprintf("%+#.3g %%", 100 * column(word("strain_t strain_c", k)))) \
-         with labels left offset (k == 1 ? 1 : -8.3),0 font ",12" notitle
+         with labels left offset (k == 1 ? 1 : -8.3),0 font ",12"
 
+set label 3 "log" at -265, 20.8 tc ls 1
+set label 4 ""
+set label 5 sprintf("dashed:\n%.2f |P| / (2μ + λ)", SLOPE_max) at 0, 20.8 center
 set xrange [-320:320]
 set xtics -300,100,300
 set xlabel "load P (N/m²); E = 1000 N/m², ν = 0.3"
 set ylabel "relative error of the linear strain"
 plot data index "model_error" using "load_t":(100 * column("strain_t")) \
-         with lines ls 1 title "log", \
+         with lines ls 1, \
      "" index "model_error" using (-column("load_c")): \
-         (100 * column("strain_c")) with lines ls 1 notitle, \
-     100 * SLOPE_max / MODULUS_max * abs(x) ls 8 \
-         title sprintf("%.2f |P| / (2μ + λ)", SLOPE_max), \
+         (100 * column("strain_c")) with lines ls 1, \
+     100 * SLOPE_max / MODULUS_max * abs(x) ls 8, \
      for [side in "t c"] data index "thresholds" every ::0::2 \
          using (column("load_".side)):"percent" with points ls 1 ps 0.9 \
-         notitle, \
+        , \
      for [k = 1:2] data index "thresholds" every ::0::2 \
          using (column(word("load_t load_c", k))):"percent": \
          (sprintf("%+.3g", column(word("load_t load_c", k)))) \
-         with labels left offset (k == 1 ? 1 : -6),0 font ",12" notitle
+         with labels left offset (k == 1 ? 1 : -6),0 font ",12"
 unset multiplot

@@ -5,7 +5,7 @@
 #               iterations error seconds ns_per_unknown), large, machine
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,460
+set terminal svg size 900,410
 set output out
 array Table[4] = ["chart_readable", "chart_gsl", "chart_fused", "chart_both"]
 array Name[4] = ["readable", "GSL tridiagonal", "fused sweep", \
@@ -25,9 +25,9 @@ last(t) = int(system(sprintf("awk -v t='# %s' '$0 == t { on = 1 } \
 slope(t) = log(cell(t, "error", last(t)) / cell(t, "error", 2)) / \
            log(cell(t, "seconds", last(t)) / cell(t, "seconds", 2))
 
-set multiplot layout 1,2 margins 0.085,0.985,0.165,0.80 spacing 0.11,0
-set key above left vertical maxrows 5 reverse Left samplen 2 font ",12"
-set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set multiplot layout 1,2 margins 0.08,0.815,0.17,0.96 spacing 0.11,0
+unset key
+set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format xy "10^{%T}"
 set xrange [3e-7:0.3]
@@ -36,23 +36,33 @@ set xlabel "time of the whole solve (s)"
 set arrow 1 from 1.0/30, graph 0 to 1.0/30, graph 1 nohead ls 8 dt 4
 set label 2 "33 ms" at 1.0/30, graph 0.97 right offset -0.5,0
 set ylabel "relative error of u(1)"
+set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead ls 8
+set label 1 "1/30 s" at 0.027, 3e-4 right
+set label 2 "dashed: slope -2" at 5e-7, 3e-10
+do for [s = 1:4] {
+    color = Style[s]
+    set label 2 + s sprintf("%.2f %s", slope(Table[s]), Name[s]) tc ls color \
+        at 5e-7, 3e-10 / 10.0**(0.9 * s) font ",11"
+}
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
-         with linespoints ls Style[s] \
-         title sprintf("%s, slope %.2f", Name[s], slope(Table[s])), \
-     4e-17 * x**-2 with lines ls 8 title "slope -2 expected"
+         with linespoints ls Style[s], \
+     4e-17 * x**-2 with lines ls 8
 
 unset label
 unset arrow
 set format y "%g"
 set ytics (2, 5, 10, 20, 50, 100, 200)
-set xrange [8:3e6]
+set xrange [8:1.4e6]
 set yrange [3:200]
 set xlabel "elements n"
 set ylabel "time per unknown and step (ns)"
+do for [s = 1:4] {
+    color = Style[s]
+    set label s Name[s].sprintf(":\n%.1f ns", cell("large", "ns_per_unknown", s - 1)) \
+        at 2e6, cell("large", "ns_per_unknown", s - 1) * (s == 3 ? 1.2 : s == 4 ? 0.8 : 1.05) tc ls color
+}
 plot for [s = 1:4] data index Table[s] using "n":"ns_per_unknown" \
-         with linespoints ls Style[s] \
-         title sprintf("%s, %.1f ns at n = 10^6", Name[s], \
-                       cell("large", "ns_per_unknown", s - 1)), \
+         with linespoints ls Style[s], \
      for [s = 1:4] data index "large" every ::s-1::s-1 \
-         using "n":"ns_per_unknown" with points ls Style[s] ps 1.2 notitle
+         using "n":"ns_per_unknown" with points ls Style[s] ps 1.2
 unset multiplot

@@ -4,7 +4,7 @@
 # Reads   data  table newton
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,420
+set terminal svg size 860,390
 set output out
 
 stats data index "newton" using "k":"predicted" name "P" nooutput
@@ -16,7 +16,11 @@ stats data index "newton" every ::1::1 using "increment" name "D" nooutput
 # over its first value, and only what is there before round-off: an error
 # above 1e-10
 clean(name, first) = column("error") > 1e-10 ? column(name) / first : NaN
-set multiplot layout 1,2 margins 0.085,0.985,0.13,0.80 spacing 0.11,0
+set multiplot layout 1,2 margins 0.085,0.985,0.14,0.96 spacing 0.11,0
+unset key
+set label 1 "residual max |q_i|" at 1.2, 6 tc ls 1
+set label 2 "increment\nmax |Δu_i|" at 4.9, 3e-3 tc ls 3
+set label 3 "error max |F_e - F_e^∞|" at 3.6, 1e-6 right tc ls 2
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-9:30]
@@ -26,12 +30,15 @@ set ylabel "size over its first value"
 set xrange [-0.3:R_max_x + 0.3]
 set xtics 1
 plot data index "newton" using "k":(clean("residual", Q_max)) \
-         with linespoints ls 1 title "residual max |q_i|", \
+         with linespoints ls 1, \
      "" index "newton" using "k":(column("increment") / D_max) \
-         with linespoints ls 3 title "increment max |Δu_i|", \
+         with linespoints ls 3, \
      "" index "newton" using "k":(clean("error", E_max)) \
-         with linespoints ls 2 title "error max |F_e - F_e^∞|"
+         with linespoints ls 2
 
+unset label
+set label 1 sprintf("dashed, expected:\n%.3f (error before)^2", C) at 1.5e-5, 1e-2
+set label 2 "Newton, from\nright to left" at 2e-2, 1e-6 tc ls 2
 set logscale xy
 set format x "10^{%T}"
 set xrange [1e-5:1]
@@ -41,8 +48,8 @@ set ytics 10
 set xlabel "error before the step"
 set ylabel "error after the step"
 prev = NaN
-plot C * x**2 ls 8 title sprintf("%.3f (error before)^2, expected", C), \
+plot C * x**2 ls 8, \
      data index "newton" using (p = prev, p):(prev = column("error"), \
          prev > 1e-10 ? prev : 1/0) \
-         with linespoints ls 2 title "Newton, from right to left"
+         with linespoints ls 2
 unset multiplot

@@ -4,7 +4,7 @@
 # Reads   data  tables weight, weight_curve, order
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,420
+set terminal svg size 860,390
 set output out
 # The entry of a column in row r = 0, 1, ... of a table.
 cell(table, name, r) = system(sprintf( \
@@ -14,8 +14,8 @@ cell(table, name, r) = system(sprintf( \
       on == 2 && r-- == 0 { print $k; exit }' '%s'", \
     table, name, r, data)) + 0.0
 
-set multiplot layout 1,2 margins 0.085,0.985,0.13,0.83 spacing 0.11,0
-set key above left vertical maxrows 2 reverse Left samplen 2.5
+set multiplot layout 1,2 margins 0.085,0.985,0.14,0.96 spacing 0.11,0
+unset key
 
 set xlabel "body force c (N/m³)"
 set ylabel "displacement u(1) of the free end (m)"
@@ -24,16 +24,16 @@ set yrange [-1.6:1.8]
 set xtics 1000
 set label 1 "standing" at -3900,1.55
 set label 2 "hanging" at 250,-1.35
-set label 3 "log, -4000: Newton inverts" at -4050,-0.12 tc ls 1
-plot data index "weight_curve" using "c":"log" with lines ls 1 notitle, \
-     "" index "weight" using "c":"log_u1" with points ls 1 ps 0.8 notitle, \
-     NaN with linespoints ls 1 ps 0.8 title "log, 16 elements", \
-     data index "weight_curve" using "c":"cubic" with lines ls 2 notitle, \
-     "" index "weight" using "c":"cubic_u1" with points ls 2 ps 0.8 notitle, \
-     NaN with linespoints ls 2 ps 0.8 title "cubic, 16 elements", \
-     data index "weight_curve" using "c":"linear" with lines ls 8 \
-         title "linear", \
-     NaN with lines lc rgb "white" title "lines: closed forms"
+set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.12 tc ls 1
+set label 4 "log" at 1450, 1.35 right tc ls 1
+set label 5 "cubic" at 2150, 1.12 right tc ls 2
+set label 6 "linear" at 2150, 0.62 right
+set label 7 "lines: closed forms;\npoints: 16 elements" at 2150, -0.35 right font ",11"
+plot data index "weight_curve" using "c":"log" with lines ls 1, \
+     "" index "weight" using "c":"log_u1" with points ls 1 ps 0.8, \
+     data index "weight_curve" using "c":"cubic" with lines ls 2, \
+     "" index "weight" using "c":"cubic_u1" with points ls 2 ps 0.8, \
+     data index "weight_curve" using "c":"linear" with lines ls 8
 unset label
 
 set logscale x
@@ -45,14 +45,14 @@ set xlabel "element length h (m)"
 set ylabel "|error| of u(1) / h^2 (1/m)"
 set label 1 "hanging, c = 500 N/m³" at 0.0042, 0.0162
 set label 2 "standing, c = -500 N/m³" at 0.0042, 0.0086
-array Name[4] = ["log", "cubic", "log", "cubic"]
+set label 3 sprintf("log: order %.2f", cell("order", "order", 6)) \
+    at 0.0042, 0.0028 tc ls 1
+set label 4 sprintf("cubic: order %.2f", cell("order", "order", 13)) \
+    at 0.0042, 0.0018 tc ls 2
+set label 5 "dashed: predicted" at 0.0042, 0.0008
 predicted(s) = abs(cell("order", "predicted", 7 * (s - 1)))
 plot for [s = 1:4] data index "order" every ::7*(s - 1)::7*s - 1 \
          using "h":(abs(column("constant"))) \
-         with points ls (s - 1) % 2 + 1 ps 0.9 notitle, \
-     for [s = 1:2] NaN with points ls s ps 0.9 \
-         title sprintf("%s: order %.2f", Name[s], \
-                       cell("order", "order", 7 * s - 1)), \
-     for [s = 1:4] predicted(s) ls 8 notitle, \
-     NaN ls 8 title "predicted"
+         with points ls (s - 1) % 2 + 1 ps 0.9, \
+     for [s = 1:4] predicted(s) ls 8
 unset multiplot

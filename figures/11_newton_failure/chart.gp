@@ -3,7 +3,7 @@
 # Reads   data  tables chart, chart_reasons
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,460
+set terminal svg size 720,420
 set output out
 set logscale y
 set format y "10^{%T}"
@@ -11,9 +11,12 @@ set xlabel "linear solves"
 set ylabel "relative error of F"
 set xrange [-0.4:16.4]
 set yrange [2e-15:100]
-set key above left maxrows 3 samplen 2
-set label 1 "another law, another answer" at 8.3, 0.07 tc ls 2
-set label 3 "the linear law, and the end of plain Newton: inverted" at 1.25, 20
+unset key
+set label 4 "line search" at 5.15, 1e-5 tc ls 3
+set label 5 "better start" at 3.8, 1e-9 right tc ls 4
+set label 6 "load stepping" at 14.3, 1e-8 right tc ls 5
+set label 1 "cubic law: another answer" at 7.3, 0.07 tc ls 2
+set label 3 "cross: plain Newton ends, inverted; ring: the linear law" at 1.25, 20
 set label 2 "round-off" at 10, 1.3e-14 tc rgb "#555555"
 set object 1 rectangle from -0.4, 2e-15 to 16.4, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
@@ -21,15 +24,14 @@ set object 1 rectangle from -0.4, 2e-15 to 16.4, 1e-13 behind \
 shown(name) = (before = column(0) == 0 ? NaN : now, now = column(name), \
     abs(now - before) < 1e-12 && now < 0.3 ? NaN : now < 1e-13 ? 1.3e-14 : now)
 plot data index "chart" every ::1::1 using "solves":"plain" \
-         with points pt 2 ps 2 lw 2 lc rgb "#0072B2" \
-         title "plain Newton", \
+         with points pt 2 ps 2 lw 2 lc rgb "#0072B2", \
      data index "chart" using "solves":(shown("stepping")) \
-         with linespoints ls 5 title "load stepping", \
+         with linespoints ls 5, \
      data index "chart" using "solves":(shown("search")) \
-         with linespoints ls 3 title "line search", \
+         with linespoints ls 3, \
      data index "chart" using "solves":(shown("start")) \
-         with linespoints ls 4 title "better start", \
+         with linespoints ls 4, \
      data index "chart" using "solves":(shown("cubic")) \
-         with linespoints ls 2 title "cubic law", \
+         with linespoints ls 2, \
      data index "chart_reasons" using (1):"linear" with points pt 6 ps 2 \
-         lw 1.5 lc rgb "black" title "linear law"
+         lw 1.5 lc rgb "black"

@@ -4,16 +4,16 @@
 # Reads   data  tables stress, giveup, localised
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 680,430
+set terminal svg size 720,390
 set output out
 # the cubic law is orange: the smaller ν, the lighter
 set style line 11 lc rgb "#7A3500" lw 2
 set style line 12 lc rgb "#D55E00" lw 2
 set style line 13 lc rgb "#F5A25D" lw 2
 set multiplot
-set tmargin at screen 0.80
-set bmargin at screen 0.13
-set key above left vertical maxrows 4 reverse Left samplen 2
+set tmargin at screen 0.96
+set bmargin at screen 0.15
+unset key
 
 set lmargin at screen 0.11
 set rmargin at screen 0.49
@@ -21,20 +21,25 @@ set xlabel "stretch F"
 set ylabel "stress P / E"
 set xrange [0:4.5]
 set yrange [-1:1.4]
-set label 1 "limit loads" at 1.55, 0.64 right
+set label 3 "log law,\nν = 0.3" at 3.1, 1.0 tc ls 1 offset 0.3, 0
+set label 4 "cubic law,\nν = 0.3" at 2.05, 1.25 right tc ls 11
+set label 5 "0.05" at 3.85, 0.75 left tc ls 12
+set label 6 "ν = 0" at 3.5, -0.6 tc ls 13 offset 1, 0
+set label 1 "limit loads" at 1.45, 0.64 right
 set label 2 "second rest state" at 2.85, -0.13 right
 plot data index "stress" using (column("F") > 0.05 ? column("F") : NaN): \
-         "log30" with lines ls 1 title "log law, ν = 0.3", \
-     data index "stress" using "F":"nu30" with lines ls 11 \
-         title "cubic law, ν = 0.3", \
-     data index "stress" using "F":"nu5" with lines ls 12 title "ν = 0.05", \
-     data index "stress" using "F":"nu0" with lines ls 13 title "ν = 0", \
+         "log30" with lines ls 1, \
+     data index "stress" using "F":"nu30" with lines ls 11, \
+     data index "stress" using "F":"nu5" with lines ls 12, \
+     data index "stress" using "F":"nu0" with lines ls 13, \
      data index "giveup" using (column("nu") == 0 || column("nu") == 0.05 ? \
          column("F_limit") : NaN):(column("P_limit") / 1000) \
-         with points pt 7 ps 0.9 lc rgb "black" notitle, \
+         with points pt 7 ps 0.9 lc rgb "black", \
      data index "giveup" every ::0::0 using "F_rest":(0) \
-         with points pt 6 ps 1.1 lw 1.5 lc rgb "black" notitle
+         with points pt 6 ps 1.1 lw 1.5 lc rgb "black"
 unset label
+set label 1 "cubic law, ν = 0.3" at 0.05, 2.09 tc ls 11
+set label 2 "ν = 0.05" at 0.87, 3.3 right tc ls 12
 
 set lmargin at screen 0.68
 set rmargin at screen 0.98
@@ -43,8 +48,7 @@ set ylabel "stretch F of the elements" offset 1,0
 set xrange [0:1]
 set yrange [1.5:3.6]
 set xtics 0.5
-plot data index "localised" using "X":"nu30" with histeps ls 11 \
-         title "cubic law, ν = 0.3", \
+plot data index "localised" using "X":"nu30" with histeps ls 11, \
      data index "localised" using "X":"nu5" with histeps ls 12 \
-         title "ν = 0.05"
+        
 unset multiplot

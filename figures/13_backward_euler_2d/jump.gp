@@ -4,7 +4,7 @@
 # Reads   data  tables guess, jump
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,470
+set terminal svg size 860,430
 set output out
 
 triangles(moved) = sprintf( \
@@ -20,30 +20,27 @@ set style fill solid noborder
 unset key
 unset grid
 unset colorbox
+unset border
+unset tics
 set multiplot
 set datafile nocolumnheaders
 set datafile separator whitespace
 set size ratio -1
-set xrange [-1.1:1.35]
-set yrange [-1.1:1.1]
-set xtics 1
-set ytics 1
-set ylabel "x_2 (m)"
-set lmargin at screen 0.075
-set rmargin at screen 0.37
+set lmargin at screen 0.07
+set rmargin at screen 0.33
+set label 4 tc rgb "#003A5C"
+set label 5 tc rgb "#8C3A00"
 do for [moved = 0:1] {
-    set tmargin at screen 0.94 - 0.455 * moved
-    set bmargin at screen 0.575 - 0.455 * moved
-    set label 1 moved ? "the solution" : "the notes' start, 0.85 h" \
-        at graph 0, graph 1.07
-    set xlabel moved ? "x_1 (m)" : ""
-    set format x moved ? "%g" : ""
-    if (moved) {
-        set colorbox user origin screen 0.41, screen 0.2 \
-            size screen 0.016, screen 0.65
-        set cbtics 0.3 scale 0.5 offset -0.7
-        set cblabel "J" offset -1.2
-    }
+    set tmargin at screen 0.92 - 0.48 * moved
+    set bmargin at screen 0.53 - 0.48 * moved
+    set label 1 (moved ? "the solution" : "the notes' start, jump 0.85 h") \
+        at -0.85, 1.2
+    set autoscale xy
+    stats triangles(moved) using 3 nooutput
+    set xrange [-1.1:1.35]
+    set yrange [-1.1:1.1]
+    set label 4 sprintf("J = %.2f", STATS_min) at -0.95, 0 right
+    set label 5 sprintf("J = %.2f", STATS_max) at 1.28, 0
     plot triangles(moved) using 1:2:3 with filledcurves closed \
              fc palette, \
          triangles(moved) using 1:2 with lines lc rgb "black" lw 0.4
@@ -51,34 +48,39 @@ do for [moved = 0:1] {
 
 set datafile columnheaders
 set datafile separator "\t"
-unset label 1
-unset colorbox
+unset label
 set size noratio
+set border 3 back ls 9
 set grid back ls 9
-set key above left maxrows 2 samplen 3
-set lmargin at screen 0.565
-set rmargin at screen 0.985
-set tmargin at screen 0.84
-set bmargin at screen 0.12
-set logscale x
-set xrange [0.22:3.5]
+set lmargin at screen 0.53
+set rmargin at screen 0.98
+set tmargin at screen 0.95
+set bmargin at screen 0.13
+set logscale x 2
+set xrange [0.22:3.6]
 set yrange [3:11]
-set xtics (0.25, 0.5, 1, 2, 3)
-set ytics 4, 1, 9
+set xtics nomirror textcolor rgb "black" ("1/4" 0.25, "1/2" 0.5, "1" 1, "2" 2)
+set ytics nomirror textcolor rgb "black" 4, 1, 8
 set xlabel "jump Δg / h"
 set ylabel "iterations"
-set label 2 "no solution found" at 0.235, 10.15
+set object 1 rectangle from 0.22, 9.2 to 3.6, 11 fc rgb "#F3F3F3" \
+    fs solid noborder behind
+set label 2 "no solution found" at 0.24, 10.1 tc rgb "#555555"
+set arrow 1 from 1, graph 0 to 1, graph 1 nohead ls 8
+set label 3 "a jump of h puts the\nfirst column inside out" at 1.04, 8.3
+set label 4 "log" at 0.72, 8.35 right tc ls 1
+set label 5 "cubic" at 0.96, 7.25 tc ls 2
+set label 6 "both, from the lifted start" at 1.04, 4.6
 done(name) = strcol(name) eq "-" ? NaN : column(name)
 lost(name, y) = strcol(name) eq "-" ? y : NaN
 array Law[2] = ["log", "cubic"]
 array Colour[2] = ["#0072B2", "#D55E00"]
 array Hollow[2] = [6, 4]
 plot for [k = 1:2] data index "jump" using "jump":(done(Law[k])) \
-         with linespoints ls k ps 0.9 title Law[k], \
+         with linespoints ls k ps 0.9, \
      for [k = 1:2] data index "jump" using "jump":Law[k]."_lifted" \
-         with linespoints ls k dt 2 pt Hollow[k] ps 1.3 \
-         title Law[k].", lifted", \
+         with linespoints ls k dt 2 pt Hollow[k] ps 1.3, \
      for [k = 1:2] data index "jump" \
          using "jump":(lost(Law[k], k == 1 ? 10.5 : 9.8)) \
-         with points pt 2 ps 1 lw 2 lc rgb Colour[k] notitle
+         with points pt 2 ps 1 lw 2 lc rgb Colour[k]
 unset multiplot

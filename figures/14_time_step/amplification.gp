@@ -7,7 +7,9 @@
 if (!exists("data")) data = "build/data/14_time_step/amplification.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/amplification.svg"
 load "figures/style.gp"
+set terminal svg size 640,400
 set output out
+unset key
 
 array Mode[3]
 do for [k = 1:3] {
@@ -21,18 +23,19 @@ set xlabel "ω Δt"
 set ylabel "amplitude after one step over that before"
 set arrow 1 from 2, 0 to 2, 1.6 nohead ls 8
 set label 1 "ω Δt = 2" at 1.7, 1.45 right
+set label 3 "symplectic Euler\ngrows beyond 2" at 2.3, 1.45 tc ls 2
+set label 4 "midpoint" at 30, 1.06 tc ls 3
+set label 5 "BDF2" at 3.2, 0.66 tc ls 4
+set label 6 "backward Euler" at 0.6, 0.62 right tc ls 1
+set label 7 "dashed: expected" at 0.012, 0.1
 set label 2 "bar, modes 1, 3, 5\nat 1/30 s" at 9.5, 0.66 left
-plot data index "amplification" using "w_dt":"symplectic" with lines ls 2 \
-         title "symplectic Euler", \
-     data index "amplification" using "w_dt":"backward" with lines ls 1 \
-         title "backward Euler", \
-     data index "amplification" using "w_dt":"midpoint" with lines ls 3 \
-         title "midpoint", \
-     data index "amplification" using "w_dt":"bdf2" with lines ls 4 \
-         title "BDF2", \
-     1 / sqrt(1 + x**2) with lines ls 8 title "expected", \
+plot data index "amplification" using "w_dt":"symplectic" with lines ls 2, \
+     data index "amplification" using "w_dt":"backward" with lines ls 1, \
+     data index "amplification" using "w_dt":"midpoint" with lines ls 3, \
+     data index "amplification" using "w_dt":"bdf2" with lines ls 4, \
+     1 / sqrt(1 + x**2) with lines ls 8, \
      data index "bar_modes" using (column("omega") / 30):"backward" \
-         with points ls 1 ps 1.1 notitle, \
+         with points ls 1 ps 1.1, \
      data index "bar_modes" using (column("omega") / 30):"bdf2" \
-         with points ls 4 ps 1.1 notitle
+         with points ls 4 ps 1.1
 set output

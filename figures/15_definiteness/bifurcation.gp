@@ -21,7 +21,7 @@ unset tics
 unset border
 unset grid
 unset key
-set label 1 "e = 0.05: the elements in orange have a negative eigenvalue" \
+set label 1 "e = 0.05, a dot for each triangle; orange: it has a negative eigenvalue" \
     at graph 0.5, 0.06 center
 plot data index "shape" using (strcol("negative") eq "yes" ? \
          (column("x0") + column("x1") + column("x2")) / 3 : NaN): \
@@ -54,7 +54,7 @@ set label 4 "buckled: projected on demand, pushed" at 0.0425, 0.14 right
 set label 5 "straight: K is positive definite" at 0.0265, 0.012 center
 set label 6 "straight: converged, a saddle" at 0.044, 0.012 center \
     textcolor rgb "#D55E00"
-set label 7 "all 1280 elements have\na negative eigenvalue" at 0.0265, 0.055 center
+set label 7 "all 1280 triangles have\na negative eigenvalue" at 0.0265, 0.055 center
 plot data index "branches" using "load":"buckled" with linespoints ls 1, \
      data index "branches" using "load":(at("straight", "stable")) \
          with points ls 3, \

@@ -3,7 +3,7 @@
 # Reads   data  tables steps, approach, price
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,400
+set terminal svg size 900,370
 set output out
 total(m) = system("awk -F'\t' '$0 == \"# price\" { on = 1 } NF == 0 { on = 0 } \
     on && $1 == \"".m."\" { print $3 }' '".data."'")
@@ -11,7 +11,7 @@ divides = system("awk -F'\t' '$0 == \"# approach\" { on = 1 } \
     NF == 0 { on = 0 } on && NF == 4 { before = last; last = $4 } \
     END { printf \"%.1f\", before / last }' '".data."'")
 set multiplot
-set tmargin at screen 0.83
+set tmargin at screen 0.96
 set bmargin at screen 0.15
 set lmargin at screen 0.08
 set rmargin at screen 0.52
@@ -21,13 +21,13 @@ set xrange [0:60]
 set yrange [3:300]
 set xlabel "step"
 set ylabel "linear systems in it"
-set key at graph 0, 1.2 left top maxrows 3 samplen 2
-plot data index "steps" using "k":"always" with linespoints ls 4 \
-         title "always, ".total("always")." in all", \
-     data index "steps" using "k":"demand" with linespoints ls 3 \
-         title "on demand, ".total("on demand")." in all", \
-     data index "steps" using "k":"never" with linespoints ls 2 \
-         title "never; fails in the step after its last point"
+unset key
+set label 1 "always: ".total("always")." in all" at 30, 110 tc ls 4 offset 1.5, 1
+set label 2 "on demand: ".total("on demand")." in all" at 33, 8 tc ls 3
+set label 3 "never: fails behind its last point" at 1, 4 tc ls 2
+plot data index "steps" using "k":"always" with linespoints ls 4, \
+     data index "steps" using "k":"demand" with linespoints ls 3, \
+     data index "steps" using "k":"never" with linespoints ls 2
 set lmargin at screen 0.62
 set rmargin at screen 0.98
 set xrange [0:12]
@@ -36,9 +36,9 @@ set format y "10^{%T}"
 set ytics 1e-16, 1e4
 set xlabel "linear systems"
 set ylabel "distance to the solution (m)"
-set key at graph 0, 1.2 left top maxrows 3 samplen 2
-plot data index "approach" using "k":"always" with linespoints ls 4 \
-         title "always: at last each divides it by ".divides, \
-     data index "approach" using "k":"demand" with linespoints ls 3 \
-         title "never, on demand: the digits double"
+unset label
+set label 1 "always: at last each\ndivides it by ".divides at 6.3, 1e-4 tc ls 4
+set label 2 "never, on demand:\nthe digits double" at 3.3, 1e-9 tc ls 3
+plot data index "approach" using "k":"always" with linespoints ls 4, \
+     data index "approach" using "k":"demand" with linespoints ls 3
 unset multiplot

@@ -3,7 +3,7 @@
 # Reads   data  tables motion, end (law energy min_J winding)
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate delay 9 loop 0 size 780,290 medium noenhanced \
+set terminal gif animate delay 9 loop 0 size 840,310 @gif_font noenhanced \
     background rgb "white"
 set output out
 
@@ -16,12 +16,13 @@ frame(law, state, t) = sprintf( \
          print 9 \"\t\" 9 }' '%s'", \
     law, t, state, state, data)
 array Law[3] = ["cubic", "extended", "stable"]
+array End[3] = [": wound twice", ": wound twice", ": the square is back"]
 set datafile nocolumnheaders
 unset key
 set size ratio -1
 set border 15 back ls 9
-set xrange [-1.5:1.5]
-set yrange [-1.5:1.5]
+set xrange [-1.85:1.75]
+set yrange [-1.85:1.75]
 unset xtics
 unset ytics
 unset grid
@@ -34,7 +35,7 @@ do for [m = 0:40] {
     do for [k = 1:3] {
         set lmargin at screen 0.02 + 0.33 * (k - 1)
         set rmargin at screen 0.32 + 0.33 * (k - 1)
-        set xlabel Law[k]
+        set xlabel Law[k]." law".(t == 72 ? End[k] : "")
         if (k == 2) { set label 1 sprintf("t = %.3f s", t / 240.0) at \
             graph 0.5, graph 0.93 center } else { unset label 1 }
         plot frame(Law[k], "upright", t) using 1:2 with filledcurves closed \

@@ -3,9 +3,9 @@
 # Reads   data  tables curve, length, least
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,430
+set terminal svg size 960,400
 set output out
-set multiplot layout 1,2 margins 0.075,0.985,0.13,0.95 spacing 0.10,0
+set multiplot layout 1,2 margins 0.07,0.87,0.14,0.95 spacing 0.10,0
 unset key
 set xlabel "stretch l of the fibre"
 set ylabel "tension T (N/m^2)" offset 1
@@ -44,14 +44,12 @@ do for [i = 1:3] {
     set label i sprintf("1 %% off at %.2f", limit(Row[i])) \
         at limit(Row[i]) + 0.02, height(Row[i]) + 0.012 left font ",11"
 }
-set key at graph 0.02, graph 0.03 left bottom vertical maxrows 4 reverse Left \
-    samplen 3
-plot data index "length" using "activation":"cubic_muscle" with lines ls 2 \
-         title "cubic material, muscle", \
-     "" index "length" using "activation":"cubic_cord" with lines ls 2 dt 4 \
-         title "cubic material, cord", \
-     "" index "length" using "activation":"linear_muscle" with lines ls 8 \
-         lw 1.5 title "linear material, muscle", \
-     "" index "length" using "activation":"linear_cord" with lines ls 8 lw 1.5 \
-         dt 4 title "linear material, cord"
+set label 11 "cubic law, muscle" at 1.03, 0.807 tc ls 2
+set label 12 "cubic law, cord" at 1.03, 0.788 tc ls 2
+set label 13 "linear, muscle" at 1.03, 0.772
+set label 14 "linear, cord" at 1.03, 0.727
+plot data index "length" using "activation":"cubic_muscle" with lines ls 2, \
+     "" index "length" using "activation":"cubic_cord" with lines ls 2 dt 4, \
+     "" index "length" using "activation":"linear_muscle" with lines ls 8 lw 1.5, \
+     "" index "length" using "activation":"linear_cord" with lines ls 8 lw 1.5 dt 4
 unset multiplot

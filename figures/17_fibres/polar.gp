@@ -3,7 +3,7 @@
 # Reads   data  tables polar, idle, pulled
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,440
+set terminal svg size 940,480
 set output out
 set multiplot
 unset key
@@ -15,8 +15,8 @@ set tmargin at screen 0.99
 set bmargin at screen 0.01
 set lmargin at screen 0.005
 set rmargin at screen 0.70
-set xrange [-3700:3700]
-set yrange [-2450:2450]
+set xrange [-4250:4250]
+set yrange [-3150:3150]
 set samples 721
 set parametric
 set trange [0:360]

@@ -3,35 +3,39 @@
 # Reads   data  table kernels
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,400
+set terminal svg size 960,350
 set output out
-set multiplot layout 1,3 margins 0.065,0.985,0.14,0.80 spacing 0.075,0
+set multiplot layout 1,3 margins 0.065,0.985,0.16,0.96 spacing 0.075,0
 set xrange [-2.1:2.1]
 set xtics 1
 set xlabel "place of the particle x/h − i" offset 0, 0.3
-set key above left vertical maxrows 3 reverse Left samplen 3
+unset key
+set label 1 "linear" at 0.28, 0.85 tc ls 1
+set label 2 "quadratic" at 0.5, 0.62 tc ls 2
+set label 3 "cubic" at 1.15, 0.17 tc ls 3
 set ylabel "weight N" offset 1
 set yrange [-0.3:1.05]
-plot data index "kernels" using "t":"N_1" with lines ls 1 title "linear", \
-     "" index "kernels" using "t":"N_2" with lines ls 2 title "quadratic", \
-     "" index "kernels" using "t":"N_3" with lines ls 3 title "cubic"
+plot data index "kernels" using "t":"N_1" with lines ls 1, \
+     "" index "kernels" using "t":"N_2" with lines ls 2, \
+     "" index "kernels" using "t":"N_3" with lines ls 3
 set ylabel "slope h dN/dx" offset 1
-set yrange [-1.15:1.15]
+set yrange [-1.15:1.2]
+set label 2 "quadratic" at -0.5, 1.08 right font ",11" tc ls 2
+set label 3 "cubic" at -1.15, 0.42 right tc ls 3
 set label 1 "linear: jumps\nas the particle\npasses a node" at -1.98, -0.52 \
     font ",11"
 set arrow 1 from -0.75, -0.66 to -0.05, -0.4 lw 1 lc rgb "#666666"
-plot data index "kernels" using "t":"dN_1" with lines ls 1 notitle, \
-     "" index "kernels" using "t":"dN_2" with lines ls 2 notitle, \
-     "" index "kernels" using "t":"dN_3" with lines ls 3 notitle
+plot data index "kernels" using "t":"dN_1" with lines ls 1, \
+     "" index "kernels" using "t":"dN_2" with lines ls 2, \
+     "" index "kernels" using "t":"dN_3" with lines ls 3
 unset arrow 1
 set label 1 "a negative weight" at -0.75, -0.22 font ",11"
-set label 2 "jumps at nodes" at 0.25, 1.1 font ",11"
+set label 2 "first node floor(x/h),\nwrong: jumps at nodes" at 0.2, 1.12 left font ",11" tc ls 4
+set label 3 "first node\nfloor(x/h - 1/2)" at -0.55, 0.72 right font ",11" tc ls 2
 set ylabel "weight, quadratic" offset 1
 set yrange [-0.3:1.2]
 set ytics 0.2
-plot data index "kernels" using "t":"N_2" with lines ls 2 \
-         title "first node floor(x/h − 1/2)", \
-     "" index "kernels" using "t":"trap" with lines ls 4 dt 2 \
-         title "first node floor(x/h), wrong", \
-     0 with lines ls 9 notitle
+plot data index "kernels" using "t":"N_2" with lines ls 2, \
+     "" index "kernels" using "t":"trap" with lines ls 4 dt 2, \
+     0 with lines ls 9
 unset multiplot

@@ -3,28 +3,30 @@
 # Reads   data  table modes
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,420
+set terminal svg size 900,380
 set output out
-set multiplot layout 1,2 margins 0.08,0.985,0.14,0.80 spacing 0.08,0
+set multiplot layout 1,2 margins 0.08,0.985,0.15,0.90 spacing 0.08,0
 set xrange [0:8]
 set yrange [-1.75:1.75]
 set xtics 1
 set xlabel "x (cells)"
 set ylabel "velocity (m/s)"
-set key above left maxrows 2 samplen 2
+unset key
+set title "before"
+set label 1 "dashed: what the nodes see" at 7.9, 1.4 right
 plot data index "modes" using "x":"start" with lines lc rgb "#CCCCCC" lw 1 \
-         notitle, \
-     "" index "modes" using "x":"start" with points ls 2 \
-         title "before", \
-     cos(pi * x / 8) ls 8 title "the part that the nodes see"
+        , \
+     "" index "modes" using "x":"start" with points ls 2, \
+     cos(pi * x / 8) ls 8
 unset ylabel
+set title "after"
+set label 1 "100 transfers by FLIP" at 7.9, 1.55 right tc ls 2
+set label 2 "one by PIC" at 7.9, 1.3 right tc ls 1
+set label 3 "one by APIC (B = 0 before)" at 7.9, 1.05 right tc ls 3
 plot data index "modes" using "x":"flip" with lines lc rgb "#CCCCCC" lw 1 \
-         notitle, \
-     "" index "modes" using "x":"flip" with points ls 2 \
-         title "after 100 transfers by FLIP", \
-     "" index "modes" using "x":"pic" with points ls 1 \
-         title "after one by PIC", \
-     "" index "modes" using "x":"apic" with points ls 3 pt 8 ps 0.8 \
-         title "after one by APIC (B = 0 before)", \
-     cos(pi * x / 8) ls 8 notitle
+        , \
+     "" index "modes" using "x":"flip" with points ls 2, \
+     "" index "modes" using "x":"pic" with points ls 1, \
+     "" index "modes" using "x":"apic" with points ls 3 pt 8 ps 0.8, \
+     cos(pi * x / 8) ls 8
 unset multiplot

@@ -3,8 +3,13 @@
 # Reads   data  tables nodes, particle, forms
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,430
+set terminal svg size 900,430
 set output out
+array Torque[4]
+do for [k = 1:4] {
+    stats data index "forms" every 5::k using "torque" nooutput
+    Torque[k] = STATS_max
+}
 set multiplot
 unset grid
 set lmargin at screen 0.075
@@ -19,9 +24,10 @@ set ytics 0.4
 set xlabel "x (m)"
 set ylabel "y (m)"
 unset key
-set label 1 "particle" at 1.36,0.97 left font ",12"
-set label 2 "10 N" at 0.62,1.39 left font ",12"
-set arrow 1 from 0.62,1.335 to 0.82,1.335 nohead lw 2 lc rgb "#D55E00"
+set label 1 "particle" at 1.36,0.97 left tc rgb "#0072B2"
+set label 2 "force on a node" at 1.2,1.36 left tc rgb "#D55E00"
+set label 3 "10 N" at 0.62,1.38 left
+set arrow 1 from 0.62,1.325 to 0.82,1.325 nohead lw 2 lc rgb "#D55E00"
 plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
          with lines ls 9 lw 1, \
      for [i = 0:2] data index "nodes" every 3::i using "x":"y" \
@@ -34,27 +40,29 @@ plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
 unset label
 unset arrow
 set size noratio
-set grid back ls 9
-set lmargin at screen 0.56
-set rmargin at screen 0.985
-set bmargin at screen 0.2
+set lmargin at screen 0.53
+set rmargin at screen 0.87
 set tmargin at screen 0.86
-set style data boxes
-set boxwidth 0.26
-set style fill solid 0.85 border
-set xrange [0.4:4.6]
-set yrange [0:100]
-set xtics ("{F_n}^T\nforgotten" 1, "F^T in\nits place" 2, "stress of\nt^n" 3, \
-    "volume of\nt^n" 4) scale 0
-set ytics 20
-set xlabel ""
-set ylabel "error of the force (%)"
-set key above left maxrows 1 samplen 1.5
-array Name[3] = ["linear", "quadratic", "cubic"]
-set label 1 "turns by\nitself" at 1,61 center font ",12"
-set label 2 "turns by\nitself" at 2,33 center font ",12"
-set label 3 "turns by\nitself" at 3,97 center font ",12"
-set label 4 "balances\nall the same" at 4,33 center font ",12"
+set xrange [0:92]
+set yrange [4.5:0.4]
+set xtics 20
+unset ytics
+set border 1
+set xlabel "error of the force (%)"
+set ylabel ""
+# mistake k: what is written wrongly, and whether a torque is left
+array Wrong[4] = ["(F^n)^T forgotten", "F^T in place of (F^n)^T", \
+                  "stress of t^n instead of the new one", \
+                  "volume of t^n instead of the new one"]
+do for [k = 1:4] {
+    set arrow k from 0, k to 92, k nohead ls 9
+    set label k Wrong[k] at 0.5, k - 0.33
+    set label k + 10 (Torque[k] > 1e-9 ? "yes" : "no") at 101, k center
+}
+set label 20 "torque\nfinds it" at 101, 0.2 center
+set label 21 "linear" at 22, 0.3 center tc ls 1
+set label 22 "quadratic" at 44, 0.3 center tc ls 2
+set label 23 "cubic kernel" at 70, 0.3 center tc ls 3
 plot for [s = 1:3] data index "forms" every ::5*s-4::5*s-1 \
-         using ($0 + 1 + 0.28 * (s - 2)):(100*column("error")) ls s title Name[s]
+         using (100*column("error")):($0 + 1) with points ls s ps 1.2
 unset multiplot

@@ -2,21 +2,21 @@
 # Reads   data  table outline
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 820,430
+set terminal svg size 820,390
 set output out
 set size ratio -1
 set xrange [0.05:2.75]
 set yrange [-0.48:0.72]
 unset xtics
 set ylabel "y (m)"
-set key above left maxrows 1 samplen 2
+unset key
+set label 5 "FLIP" at 2.58, -0.33 tc ls 2
+set label 6 "PIC" at 2.15, -0.4 right tc ls 1 offset -1, 0
 set label 1 "start" at 0.38, 0.64 center
 set label 2 "0.1 s" at 1.04, 0.64 center
 set label 3 "0.2 s" at 1.70, 0.64 center
 set label 4 "0.3 s" at 2.36, 0.64 center
 plot for [k = 0:3] data index "outline" every ::13*k+52::13*k+64 \
-         using (column("x") + 0.62 * k):"y" with linespoints ls 2 \
-         title (k ? "" : "FLIP"), \
+         using (column("x") + 0.62 * k):"y" with linespoints ls 2, \
      for [k = 0:3] data index "outline" every ::13*k::13*k+12 \
-         using (column("x") + 0.62 * k):"y" with linespoints ls 1 \
-         title (k ? "" : "PIC")
+         using (column("x") + 0.62 * k):"y" with linespoints ls 1

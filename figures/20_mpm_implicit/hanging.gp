@@ -3,40 +3,51 @@
 # Reads   data  tables elements, once (kernels by a mirror, then held), reset
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,480
+set terminal svg size 900,430
 set output out
-set multiplot layout 1,2 margins 0.085,0.985,0.12,0.83 spacing 0.07,0
+set multiplot
+set tmargin at screen 0.92
+set bmargin at screen 0.13
+unset key
 set logscale xy
 set xrange [13:1400]
 set yrange [3e-6:0.5]
 set format y "10^{%T}"
 set xlabel "particles × nodes per particle"
-set ylabel "worst place (m)"
-set key at screen 0.085,0.985 left top horizontal maxrows 1 samplen 2 width 2
-set label 1 "one grid: all the load in one step" at graph 0.03, graph 1.04
-set label 2 "nodes at x ≤ 0 held: order 1" at 48, 7e-2
-set label 3 "a mirror at 0: order 2" at 130, 3e-4
-plot data index "elements" using "work":"error" with linespoints ls 8 pt 6 \
-         title "finite elements", \
+set ylabel "error of the worst place (m)"
+set lmargin at screen 0.085
+set rmargin at screen 0.45
+set title "one grid: all the load in one step"
+set label 1 "finite\nelements" at 15, 1.6e-4
+set label 2 "nodes held:" at 36, 9e-2
+set label 3 "order 1" at 36, 5.5e-2
+set label 4 "cubic" at 560, 5.5e-3 tc ls 3
+set label 5 "quadratic" at 430, 3.2e-3 tc ls 2
+set label 6 "mirror: order 2" at 130, 2.6e-4
+set label 7 "linear" at 205, 1.1e-5 right tc ls 1
+set label 8 "quadratic" at 340, 6.5e-6 right tc ls 2
+set label 9 "cubic" at 580, 6.5e-6 tc ls 3
+plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
      for [p = 1:3] data index "once" every ::4*(p-1)::4*p-1 \
-         using "work":"error" with linespoints ls p \
-         title word("linear quadratic cubic", p), \
+         using "work":"error" with linespoints ls p, \
      for [p = 2:3] data index "once" every ::12+4*(p-2)::12+4*(p-2)+3 \
-         using "work":"error" with linespoints ls p dt 3 notitle
+         using "work":"error" with linespoints ls p dt 3
+unset label
 unset ylabel
-set label 1 "a new grid for each of ten loads"
-set label 2 "two per cell" at 440, 7.6e-3
-set label 3 "four per cell" at 560, 3.6e-2
-set label 4 "two per cell: NOT\\_SPD from 16 cells on" at 38, 0.25
-set label 5 "two per cell" at 570, 6.5e-4
-set label 6 "four per cell" at 520, 1.3e-4
-set label 7 "four per cell" at 280, 1.3e-5
-plot data index "elements" using "work":"error" with linespoints ls 8 pt 6 \
-         notitle, \
+set format y ""
+set lmargin at screen 0.49
+set rmargin at screen 0.855
+set title "a new grid for each of ten loads"
+set label 1 "linear, 4 per cell" at 1500, 3.5e-2 tc ls 1
+set label 2 "quadratic, 2" at 1500, 8.1e-3 tc ls 2
+set label 3 "cubic, 2" at 1500, 9e-4 tc ls 3
+set label 4 "quadratic, 4" at 1500, 2.6e-4 tc ls 2
+set label 5 "cubic, 4" at 1500, 1.1e-5 tc ls 3
+set label 6 "linear, 2: NOT\\_SPD on finer grids" at 38, 0.25 tc ls 1
+set label 7 "finite\nelements" at 15, 1.6e-4
+plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
      for [p = 1:3] data index "reset" every ::4*(p-1)::4*p-1 \
-         using "work":"error" with linespoints ls p dt 3 \
-         notitle, \
+         using "work":"error" with linespoints ls p dt 3, \
      for [p = 1:3] data index "reset" every ::4*(p+2)::4*(p+2)+3 \
-         using "work":"error" with linespoints ls p \
-         notitle
+         using "work":"error" with linespoints ls p
 unset multiplot

@@ -25,7 +25,7 @@ set yrange [-0.7:12.7]
 plot data index "grid" using "i":"j":"depth" with points pt 7 ps 1.75 \
          lc palette, \
      data index "grid" using "i":"j":(sprintf("%d", column("place"))): \
-         (ink(column("depth"))) with labels font ",8" tc rgb variable
+         (ink(column("depth"))) with labels font ",9" tc rgb variable
 set border 15 ls 9
 set xrange [-3:145]
 set yrange [145:-3]

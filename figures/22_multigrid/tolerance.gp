@@ -3,12 +3,15 @@
 # Reads   data  table tolerance
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,400
+set terminal svg size 860,370
 set output out
 of(rule, what) = strcol("rule") eq rule ? column(what) : NaN
 
-set multiplot layout 1,2 margins 0.075,0.985,0.145,0.86 spacing 0.085,0
+set multiplot layout 1,2 margins 0.075,0.985,0.145,0.96 spacing 0.085,0
 set logscale x
+unset key
+set label 1 "K kept while that pays (chord)" at 1e-9, 4.5 tc ls 2
+set label 2 "K anew for each increment" at 1e-9, 2.9 tc ls 1
 set xrange [3e-11:1.2]
 set xtics ("10^{-10}" 1e-10, "10^{-8}" 1e-8, "10^{-6}" 1e-6, "10^{-4}" 1e-4, \
            "10^{-2}" 1e-2, "1" 1)
@@ -17,13 +20,14 @@ set format y "%g"
 set ylabel "increments per step" offset 0.5
 set yrange [0:8]
 plot data index "tolerance" using (of("newton", "tolerance")):"increments" \
-         with linespoints ls 1 lw 2.5 title "K anew for each increment", \
+         with linespoints ls 1 lw 2.5, \
      "" index "tolerance" using (of("chord", "tolerance")):"increments" \
-         with linespoints ls 2 dt 2 title "K kept while that pays (chord)"
+         with linespoints ls 2 dt 2
+unset label
 set ylabel "iterations of CG per step" offset 0.5
 set yrange [0:33]
 plot data index "tolerance" using (of("newton", "tolerance")):"per_step" \
-         with linespoints ls 1 lw 2.5 notitle, \
+         with linespoints ls 1 lw 2.5, \
      "" index "tolerance" using (of("chord", "tolerance")):"per_step" \
-         with linespoints ls 2 dt 2 notitle
+         with linespoints ls 2 dt 2
 unset multiplot

@@ -1,42 +1,70 @@
-# motion.gp - the script `hard` under the cubic law, every third frame; the dot
-# is the pointer, full while the button is down.
+# motion.gp - the script `hard` under the cubic law, every third frame.  The big
+# dot is the pointer while the button is down, the small dots are the vertices in
+# the hand, and the strip shows by which rung each frame went; hand and strip come
+# from the tables `hand` and `rungs`, where these are.
 # Reads   data  table motion
 # Yours   the lesson with --film 3
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate delay 10 loop 0 size 360,310 medium noenhanced \
-    background rgb "white"
+set terminal gif animate optimize delay 10 loop 0 size 720,640 @gif_font \
+    noenhanced background rgb "white"
 set output out
 
 # triangles with J > 0 (sign 1) or not (sign 0), of frame k, and a
 # triangle that is a point, so that there is always one
 frame(k, sign) = sprintf( \
     "< awk -F'\t' 'BEGIN { \
-         for (k = 0; k < 3; k++) print \"-1\t-1\"; print \"\" } $1 + 0 > %d { exit } \
+         for (k = 0; k < 3; k++) print \"-1\t-1\"; print \"\" } \
+     /^# hand/ || $1 + 0 > %d { exit } \
      $1 == \"%d\" && ($2 > 0) == %d { print $3 \"\t\" $4; print $5 \"\t\" $6; \
          print $7 \"\t\" $8; print $3 \"\t\" $4; print \"\" }' '%s'", \
     k, k, sign, data)
 pointer(k) = sprintf( \
     "< awk -F'\t' '$1 == \"%d\" { print $9 \"\t\" $10 \"\t\" $11; exit }' '%s'", \
     k, data)
-last = int(real(system(sprintf("awk -F'\t' '$1 ~ /^[0-9]+$/ { k = $1 } \
-    END { print k + 0 }' '%s'", data))))
+# the vertices in the hand, and one far away, so that there is always one
+held(k) = sprintf( \
+    "< awk -F'\t' 'BEGIN { print \"9\t9\" } /^# / { on = $0 == \"# hand\" } \
+     on && $1 == \"%d\" { print $2 \"\t\" $3 }' '%s'", \
+    k, data)
+# frame, colour of its rung, for all up to frame k
+rungs(k) = sprintf( \
+    "< awk -F'\t' 'BEGIN { print \"-999\t0\" } /^# / { on = $0 == \"# rungs\" } \
+     on && $1 ~ /^[0-9]/ && $1 <= %d { print $1 \"\t\" \
+         ($2 == \"fast\" ? 29362 : $2 == \"downhill\" ? 15113984 : 0) }' '%s'", \
+    k, data)
+has_rungs = system(sprintf("grep -c '^# rungs$' '%s'", data)) > 0
+last = int(real(system(sprintf("awk -F'\t' '/^# hand/ { exit } \
+    $1 ~ /^[0-9]+$/ { k = $1 } END { print k + 0 }' '%s'", data))))
 set datafile nocolumnheaders
 unset key
 set size ratio -1
+set tmargin 1
 set border 15 back ls 9
 set xrange [-2.7:2.9]
-set yrange [-2.2:2.2]
+set yrange [-2.5:2.2]
 set xtics 1
 set ytics 1
 set xlabel "x1 (m)"
 set ylabel "x2 (m)"
 set style fill solid noborder
+strip(k) = -2.5 + 5.2 * k / (last + 3.0)
+if (has_rungs) {
+    set label 2 "solved by the first rung" at -2.5, -2.15 tc rgb "#0072B2"
+    set label 3 "by the second" at -0.55, -2.15 tc rgb "#E69F00"
+    set label 4 "lost: ".system(sprintf("grep -c 'lost$' '%s'", data)) \
+        at 2.7, -2.15 right
+}
+set label 5 "held" at -1.08, 0.85 right front
+set arrow 1 from -1, -1 to -1, 1 nohead lw 4 lc rgb "#555555" front
 do for [k = 0:last:3] {
-    set label 1 sprintf("t = %.1f s", k / 30.0) at graph 0.04, graph 0.95
+    set label 1 sprintf("t = %.1f s", k / 30.0) at graph 0.03, graph 0.96
     plot frame(k, 1) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
          frame(k, 0) using 1:2 with filledcurves closed fc rgb "#D600BE", \
          frame(k, 1) using 1:2 with lines lw 1 lc rgb "#0072B2", \
-         pointer(k) using 1:2:($3 > 0 ? 1.4 : 0.7) with points pt 7 \
+         rungs(k) using (strip($1)):(-2.35):2 with points pt 5 ps 0.6 \
+             lc rgb variable, \
+         held(k) using 1:2 with points pt 7 ps 1.2 lc rgb "#D55E00", \
+         pointer(k) using 1:2:($3 > 0 ? 2.6 : 1) with points pt 6 lw 2 \
              ps variable lc rgb "#D55E00"
 }

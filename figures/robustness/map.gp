@@ -5,15 +5,17 @@
 #               boundary_step
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 880,640
+set terminal svg size 880,660
 set output out
 limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
-# n where the number of iterations is another one than one step before
+# n where the number of iterations is another one than one step before; of those
+# from 10 on 12, 16 and 20
 was = row = 0
 changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
-    was = k, row = column("n"), new ? ended("OK") : NaN)
+    was = k, row = column("n"), \
+    new && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
 array Limit[2] = [limit("boundary_step", 2), limit("boundary_step", 3)]
 set logscale xy
 set xrange [0.0018:1.15]
@@ -58,7 +60,7 @@ do for [k = 1:4] {
          data index name using "dt":(changed(0)): \
              (sprintf("%d", column("iterations"))): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
-             font ",8" textcolor rgb variable, \
+             font ",10" textcolor rgb variable, \
          data index name using "dt":(ended("fails")) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
          data index name using "dt":(ended("INVERTED")) \

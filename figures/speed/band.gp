@@ -4,7 +4,7 @@
 #               (n gigaflop_per_second), machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,440
+set terminal svg size 960,400
 set output out
 array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "dpbtrf of ".lapack(data), \
@@ -15,9 +15,10 @@ there = ""
 do for [k = 1:4] { if (has(Solver[k])) { there = there." ".k } }
 of(k) = strcol("solver") eq Solver[int(k)] ? column("n") : NaN
 
-set multiplot layout 1,2 margins 0.08,0.985,0.165,0.79 spacing 0.085,0
-set key above left vertical maxrows 3 reverse Left samplen 2 font ",12"
-set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set multiplot layout 1,2 margins 0.07,0.82,0.175,0.965 spacing 0.085,0
+unset key
+set label 2 "slope 4" at 75, 1.2
+set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set xtics (16, 32, 64, 128)
 set xrange [14:150]
@@ -26,16 +27,22 @@ set yrange [2e-2:5e3]
 set xlabel "squares per side n"
 set ylabel "time to factor and solve (ms)"
 plot for [k in there] data index "band" using (of(k)):"milliseconds" \
-         with linespoints ls Style[int(k)] title Name[int(k)], \
-     8e-8 * x**4 with lines ls 8 title "slope 4 expected"
-unset label 1
+         with linespoints ls Style[int(k)], \
+     8e-8 * x**4 with lines ls 8
+unset label
+array Height[4] = [2.8, 4.6, 23.6, 42.2]
+do for [k in there] {
+    i = int(k)
+    color = Style[i]
+    set label i Name[i] at (i == 1 ? 36 : 158), Height[i] - (i == 1 ? 0.8 : 0) tc ls color
+}
+set label 5 "limit of the core" at 158, 55.5
 unset logscale y
 set format y "%g"
 set yrange [0:*]
 set ylabel "flops per second (10^{9}/s)"
 plot for [k in there] data index "band" \
          using (of(k)):"gigaflop_per_second" \
-         with linespoints ls Style[int(k)] notitle, \
-     data index "peak" using "n":"gigaflop_per_second" with lines ls 8 dt 4 \
-         title "multiply-adds of the core"
+         with linespoints ls Style[int(k)], \
+     data index "peak" using "n":"gigaflop_per_second" with lines ls 8 dt 4
 unset multiplot

@@ -5,7 +5,7 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,470
+set terminal svg size 960,420
 set output out
 set datafile missing "-"
 array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
@@ -17,10 +17,9 @@ of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
 
-set multiplot layout 1,2 margins 0.075,0.985,0.15,0.80 spacing 0.09,0
-set key at screen 0.06,0.985 left top maxrows 3 reverse Left samplen 2 \
-    font ",12"
-set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set multiplot layout 1,2 margins 0.07,0.80,0.165,0.965 spacing 0.09,0
+unset key
+set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
@@ -29,11 +28,18 @@ set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
 plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
-         ls Style[k] \
-         title sprintf("%s (slope %.2f)", Text[k], slope(k, 3))
-unset label 1
+         ls Style[k]
+unset label 9
+# where the name of a solver stands, with the slope of its work
+array Height[6] = [300, 36, 80, 900, 420, 190]
+do for [k = 1:6] {
+    color = Style[k]
+    set label k sprintf("%s (%.2f)", Text[k], slope(k, 3)) \
+        at (k == 1 ? 9 : 320), Height[k] tc ls color
+}
+set label 7 "(slope of the flops)" at 320, 3e3
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
 plot for [k = 1:6] data index "solvers" using (of(k)):"milliseconds" \
-         with linespoints ls Style[k] notitle
+         with linespoints ls Style[k]
 unset multiplot

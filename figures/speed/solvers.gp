@@ -5,11 +5,11 @@
 #               machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,480
+set terminal svg size 960,420
 set output out
 array Name[4] = ["band", "dissection", "single", "cholmod"]
 array Text[4] = ["blocked band", "nested dissection by fronts", \
-                 "the same, factors in single precision", \
+                 "dissection in single precision", \
                  "CHOLMOD, same order"]
 array Style[4] = [1, 3, 2, 4]
 of(k) = strcol("solver") eq Name[int(k)] ? column("n") : NaN
@@ -19,9 +19,9 @@ do for [k = 1:4] { if (has(k)) { there = there." ".k } }
 stats data index "crossover" using "step_n" nooutput name "C"
 set datafile missing "-"
 
-set multiplot layout 1,2 margins 0.075,0.985,0.155,0.755 spacing 0.095,0
-set key above left vertical maxrows 4 reverse Left samplen 2 font ",12"
-set label 1 machine(data) at screen 0.01,0.025 left font ",10"
+set multiplot layout 1,2 margins 0.07,0.775,0.165,0.965 spacing 0.09,0
+unset key
+set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
@@ -30,16 +30,22 @@ set yrange [1e-3:2e3]
 set xlabel "squares per side n"
 set ylabel "factorisation; dashed: solve (ms)"
 plot for [k in there] data index "solvers" using (of(k)):"factor_ms" \
-         with linespoints ls Style[int(k)] title Text[int(k)], \
+         with linespoints ls Style[int(k)], \
      for [k in there] data index "solvers" using (of(k)):"solve_ms" \
-         with linespoints ls Style[int(k)] dt 2 lw 1.2 notitle
-unset label 1
+         with linespoints ls Style[int(k)] dt 2 lw 1.2
+unset label 9
+array Height[4] = [800, 125, 70, 230]
+do for [k in there] {
+    i = int(k)
+    color = Style[i]
+    set label 10 + i Text[i] at 320, Height[i] tc ls color
+}
 set ylabel "whole time step (ms)"
 set yrange [1e-2:2e3]
 set label 2 "1/30 s" at 7.4,46 left font ",11"
 set label 3 sprintf("from n = %d on dissection is faster", C_max) \
     at graph 0.40,0.07 left font ",11"
 plot for [k in there] data index "solvers" using (of(k)):"step_ms" \
-         with linespoints ls Style[int(k)] notitle, \
-     1000.0 / 30.0 with lines ls 8 notitle
+         with linespoints ls Style[int(k)], \
+     1000.0 / 30.0 with lines ls 8
 unset multiplot

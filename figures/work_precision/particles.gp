@@ -1,94 +1,60 @@
-# particles.gp - error of particles and of finite elements against counted flops
-# and against milliseconds: the bar, the block, and the block in fewer and fewer
-# steps.  Runs that fail have no cost and stand at the top.
-# Reads   data  tables runs (body curve error flops ms reason), fewest (floor),
-#               machine; from `make bench`
+# particles.gp - error of particles and of finite elements against counted flops:
+# a bar that hangs, and a block that swings.
+# Reads   data  tables runs (body curve error flops reason), fewest (floor)
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/work_precision/particles.tsv"
 if (!exists("out"))  out  = "figures/work_precision/particles.svg"
 load "figures/style.gp"
-set terminal svg size 900,690
+set terminal svg size 900,430
 set output out
-array Body[3] = ["bar", "block", "steps"]
-array Title[3] = ["hanging bar: cells", "swinging block: cells", \
-    "the block, 8 cells: steps"]
-array Curve[9] = ["elements", "linear", "quadratic", "cubic", "FLIP", \
-    "ten_linear", "ten_quadratic", "ten_cubic", "implicit"]
-array Name[9] = ["elements", "linear", "quadratic", "cubic kernel", \
-    "quadratic, FLIP", "linear, ten grids", "quadratic, ten grids", \
-    "cubic, ten grids", "quadratic, implicit"]
-array Color[9] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#E69F00", \
-    "#0072B2", "#D55E00", "#009E73", "#CC79A7"]
-array Dash[9] = [1, 1, 1, 1, 1, 2, 2, 2, 1]
-array Point[9] = [7, 9, 5, 13, 11, 8, 4, 12, 10]
+array Body[2] = ["bar", "block"]
+array Title[2] = ["a bar that hangs", "a block that swings"]
+array Curve[10] = ["elements", "linear", "quadratic", "cubic", "FLIP", \
+    "ten_linear", "ten_quadratic", "ten_cubic", "implicit", "implicit_elements"]
+array Color[10] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#E69F00", \
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#777777"]
+array Dash[10] = [1, 1, 1, 1, 1, 2, 2, 2, 1, 1]
+array Point[10] = [7, 9, 5, 13, 11, 8, 4, 12, 10, 6]
 of(b, k) = strcol("body") eq Body[int(b)] && \
     strcol("curve") eq Curve[int(k)] && strcol("reason") eq "OK" ? \
         column("error") : NaN
-lost(b, k) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
-    t == \"# runs\" && $1 == \"%s\" && $2 == \"%s\" && $9 != \"OK\" { n++ } \
-    END { print n + 0 }' '%s'", Body[b], Curve[k], data)) + 0
 set multiplot
-set label 20 machine(data) at screen 0.01,0.012 left font ",10"
 set logscale xy
 set format xy "10^{%T}"
-do for [row = 0:1] {
-  do for [b = 1:3] {
-    set lmargin at screen 0.08 + 0.312 * (b - 1)
-    set rmargin at screen 0.08 + 0.312 * (b - 1) + 0.275
-    set tmargin at screen 0.85 - 0.4 * row
-    set bmargin at screen 0.85 - 0.4 * row - 0.31
-    set label 1 (row ? "" : Title[b]) at graph 0.5, 1.07 center font ",14"
-    set xlabel row ? "time to the answer (ms)" : "flops, counted"
+set tmargin at screen 0.92
+set bmargin at screen 0.13
+set xlabel "flops, counted"
+unset key
+do for [b = 1:2] {
+    set title Title[b]
     set ylabel b == 1 ? "relative error of u" : ""
-    low = row ? 3e-3 : b == 1 ? 1e3 : 3e4
-    high = row ? 2e3 : b == 1 ? 1e7 : 1e9
-    set xrange [low:high]
-    from = row ? 1e-2 : 1e3
-    set xtics from, 10, high
-    if (b == 1) { set yrange [5e-7:0.5] } else { set yrange [1e-3:0.7] }
-    unset arrow 1
-    if (row) { set arrow 1 from 1000.0 / 30, graph 0 to 1000.0 / 30, graph 0.88 nohead ls 8 }
-    i = 0
-    do for [k = 1:9] {
-        unset label 30 + k
-        if (lost(b, k) > 0) {
-            set label 30 + k sprintf("× %d", lost(b, k)) \
-                at graph 0.3 + 0.17 * i, 0.94 textcolor rgb Color[k] font ",12"
-            i = i + 1
-        }
+    set lmargin at screen b == 1 ? 0.085 : 0.575
+    set rmargin at screen b == 1 ? 0.48 : 0.98
+    if (b == 1) {
+        set xrange [1e3:5e6]
+        set yrange [5e-7:2e-2]
+        set label 1 "finite\nelements" at 1.2e3, 1.2e-4
+        set label 2 "linear kernel" at 6e3, 3.6e-3 tc rgb Color[2]
+        set label 3 "quadratic" at 2.3e5, 6.5e-6 tc rgb Color[3]
+        set label 4 "cubic" at 3.5e5, 1.8e-6 tc rgb Color[4]
+        set label 5 "quadratic, ten grids" at 9e4, 4.5e-3 tc rgb Color[3]
+        set label 6 "cubic,\nten grids" at 1.1e6, 2.2e-4 tc rgb Color[4]
+    } else {
+        unset label
+        set xrange [3e4:6e8]
+        set yrange [1e-3:0.3]
+        set label 1 "finite\nelements" at 1.2e5, 7e-3
+        set label 2 "elements, implicit" at 1.9e5, 0.16 tc rgb "#555555"
+        set label 3 "FLIP" at 1e6, 0.115 tc rgb Color[5]
+        set label 4 "quadratic, implicit" at 4e6, 0.1 tc rgb Color[9]
+        set label 5 "quadratic" at 7e5, 0.036 right tc rgb Color[3]
+        set label 6 "cubic" at 1e8, 7.7e-3 tc rgb Color[4]
+        set label 7 "known to" at 4e4, 1.5e-3 font ",11"
     }
-    set label 14 (i > 0 ? "failed" : "") at graph 0.05, 0.94 font ",12" \
-        textcolor rgb "#555555"
-    unset key
-    cost = row ? "ms" : "flops"
-    plot data index "fewest" using (low):(b == 1 ? 1e-9 : column("floor")):(high):(0) \
+    plot data index "fewest" using (3e4):(b == 1 ? 1e-9 : column("floor")):(6e8):(0) \
              with vectors nohead ls 8 dt 3 notitle, \
-         for [k = 1:9] data index "runs" using (column(cost)):(of(b, k)) \
+         for [k = 1:10] data index "runs" using "flops":(of(b, k)) \
              with linespoints lw 1.5 pt Point[k] ps 0.6 lc rgb Color[k] \
-             dt Dash[k] notitle, \
-         data index "runs" using (column(cost)):(strcol("body") eq Body[b] && strcol("curve") eq "implicit_elements" ? column("error") : NaN) \
-             with linespoints lw 1.5 pt 6 ps 0.6 lc rgb "black" notitle
-    unset label 20
-  }
+             dt Dash[k]
 }
-# the key, in a plot of its own
-unset label
-unset arrow
-set lmargin at screen 0.02
-set rmargin at screen 0.99
-set tmargin at screen 0.93
-set bmargin at screen 0.92
-unset border
-unset tics
-unset xlabel
-unset ylabel
-unset grid
-set key at screen 0.52, 0.995 center top horizontal maxrows 3 samplen 2 \
-    font ",11" reverse Left
-plot for [k = 1:9] NaN with linespoints lw 1.5 pt Point[k] ps 0.7 \
-         lc rgb Color[k] dt Dash[k] title Name[k], \
-     NaN with linespoints lw 1.5 pt 6 ps 0.7 lc rgb "black" \
-         title "elements, implicit", \
-     NaN with lines ls 8 title "1/30 s", \
-     NaN with lines ls 8 dt 3 title "known to"
 unset multiplot
