@@ -29,8 +29,8 @@ struct trials {
     double error[TRIALS_MOST]; /* INFINITY where the run has failed */
 };
 
-/* All runs, or those with linear triangles, even, alone: all = count.  The caller
- * frees it. */
+/* All runs, or without `others` those with linear triangles, even, alone: all =
+ * count.  The caller frees it. */
 struct trials *trials_alloc(enum work_scene scene, int others);
 void trials_free(struct trials *sweep);
 
