@@ -32,7 +32,8 @@ struct tally {
 };
 
 /* answer: [n_dof], written when record. */
-static struct tally run(int n, int g, int chord, int record, double answer[])
+static struct tally run(int n, int g, enum chord chord, int record,
+                        double answer[])
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
     struct step_control control = step_method("notes");
@@ -66,7 +67,7 @@ int main(void)
         double *answer = allocate(2 * (size_t)vertices, sizeof *answer);
         for (int g = GUESSES - 1; g >= 0; g--)
             for (int chord = 0; chord < 2; chord++)
-                tally[k][g][chord] = run(size[k], g, chord,
+                tally[k][g][chord] = run(size[k], g, (enum chord)chord,
                                          g == GUESSES - 1 && !chord, answer);
         free(answer);
     }

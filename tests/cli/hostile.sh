@@ -239,7 +239,7 @@ tools() {
         'int main(int argc, char *argv[])'
     sed 's/reactions(int N/react(int N/; s/    reactions(/    react(/' \
         "solutions/$slug.c" >"lessons/$slug.c"
-    judged 122 'another function' 'WRONG (does not compile)' 'more, or has with other parameters: reactions.'
+    judged 122 'another function' 'WRONG (does not compile)' 'no longer has, or has with other parameters: reactions.'
     rm "lessons/$slug.c"
     judged 123 'no file' 'UNFINISHED (no file)'
     echo '  ' >"lessons/$slug.c"

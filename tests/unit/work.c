@@ -299,7 +299,7 @@ static int row;
 static void print_the_row(void)
 {
     table_begin("row", "scene asked law method n steps tolerance error flops "
-                       "status systems element grade");
+                       "status systems element grade floor");
     trials_row(asked, row, 0.25);
     exit(table_finish());
 }
@@ -318,10 +318,10 @@ static void rows_say_what_was_tried(const struct trials *s)
         const struct outcome end = outcome_of(print_the_row);
         ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
                       want);
-        snprintf(want, sizeof want, "\t%s\t%d\t%s\t%g\n",
+        snprintf(want, sizeof want, "\t%s\t%d\t%s\t%g\t%.4g\n",
                  status_name(work->status), work->systems,
                  set->element ? "quadratic" : "linear",
-                 set->grade > 1.0 ? set->grade : 1.0);
+                 set->grade > 1.0 ? set->grade : 1.0, s->floor);
         ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
                       want);
     }
