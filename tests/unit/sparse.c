@@ -620,7 +620,7 @@ static void a_step_with_rounded_factors_is_the_same(void)
             struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
             struct step_control control = step_method("lift");
             struct step_report r[2];
-            control.chord = chord;
+            control.chord = (enum chord)chord;
             for (int k = 0; k < 2; k++) body_store(s[k]->body, SPARSE);
             matrix_keep_single(s[1]->body->K, 1);
             for (int step = 0; step < 6; step++) {

@@ -318,7 +318,7 @@ static void rows_say_what_was_tried(const struct trials *s)
         const struct outcome end = outcome_of(print_the_row);
         ck_assert_msg(strstr(end.out, want) != NULL, "%s, not %s", end.out,
                       want);
-        snprintf(want, sizeof want, "\t%s\t%d\t%s\t%g\t%.4g\n",
+        snprintf(want, sizeof want, "\t%s\t%d\t%s\t%g\t%.3e\n",
                  status_name(work->status), work->systems,
                  set->element ? "quadratic" : "linear",
                  set->grade > 1.0 ? set->grade : 1.0, s->floor);
