@@ -116,11 +116,10 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
 
 KINDS = solution starter behave names
 
-# every program that a judge compares with, before any judge of the lesson runs
 mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
 $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
-        $(JUDGE) $(call mistakes_of,$1) \
+        $(JUDGE) \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
 	$(SHARED)$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
@@ -137,10 +136,11 @@ $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 .PHONY: lint
 lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
 # What the programs that a judge of these compares with print, with each of the
-# lesson's options, is found out once.  Nothing that a student asks for reads it.
+# lesson's options, is found out once, of a mistake by its judge, which has it
+# compiled in.  Nothing that a student asks for reads it.
 define kept_rule
 $(T)/kept/$1.all: $(BUILD)/solutions/$1.judge $(BUILD)/solutions/$1 \
-        $(call mistakes_of,$1)
+        $(patsubst %,%.judge,$(call mistakes_of,$1))
 	$(Q)rm -rf $(T)/kept/$1 && mkdir -p $(T)/kept/$1 && set -- && \
 	    for program in $$(wordlist 2,99,$$^); do \
 	        [ ! -x "$$$$program" ] || set -- "$$$$@" "$$$$program"; done && \
@@ -149,7 +149,6 @@ endef
 $(foreach l,$(LESSONS),$(eval $(call kept_rule,$l)))
 define variant_test
 $(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
-        $(foreach m,$(call mistakes_of,$(patsubst %/,%,$(dir $1))),$m $m.judge) \
         $(T)/kept/$(patsubst %/,%,$(dir $1)).all \
         tests/tools/verify.sh tests/tools/verify.awk
 	$$(call say,test,$1)

@@ -55,13 +55,13 @@ static void read_why(const char *name, char check[64], size_t size, char text[])
     fclose(file);
 }
 
-/* Whether there is such a program, and the check that catches it is the one
- * that failed first. */
+/* Whether there is such a program, or what it prints, and the check that catches
+ * it is the one that failed first. */
 static int is_suspect(const char *name, const char *failed)
 {
     char path[PATH_SIZE], check[64], text[2048];
     snprintf(path, sizeof path, "%s/%s", judging.mistakes, name);
-    if (strchr(name, '.') || access(path, X_OK) != 0) return 0;
+    if (!is_kept(path) && access(path, X_OK) != 0) return 0;
     read_why(name, check, sizeof text, text);
     return strcmp(check, failed) == 0;
 }
@@ -152,9 +152,11 @@ static void find_suspects(const char *check, int got, size_t size,
     qsort(both, (size_t)n_run, sizeof *both, compare_seconds);
     const int n_entry = scandir(judging.mistakes, &entry, NULL, alphasort);
     for (int i = 0; i < n_entry; i++) {
-        const char *name = entry[i]->d_name;
-        if (child_seconds() < SECONDS_JUDGING && is_suspect(name, check) &&
-            explains(name, both, got)) {
+        char *name = entry[i]->d_name, *dot = strchr(name, '.');
+        const int known = dot && strcmp(dot, ".why") == 0;
+        if (known) *dot = '\0'; /* NAME.why */
+        if (known && child_seconds() < SECONDS_JUDGING &&
+            is_suspect(name, check) && explains(name, both, got)) {
             const size_t end = strlen(suspects);
             snprintf(suspects + end, size - end, " %s", name);
         }

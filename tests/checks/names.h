@@ -44,6 +44,7 @@
 #define cells_print judge_cells_print
 #define child_spend judge_child_spend
 #define output_kept judge_output_kept
+#define is_kept judge_is_kept
 #define expect_close judge_expect_close
 #define keep_figures judge_keep_figures
 #define guarded_copy judge_guarded_copy
