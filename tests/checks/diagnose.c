@@ -55,8 +55,8 @@ static void read_why(const char *name, char check[64], size_t size, char text[])
     fclose(file);
 }
 
-/* Whether there is such a program, or what it prints, and the check that catches
- * it is the one that failed first. */
+/* Whether there is such a program, or what it prints, and the check that
+ * catches it is the one that failed first. */
 static int is_suspect(const char *name, const char *failed)
 {
     char path[PATH_SIZE], check[64], text[2048];

@@ -70,9 +70,9 @@ struct output *output_of_subject(const char *options);
 /*
  * `make test` asks again and again what a reference or a known mistake prints:
  * its rules have a judge run each program once, with all options of the lesson,
- * and keep that in the folder judging.kept.  NAME.judge, the judge of a mistake,
- * is run as the program NAME, so that this need not be built.  A judge of a
- * student's program is given no such folder.
+ * and keep that in the folder judging.kept.  NAME.judge, the judge of a
+ * mistake, is run as the program NAME, so that this need not be built.  A judge
+ * of a student's program is given no such folder.
  */
 void keep_outputs(const char *program);
 int is_kept(const char *program);
