@@ -173,6 +173,8 @@ sh tests/tools/workbook.sh fill words.md >/dev/null 2>&1
 grep -qxF '| NOT_SPD | 1.2 | 1.25 |' words.md &&
     grep -qxF '| stretch | - | - |' words.md
 result $? 'a word in a table is printed as it is' "$(cat words.md)"
+grep -qxF '|---|---:|---:|' words.md
+result $? 'words in a table stand on the left, numbers on the right' "$(cat words.md)"
 comma=$(locale -a 2>/dev/null | grep -iE '^(de_DE|fr_FR|tr_TR)\.utf-?8$' | head -n 1)
 if [ -n "$comma" ]; then
     said=$(LC_ALL=$comma sh tests/tools/workbook.sh check lessons/ERRATA.md 2>&1)

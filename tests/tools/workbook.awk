@@ -25,7 +25,8 @@
 #   <!-- hours 1-2 9 11-13 -->12 1/2<!-- /hours -->
 #
 # FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
-# (a word, or - where there is none) stands as it is, whatever its FORMAT.
+# (a word, or - where there is none) stands as it is, whatever its FORMAT.  Columns
+# stand on the right, those without a number on the left.
 #
 # To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 
@@ -61,14 +62,19 @@ function load(source,    path, line, name, n, c, word, column, status) {
     close(path)
 }
 
-function cell(source, table, column, row, format,    text) {
+function raw(source, table, column, row) {
     load(source)
     if (row < 0) row += rows[source, table]
     if (!((source, table, column, row) in value))
         stop("no cell " source " " table " " column " row " row)
-    text = value[source, table, column, row] ""
-    if (text !~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/)
-        return text
+    return value[source, table, column, row] ""
+}
+function is_number(text) {
+    return text ~ /^[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?$/
+}
+function cell(source, table, column, row, format,    text) {
+    text = raw(source, table, column, row)
+    if (!is_number(text)) return text
     if (format !~ /%[-0-9.]*s/) text = sprintf(format, text + 0)
     else text = sprintf(format, text)
     sub(/^-0(\.0*)?$/, "0&", text) # a rounded -1e-17 is 0
@@ -88,7 +94,7 @@ function powers(text,    part, power, raised, i) {
     return part[1] raised
 }
 
-function print_table(spec,    part, n, i, word, k, row, head, rule, line) {
+function print_table(spec,    part, n, i, word, k, row, head, rule, line, numbers) {
     n = split(spec, part, / *; */)
     split(part[1], word, " ")
     load(word[1])
@@ -98,7 +104,10 @@ function print_table(spec,    part, n, i, word, k, row, head, rule, line) {
         name[i] = column[1]; format[i] = column[2]
         head = head " |"
         for (j = 3; j <= k; j++) head = head " " column[j]
-        rule = rule "|---:"
+        numbers = 0
+        for (row = 0; row < rows[word[1], word[2]]; row++)
+            numbers += is_number(raw(word[1], word[2], name[i], row))
+        rule = rule (numbers ? "|---:" : "|---")
     }
     print substr(head, 2) " |"
     print rule "|"
