@@ -43,12 +43,12 @@ PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # What is made is moved to its place when it is whole: another make may be
 # reading or running the old one.  A signal leaves no half of it.
 PART    = $@.$$$$.part
-WHOLE   = trap 'rm -f $(PART)' 0; trap 'exit 130' 1 2 15;
+WHOLE   = trap 'rm -f $(PART) $(PART).said' 0; trap 'exit 130' 1 2 15;
 MOVED   = mv -f $(PART) $@
 COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
 # What the compiler says of an object stays in OBJECT.said: a test reads it.
-OBJECT  = -c -o $(PART) 2> $@.said; status=$$?; cat $@.said >&2; \
-          [ $$status = 0 ] && $(MOVED)
+OBJECT  = -c -o $(PART) 2> $(PART).said; status=$$?; cat $(PART).said >&2; \
+          [ $$status = 0 ] && mv -f $(PART).said $@.said && $(MOVED)
 # the linker that takes half as long, where there is one; asked for once
 ifeq ($(origin FAST_LD),undefined)
 FAST_LD = $(eval FAST_LD := $(shell echo 'int main(void) { return 0; }' | \
@@ -455,8 +455,9 @@ $(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
 
 # Lesson 24 in a window; ARGS: its options.  Until all its slots are written it is
 # the solution that runs.
-LIVE = $(if $(FORCE)$(shell grep -s 'todo."24[a-z]"' lessons/24_live.c; \
-           [ -f lessons/24_live.c ] || echo none),solutions,lessons)/24_live.c
+LIVE = $(if $(FORCE)$(shell [ -f lessons/24_live.c ] && \
+           ! grep 'todo."24[a-z]"' lessons/24_live.c || \
+           echo none),solutions,lessons)/24_live.c
 .PHONY: live
 live: $(LIB)
 	@pkg-config --exists sdl2 2> /dev/null || { echo 'make live needs SDL2:' \

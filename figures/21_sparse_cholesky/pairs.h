@@ -15,12 +15,12 @@
 
 #include "linear/matrix.h"
 
-enum { MOST_PAIRS = 5 };
+enum { MOST_PAIRS = 5, PAIRS_ROOM }; /* room for one that is not learnt yet */
 struct pairs {
     int n, count;   /* unknowns; pairs so far, of which the last are there */
     double *before; /* the last right-hand side; owned, and so are: */
-    double *s[MOST_PAIRS], *y[MOST_PAIRS];
-    double dot[MOST_PAIRS]; /* s.y */
+    double *s[PAIRS_ROOM], *y[PAIRS_ROOM];
+    double dot[PAIRS_ROOM]; /* s.y */
 };
 struct pairs pairs_make(int n);
 void pairs_free(struct pairs *p);

@@ -67,6 +67,14 @@ static void a_scene_starts_as_it_says(void)
             scene.g[k] = 0.1 + k;
             scene.pull[k] = scene.held[k] ? 0.0 : 37.1 + k;
         }
+        struct bar_scene turned = scene; /* no sign makes the tolerance less */
+        turned.c = -scene.c;
+        for (int k = 0; k < 2; k++) {
+            turned.g[k] = -scene.g[k];
+            turned.pull[k] = -scene.pull[k];
+        }
+        ck_assert(bar_scene_control(&turned).tolerance ==
+                  bar_scene_control(&scene).tolerance);
         struct bar_state *s = bar_state_alloc(&scene);
         for (int i = 0; i <= 7; i++) sum += s->b[i];
         close_to(sum, 238.5 + scene.pull[0] + scene.pull[1], 1e-10);

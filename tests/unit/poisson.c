@@ -34,6 +34,9 @@ static void grid_is_geometric_and_meets_its_ends(void)
     close_to((x[11] - x[10]) / (x[1] - x[0]), 5.5, 1e-12);
     poisson_grid(0.0, 1.0, 4, 1.0, x);
     for (int j = 0; j <= 4; j++) ck_assert(x[j] == 0.25 * j);
+    poisson_grid(0.0, 1.0, 2, 7.0, x);
+    ck_assert(x[0] == 0.0 && x[2] == 1.0);
+    close_to(x[1], 1.0 / 8.0, 1e-15);
     poisson_grid(0.0, 1.0, 1, 7.0, x);
     ck_assert(x[0] == 0.0 && x[1] == 1.0);
 }
