@@ -1,19 +1,26 @@
 /* bar_fast.c - see bar_fast.h. */
 #include "bar/bar_fast.h"
 
+#include "linear/vec.h"
+
 #include <assert.h>
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* What a sweep carries from element to element. */
-struct front {
-    int held;     /* it started at a prescribed end */
-    double c;     /* held: compliance of what lies behind; else not used */
-    double y;     /* force of what lies behind on the node: -q, eliminated */
-    double P;     /* stress of the element behind; 0 beyond a free end */
-    double max_q; /* so far; a NaN does not stay here, but it does in y */
-    int singular; /* a pivot was 0 to round-off */
+typedef long long bits __attribute__((vector_size(sizeof(two))));
+
+/* What the two sweeps carry from element to element: in lane 0 that to the
+ * right, in lane 1 that to the left. */
+struct fronts {
+    two u;     /* of the node */
+    two held;  /* 1: it started at a prescribed end; 0 */
+    two c;     /* held: compliance of what lies behind; else 1 */
+    two y;     /* force of what lies behind on the node: -q, eliminated */
+    two P;     /* stress of the element behind; 0 beyond a free end */
+    two max_q; /* so far; a NaN does not stay here, but it does in y */
+    two least; /* held: of |c k| so far, which is above 1 while k > 0 */
 };
 
 /* P = v (p[0] + p[1] v + ... + p[4] v^4) of v = u_e - u_{e-1}; k = dP/dv. */
@@ -39,47 +46,51 @@ static struct polynomial stress_polynomial(const struct bar *bar)
     return result;
 }
 
-static inline double horner(const double a[5], double v)
+INLINE two horner(const double a[5], two v)
 {
     return a[0] + v * (a[1] + v * (a[2] + v * (a[3] + v * a[4])));
 }
 
-/*
- * Eliminate the node of the front: sign +1 for a sweep to the right, -1 to the
- * left; v = u_e - u_{e-1} of the element ahead, b the node's load.
- */
-static inline void eliminate(const struct polynomial *law, double sign,
-                             double v, double b, struct front *f, double *l,
-                             double *z)
+INLINE two absolute(two x)
 {
-    const double P = v * horner(law->p, v), k = horner(law->k, v);
-    const double minus_q = sign * (P - f->P) + b, y = f->y + minus_q;
-    const double per_k = 1.0 / k;
-
-    if (!(fabs(minus_q) <= f->max_q)) f->max_q = fabs(minus_q);
-    if (f->held) {
-        const double t = k * f->c; /* pivot = (1 + t) / c */
-        const double w = 1.0 / (1.0 + t);
-        if (!(fabs(w) < 1.0 / DBL_EPSILON)) f->singular = 1;
-        *l = t * w;
-        *z = y * f->c * w;
-        f->c += per_k;
-    } else { /* pivot = k */
-        *l = 1.0;
-        *z = y * per_k;
-    }
-    f->y = *l * y;
-    f->P = P;
+    return (two)((bits)x & LLONG_MAX);
 }
 
-/* The front at an end; behind a prescribed end lies its first element. */
-static struct front front_make(const struct polynomial *law, int held,
-                               double v)
+/* x in the lanes where it is larger than y; elsewhere y. */
+INLINE two larger(two x, two y)
 {
-    struct front f = {.held = held};
-    if (!held) return f;
-    f.P = v * horner(law->p, v);
-    f.c = 1.0 / horner(law->k, v);
+    const bits first = (bits)(x > y);
+    return (two)((first & (bits)x) | (~first & (bits)y));
+}
+
+/* Eliminate the nodes of the fronts, with loads b; u of the nodes ahead. */
+INLINE void eliminate(const struct polynomial *law, two u, two b,
+                      struct fronts *f, two *l, two *z)
+{
+    const two right = {1.0, -1.0}, v = right * (u - f->u);
+    const two P = v * horner(law->p, v), k = horner(law->k, v);
+    const two minus_q = right * (P - f->P) + b;
+    const two per_k = 1.0 / k, c = f->c + f->held * per_k;
+
+    f->max_q = larger(absolute(minus_q), f->max_q);
+    f->least = -larger(-absolute(k * c), -f->least);
+    *l = f->c / c; /* the pivot is k / l */
+    f->y = *l * (f->y + minus_q);
+    *z = f->y * per_k;
+    f->c = c;
+    f->P = P;
+    f->u = u;
+}
+
+/* The fronts at the ends; behind a prescribed end lies its first element. */
+static struct fronts fronts_make(const struct polynomial *law, two held,
+                                 const double u[], int n)
+{
+    const two v = {u[1] - u[0], u[n] - u[n - 1]};
+    struct fronts f = {.held = held, .least = {1.0, 1.0}};
+    f.u = (two){u[held[0] > 0.0], u[n - (held[1] > 0.0)]};
+    f.P = held * (v * horner(law->p, v));
+    f.c = held / horner(law->k, v) + (1.0 - held);
     return f;
 }
 
@@ -94,31 +105,41 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
     const int n = bar->n;
     const double *b = bar->b;
     const struct polynomial law = stress_polynomial(bar);
-    struct front L = front_make(&law, bar->held[0], u[1] - u[0]);
-    struct front R =
-        front_make(&law, m < n && bar->held[1], u[n] - u[n - 1]);
-    int i = L.held, j = n - R.held; /* at a held end l and z stay 0 */
+    const two held = {bar->held[0], m < n && bar->held[1]};
+    struct fronts f = fronts_make(&law, held, u, n);
+    int i = held[0] > 0.0, j = n - (held[1] > 0.0);
+    two l_k, z_k; /* at a held end l and z stay 0 */
 
     for (; i < m && j > m; i++, j--) {
-        eliminate(&law, 1.0, u[i + 1] - u[i], b[i], &L, &l[i], &z[i]);
-        eliminate(&law, -1.0, u[j] - u[j - 1], b[j], &R, &l[j], &z[j]);
+        eliminate(&law, (two){u[i + 1], u[j - 1]}, (two){b[i], b[j]}, &f, &l_k,
+                  &z_k);
+        l[i] = l_k[0], l[j] = l_k[1];
+        z[i] = z_k[0], z[j] = z_k[1];
     }
-    for (; i < m; i++)
-        eliminate(&law, 1.0, u[i + 1] - u[i], b[i], &L, &l[i], &z[i]);
-    for (; j > m; j--)
-        eliminate(&law, -1.0, u[j] - u[j - 1], b[j], &R, &l[j], &z[j]);
-    *max_q = R.max_q > L.max_q ? R.max_q : L.max_q;
+    struct fronts L = f, R = f; /* the last nodes of one, by itself */
+    for (; i < m; i++) {
+        eliminate(&law, (two){u[i + 1], R.u[1]}, (two){b[i]}, &L, &l_k, &z_k);
+        l[i] = l_k[0], z[i] = z_k[0];
+    }
+    for (; j > m; j--) {
+        eliminate(&law, (two){L.u[0], u[j - 1]}, (two){0.0, b[j]}, &R, &l_k,
+                  &z_k);
+        l[j] = l_k[1], z[j] = z_k[1];
+    }
+    *max_q = fmax(L.max_q[0], R.max_q[1]);
     *du_m = 0.0;
     const int open = m < n || !bar->held[1]; /* node m may move */
-    const double minus_q = open ? R.P - L.P + b[m] : 0.0;
-    const double y = L.y + R.y + minus_q;
-    const double k_L = L.held ? 1.0 / L.c : 0.0, k_R = R.held ? 1.0 / R.c : 0.0;
+    const double minus_q = open ? R.P[1] - L.P[0] + b[m] : 0.0;
+    const double y = L.y[0] + R.y[1] + minus_q;
+    const double k_L = held[0] / L.c[0], k_R = held[1] / R.c[1];
     const double zero = DBL_EPSILON * (fabs(k_L) + fabs(k_R));
     const double pivot = k_L + k_R;
-    if (!isfinite(y) || !isfinite(L.c) || !isfinite(R.c)) return NONFINITE;
+    const int singular = (held[0] > 0.0 && L.least[0] <= DBL_EPSILON) ||
+                         (held[1] > 0.0 && R.least[1] <= DBL_EPSILON);
+    if (!isfinite(y) || !isfinite(L.c[0]) || !isfinite(R.c[1]))
+        return NONFINITE;
     if (fabs(minus_q) > *max_q) *max_q = fabs(minus_q);
-    if (L.singular || R.singular || (open && fabs(pivot) <= zero))
-        return NOT_SPD;
+    if (singular || (open && fabs(pivot) <= zero)) return NOT_SPD;
     if (open) *du_m = y / pivot;
     return OK;
 }
@@ -128,24 +149,23 @@ static enum status sweep_forward(const struct bar *bar, const double u[],
 static double sweep_back(int n, int m, const double l[], const double z[],
                          double du_m, double u[])
 {
-    double left = du_m, right = du_m, largest = fabs(du_m);
+    two du = {du_m, du_m}, largest = absolute(du);
     int i = m - 1, j = m + 1;
 
     u[m] += du_m;
     for (; i >= 0 && j <= n; i--, j++) {
-        left = z[i] + l[i] * left;
-        right = z[j] + l[j] * right;
-        u[i] += left;
-        u[j] += right;
-        if (!(fabs(left) <= largest)) largest = fabs(left);
-        if (!(fabs(right) <= largest)) largest = fabs(right);
+        du = (two){z[i], z[j]} + (two){l[i], l[j]} * du;
+        u[i] += du[0];
+        u[j] += du[1];
+        largest = larger(absolute(du), largest);
     }
+    double left = du[0], most = largest[0];
     for (; i >= 0; i--) {
         left = z[i] + l[i] * left;
         u[i] += left;
-        if (!(fabs(left) <= largest)) largest = fabs(left);
+        if (fabs(left) > most) most = fabs(left);
     }
-    return largest + 0.0 * (left + right);
+    return fmax(most, largest[1]) + 0.0 * (left + du[1]);
 }
 
 struct newton_report bar_fast_newton(const struct bar *bar,

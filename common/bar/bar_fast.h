@@ -7,7 +7,7 @@
  * the sweep gets there, so two passes will do.  The first reads u and b and
  * keeps two numbers a node, the second turns them into the increment:
  *
- *     forward    t = k_e c, l_i = t / (1 + t),  z_i = y c / (1 + t),
+ *     forward    l_i = c / (c + 1/k_e),  z_i = l_i y / k_e,
  *                then  c := c + 1/k_e,  y := l_i y + (what node e adds to -q)
  *     backward   du_i = z_i + l_i du_{i+1},   u_i += du_i
  *
@@ -19,7 +19,8 @@
  * Behind a free end 1/c = 0: l_i = 1, z_i = y / k_e.
  *
  * y still waits for the y before.  Two sweeps that start at the two ends and
- * meet at a node do not wait for each other.
+ * meet at a node do not wait for each other: each has a lane of the same
+ * registers (vec.h).
  */
 #ifndef COMMON_BAR_FAST_H
 #define COMMON_BAR_FAST_H

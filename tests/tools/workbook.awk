@@ -132,7 +132,7 @@ function print_code(file, what,    line, inside, found, indent, comment) {
             if (line ~ "/\\* SLOT " what "\\(") { inside = 1; comment = 1 }
             if (comment && line ~ /\*\//) comment = 0
         } else {
-            if (line ~ "^[a-z_].*[ *]" what "\\(" && line !~ /;$/) inside = 1
+            if (line ~ "^[A-Za-z_].*[ *]" what "\\(" && line !~ /;$/) inside = 1
             if (inside) { found = 1; print line }
             if (line == "}") inside = 0
         }
