@@ -13,7 +13,7 @@ set xlabel "operations for all strains of the mesh"
 set ylabel "error of the strain, relative to it"
 of(lean, strain, y) = \
     column("lean") == lean && strcol("strain") eq strain ? column(y) : 1/0
-set key above left maxrows 3 samplen 2
+unset key
 array Floor[2]
 do for [k = 1:2] {
     lean = k == 1 ? 45 : 5
@@ -21,11 +21,16 @@ do for [k = 1:2] {
         of(lean, "linear", "floor") : 1/0) nooutput name "S"
     Floor[k] = S_max
 }
+set label 1 "linear strain, ends lean by 45°" at 1.2e6,Floor[1]*1.25 right \
+    textcolor rgb "#D55E00"
+set label 2 "linear strain, 5°" at 1.2e6,Floor[2]*1.25 right textcolor rgb "#E69F00"
+set label 3 "Green strain, 45° and 5° alike" at 5e4,0.055 right \
+    textcolor rgb "#0072B2"
+set label 4 "dotted: no finer mesh goes below" at 450,Floor[2]*0.82
 plot data index "cost" using "operations":(of(45, "linear", "error")) \
-         with linespoints ls 2 title "linear strain, ends lean by 45°", \
+         with linespoints ls 2, \
      "" index "cost" using "operations":(of(5, "linear", "error")) \
-         with linespoints ls 5 title "linear strain, by 5°", \
+         with linespoints ls 5, \
      "" index "cost" using "operations":(of(45, "green", "error")) \
-         with linespoints ls 1 title "Green strain, by either", \
-     Floor[1] with lines ls 8 title "what the linear strain of the arc is off by", \
-     Floor[2] with lines ls 8 notitle
+         with linespoints ls 1, \
+     Floor[1] with lines ls 8, Floor[2] with lines ls 8

@@ -89,7 +89,7 @@ set logscale y
 set yrange [0.1:500]
 set format y "%g"
 set ytics (0.1, 1, 5, 10, 100)
-set ylabel "P is off log's P by (%)"
+set ylabel "error of P, log law's = 0 (%)"
 below(c) = column("F") < 1 ? abs(column(c)) : NaN # no line across F = 1
 above(c) = column("F") > 1 ? abs(column(c)) : NaN
 plot data index "difference" using "F":(below("cubic")) with lines ls 2, \

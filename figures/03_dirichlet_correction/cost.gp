@@ -4,41 +4,45 @@
 # Reads   data  tables path, units
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 820,440
+set terminal svg size 820,400
 set output out
 of(start, y) = strcol("start") eq start ? column(y) : 1/0
 set multiplot layout 1,2
-set lmargin 9; set rmargin 2; set tmargin 5; set bmargin 4
-set key above left maxrows 3 samplen 2
+set lmargin 9; set rmargin 2; set tmargin 2; set bmargin 4
+unset key
 
 set xrange [0:70]
 set yrange [0:22]
 set xlabel "iterations, 64 elements"
 set ylabel "error in the energy norm, relative"
 set arrow 1 from 64, graph 0 to 64, graph 1 nohead ls 8
-set label 1 "64 free nodes" at 63, 14 right
+set label 1 "64 free nodes" at 63,12.5 right
+set label 2 "1 on the diagonal: u_0 comes last" at 62,17.2 right \
+    textcolor rgb "#D55E00"
+set label 3 "the old entry, or 1 and a start with u_0 = g" at 62,1.5 right \
+    textcolor rgb "#0072B2"
 # past the last iteration drawn the error is round-off
 drop(start, y) = strcol("start") eq start ? \
     (strcol("error") eq "-" ? 0 : column(y)) : 1/0
-plot data index "path" using "iteration":(drop("one", "error")) with lines ls 2 \
-         title "1 on the diagonal", \
+plot data index "path" using "iteration":(drop("one", "error")) with lines ls 2, \
      "" index "path" using "iteration":(drop("one_from_g", "error")) \
-         with lines ls 5 title "1, and a start with u_0 = g", \
+         with lines ls 5, \
      "" index "path" using "iteration":(drop("kept", "error")) \
-         with lines ls 1 dt 2 title "the old entry"
+         with lines ls 1 dt 2
 
 unset arrow 1
 unset label 1
+set label 2 "1 on the diagonal" at 70,0.77 left
+set label 3 "the old entry, or 1\nand a start with u_0 = g" at 1e-4,0.12 left
 set logscale x
 set format x "10^{%T}"
 set xrange [5e-5:2e6]
 set yrange [-0.03:1]
 set xlabel "factor of β and f"
 set ylabel "largest error of u when it is accepted, relative"
-plot data index "units" using "scale":(of("one", "error")) with linespoints ls 2 \
-         title "1 on the diagonal", \
+plot data index "units" using "scale":(of("one", "error")) with linespoints ls 2, \
      "" index "units" using "scale":(of("one_from_g", "error")) \
-         with linespoints ls 5 ps 1.2 title "1, and a start with u_0 = g", \
+         with linespoints ls 5 ps 1.2, \
      "" index "units" using "scale":(of("kept", "error")) \
-         with linespoints ls 1 title "the old entry"
+         with linespoints ls 1
 unset multiplot
