@@ -107,7 +107,13 @@ function say(x, y, size, anchor, text, more) {
 # from lesson b to lesson a, which rests on it
 function arrow(b, a,    x0, y0, x1, y1, way) {
     x0 = X[b]; y0 = Y[b]; x1 = X[a]; y1 = Y[a]
-    if (over(b, a)) { # round about: below b, left of the column of a
+    if (over(b, a) && row[a] == row[b] - 1) { # between the two rows
+        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 16, y0, y0 - 12, \
+            x1 + width / 2, y1 + height + 2)
+    } else if (over(b, a) && row[a] == row[b]) { # below what lies between
+        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 8, y0 + height, \
+            y0 + height + 12, x1 + width / 2, y1 + height + 2)
+    } else if (over(b, a)) { # round about: below b, left of the column of a
         way = sprintf("M%g,%g V%g H%g V%g H%g V%g", x0 + width / 2 - 8, \
             y0 + height, y0 + height + 12, x1 - 9, \
             y1 > y0 ? y1 - 12 : y1 + height + 12, x1 + width / 2, \
