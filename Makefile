@@ -497,7 +497,7 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help deps status figures course book test live choose bench many grade lint \
+GOALS := help deps status figures course book web wasm test live choose bench many grade lint \
          starters workbook programs studies memcheck look alone clean new-% \
          deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
