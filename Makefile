@@ -182,8 +182,8 @@ $(BUILD)/flags: $(OTHER_FLAGS)
 
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
-# has all but window_sdl.c, which needs SDL2 and is for `make live` only, and the
-# program of `make choose`.
+# has all but window_sdl.c, which needs SDL2 and is for `make live` only,
+# window_web.c, which is for a page, and the program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
 NO_PROGRAM := help deps status alone check-% hint-% solution-% reset-% watch-% \
               debug-% mistakes-%
@@ -199,7 +199,8 @@ needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
 .SECONDEXPANSION:
 
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
-               common/motion/window_sdl.c common/choice/choose.c,$(wildcard \
+               common/motion/window_sdl.c common/motion/window_web.c \
+               common/choice/choose.c,$(wildcard \
                common/*/*.c)))
 # One of another make may have left out what has come since.
 LEFT_OUT := $(if $(wildcard $(LIB)),$(filter-out $(shell ar t $(LIB)), \
@@ -497,7 +498,7 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help deps status figures course book test live choose bench many grade lint \
+GOALS := help deps status figures course book web wasm test live choose bench many grade lint \
          starters workbook programs studies memcheck look alone clean new-% \
          deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)

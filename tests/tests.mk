@@ -332,6 +332,7 @@ memcheck: $$(READY)
 	$(SHARED)@for kind in sanitize valgrind; do $(VARIANTS) $$kind whole; done | \
 	    sh tests/tools/count.sh
 
+include tests/web.mk
 include tests/many.mk
 include tests/mutants.mk
 endif

@@ -115,6 +115,15 @@ static void read_line(const char *program, const char *path, int at, char *text,
                "comment begins with #", word, more);
 }
 
+int scene_file_line(int k, struct scene_line *line)
+{
+    if (k < 0 || k >= COUNT(lines)) return 0;
+    const struct line *l = &lines[k];
+    *line = (struct scene_line){l->word,  l->n,    l->least, l->most,
+                                l->words, l->must, l->unit};
+    return 1;
+}
+
 /* The last part of the path, without its ending. */
 static void name_of(const char *path, char name[64])
 {

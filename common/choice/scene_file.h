@@ -28,6 +28,20 @@
 
 #include "choice/ladder.h"
 
+/* What a line may say: n numbers from least to most in a unit, or (n = 0) one
+ * of `words`, with a blank around each. */
+struct scene_line {
+    const char *word;
+    int n;
+    double least, most;
+    const char *words; /* NULL: numbers */
+    int must;          /* be there */
+    const char *unit;  /* after a blank, or "" */
+};
+
+/* *line := the k-th from 0 on; false: there is none. */
+int scene_file_line(int k, struct scene_line *line);
+
 struct scene_file {
     struct ladder_scene scene;
     double metre, pascal, second; /* what its units are (m, N/m^2, s) */

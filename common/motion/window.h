@@ -1,6 +1,6 @@
 /*
  * window.h - a window on a live scene.  window_sdl.c alone needs SDL2, and is
- * linked by `make live` and by nothing else.
+ * linked by `make live` and by nothing else; window_web.c is for a page.
  *
  * The square is coloured by log2 J: blue where it is pressed, white at rest,
  * orange where it is stretched, magenta where J <= 0; a red ring stands round a

@@ -2,6 +2,7 @@
 #include "motion/window.h"
 
 #include "base/clock.h"
+#include "motion/caption.h"
 
 #include <SDL.h>
 #include <math.h>
@@ -185,27 +186,15 @@ void window_draw(struct window *w, const struct live *live,
                  const struct live_report *report, double seconds,
                  const char *shot)
 {
-    static const char *const start[] = {"elastic", "rows", "last state"};
-    const struct live_setting *set = &live->set;
-    char text[360];
+    char text[CAPTION];
     ink(w, 255, 255, 255);
     SDL_RenderClear(w->draw);
     draw_body(w, live);
     draw_times(w, seconds);
-    snprintf(text, sizeof text, "%s: %s, %d systems in %.1f ms\n"
-             "[l] law: %s   [i] time step: %s\n"
-             "[s] start: %s   [p] if it fails: %s\n"
-             "[g] grab: %s   [e] element: %s\n"
-             "[+ -] squares: %d   [r] reset\n"
-             "[space] stop   [q] close%s", report->rung,
-             status_name(report->status), report->systems, 1e3 * seconds,
-             material_law(set->law), method_name(set->method),
-             start[set->start], set->fallback ? "downhill" : "nothing",
-             set->grab == SIDE ? "side" : "patch",
-             set->element == LINEAR_TRIANGLE ? "linear" : "quadratic", set->n,
-             w->mouse ? "   drag with the mouse" : "");
     ink(w, strcmp(report->rung, "lost") == 0 ? 200 : 20, 20, 20);
+    caption_of(live, report, seconds, text);
     write_text(w, 12, 12, text);
+    if (w->mouse) write_text(w, 12 + 27 * 12, 122, "drag with the mouse");
     snprintf(text, sizeof text, "min J %.2f, %d knots",
              body_min_J(live->body, live->now.u), w->knots);
     write_text(w, 18 + FRAMES, w->high - 36, text);

@@ -40,7 +40,7 @@ static void add_to_nodes(const struct support *s, double scale, mat2 P,
                                                 P.m[k][1] * s->gradient[i][1]);
 }
 
-static enum status finite(const double v[], int n)
+static enum status all_finite(const double v[], int n)
 {
     for (int r = 0; r < n; r++)
         if (!isfinite(v[r])) return NONFINITE;
@@ -65,7 +65,7 @@ enum status particle_energy(const struct particle_body *body, const double u[],
         *energy +=
             body->particles->volume[p] * material2_psi(&body->material, F);
     }
-    return finite(energy, 1);
+    return all_finite(energy, 1);
 }
 
 enum status particle_force(const struct particle_body *body, const double u[],
@@ -81,7 +81,7 @@ enum status particle_force(const struct particle_body *body, const double u[],
         add_to_nodes(&s, -body->particles->volume[p],
                      material2_pk1(&body->material, F), f);
     }
-    return finite(f, n_dof);
+    return all_finite(f, n_dof);
 }
 
 enum status particle_cauchy_force(const struct particle_body *body,
@@ -105,7 +105,7 @@ enum status particle_cauchy_force(const struct particle_body *body,
                                            mat2_transpose(mat2_cofactor(hat))));
         add_to_nodes(&now, -J * body->particles->volume[p], sigma, f);
     }
-    return finite(f, n_dof);
+    return all_finite(f, n_dof);
 }
 
 enum status particle_difference_force(const struct particle_body *body,
@@ -156,7 +156,7 @@ enum status particle_product(const struct particle_body *body, const double u[],
         add_to_nodes(&s, body->particles->volume[p],
                      dpk1(body, F, support_gradient(&s, w)), out);
     }
-    return finite(out, n_dof);
+    return all_finite(out, n_dof);
 }
 
 enum status particle_taylor(const struct particle_body *body, const double u[],

@@ -1,0 +1,50 @@
+# web.mk - the workbook in a browser, which alone needs emscripten.
+#
+# The programs are compiled to WebAssembly under build/wasm/, the pages are made in
+# build/web/.  Without the tools `make web` says what to install, and make test
+# leaves its part out.
+
+WASM := $(BUILD)/wasm
+WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
+            [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
+no_web = no emscripten, or no source of GSL; make deps-web installs them
+.PHONY: deps-web web
+deps-web: ; @sh tests/tools/deps_web.sh $(WASM)
+
+# Debian's emscripten does not find its acorn under another node than Debian's.
+EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
+WASM_CC = $(EMCC) $(STD) -O2 -w -Icommon -I$(WASM)/gsl -MMD -MP -MF $@.d -MT $@
+# In a page a program is a function of Module, so that a script may bring it from
+# a file as well as from a server: programs["NN_slug"](Module) runs it, with the
+# arguments, print, printErr and onExit of Module.
+WASM_LINK = -O2 -sSINGLE_FILE=1 -sENVIRONMENT=worker -sEXIT_RUNTIME=1 \
+            -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=1GB
+
+$(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
+	$(call say,emcc,GSL)
+	$(Q)sh tests/tools/web_gsl.sh build $(WASM)
+WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
+                    common/motion/window_sdl.c,$(wildcard common/*/*.c)) \
+                    $(LESSONS:%=solutions/%.c))
+$(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
+	$(call say,emcc,$<)
+	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' -c $< -o $@
+$(WASM)/libworkbook.a: $(filter $(WASM)/common/%,$(WASM_OBJECTS))
+	$(Q)rm -f $@ && emar rcs $@ $(filter-out %/choose.o,$^)
+
+# A program: its objects, the library, GSL; MORE: what its link needs besides.
+define wasm_program
+$(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
+	$$(call say,wasm,$$@)
+	$$(Q)$$(EMCC) $$(WASM_LINK) $3 $$(filter %.o %.a,$$^) -o $(WASM)/$1.part.js && \
+	    { echo '(self.programs ||= {})["$1"] = function (Module) {' && \
+	      cat $(WASM)/$1.part.js && echo '};'; } > $$@ && rm $(WASM)/$1.part.js
+endef
+$(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
+.PHONY: wasm web-check
+wasm: $(LESSONS:%=$(WASM)/%.js)
+
+web-check:
+	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
+web: web-check
+	$(SHARED)@"$$MAKE" wasm

@@ -1,0 +1,124 @@
+/*
+ * choose.mjs SITE NATIVE - the page of the least model in a headless Chromium.
+ *
+ * For each example the page says what the program NATIVE says, but for what is
+ * measured in seconds, and its picture has the numbers; bad fields are refused
+ * in the program's own words.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
+ */
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { open } from './browser.mjs';
+
+const [site, native] = process.argv.slice(2);
+let failed = 0;
+function say(good, what, why) {
+    console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
+    failed += !good;
+}
+
+const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scene'));
+/* What is measured in seconds, and what follows from it. */
+const timeless = out => out
+    .replace(/[^ ]+ ms on this machine: (NOT )?within/, 'MS')
+    .replace(/about -?\d+ cells along/, 'about N cells along')
+    .replace(/choosing took .*/, 'choosing took MS')
+    .replace(/(choosing\s+pays) from run \d+ on/, '$1')
+    .trimEnd();
+function run(args, folder) {
+    const { status, stdout, stderr } = spawnSync(native, args, { cwd: folder, encoding: 'utf8' });
+    return { status, out: timeless(stdout), err: stderr.trim() };
+}
+/* The first line that differs. */
+function differs(a, b) {
+    const one = a.split('\n'), two = b.split('\n');
+    const k = one.findIndex((line, i) => line !== two[i]);
+    return k < 0 ? `${one.length} and ${two.length} lines` : `"${one[k]}" and "${two[k]}"`;
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'choose-'));
+const browser = await open();
+const page = await browser.page(pathToFileURL(resolve(site, 'choose.html')).href);
+
+/* Set the example and these fields, choose, and wait for the answer. */
+async function answer(example, fields, error = '10', verify = false) {
+    await page.eval(`(() => {
+        const box = document.querySelector('.choose'), f = box.fields;
+        f.example.value = ${JSON.stringify(example)};
+        f.example.dispatchEvent(new Event('change'));
+        for (const [name, values] of Object.entries(${JSON.stringify(fields)}))
+            f.words.find(w => w.word === name).inputs.forEach((input, i) => {
+                input.value = values.split(' ')[i] || '';
+            });
+        f.error.value = ${JSON.stringify(error)};
+        f.verify.checked = ${verify};
+        f.form.requestSubmit();
+    })()`);
+    if (!await page.until("document.querySelector('.choose').said", 90)) return null;
+    return page.eval("document.querySelector('.choose').said");
+}
+
+try {
+    let same = 0, pictures = 0, why = '';
+    for (const file of SCENES) {
+        const text = readFileSync(join('lessons/scenes', file), 'utf8');
+        writeFileSync(join(folder, file), text);
+        const verify = file === 'harder.scene';
+        const there = run(['--scene', file, '--picture', 'picture', '--verify',
+                           verify ? 'yes' : 'no'], folder);
+        const here = await answer(file.replace('.scene', ''), {}, '10', verify);
+        const good = here && here.status === there.status &&
+            timeless(here.out) === there.out && here.err === there.err;
+        same += good;
+        if (!good) why += ` ${file}: ` + (here ? `${here.status} ${there.status} ` +
+            differs(timeless(here.out) + here.err, there.out + there.err) : 'no answer');
+        if (!there.out) continue;
+        const bars = await page.eval("document.querySelectorAll('.answer rect').length");
+        const links = await page.eval("document.querySelectorAll('.answer a').length");
+        pictures += here && (!here.picture || bars === 7) && links > 3;
+    }
+    say(SCENES.length >= 16 && same === SCENES.length,
+        `the answers to ${SCENES.length} scenes are those of the program`, why);
+    say(pictures >= SCENES.length - 1, 'an answer has its picture and its links', pictures);
+
+    /* the words of the form are those of the program */
+    const wrong = [
+        ['nu', '0.7'], ['width', 'wide'], ['gravity', '0'], ['rho', ''], ['held', ''],
+        ['height', '1'], ['end', '1'], ['E', '-3'], ['gravity', '0 0']];
+    let refused = 0;
+    why = '';
+    for (const [name, value] of wrong) {
+        const here = await answer('flap', { [name]: value });
+        /* the same fields as a file */
+        const file = await page.eval(`document.querySelector('.choose').fields.words
+            .map(w => [w.word, w.inputs.map(i => i.value.trim()).join(' ')])
+            .filter(([, v]) => v.trim()).map(([w, v]) => w + ' ' + v).join('\\n') + '\\n'`);
+        writeFileSync(join(folder, 'flap.scene'), file);
+        const there = run(['--scene', 'flap.scene'], folder);
+        const shown = await page.eval("document.querySelector('#wrong').textContent");
+        const marked = await page.eval("document.activeElement.name === " +
+            `${JSON.stringify(name)} && document.activeElement.getAttribute('aria-invalid')`);
+        const whole = value === '0 0'; /* nothing is loaded: no field is at fault */
+        const good = there.status === 2 && here && here.status === 2 &&
+            here.err.trim() === there.err && shown.trim() === there.err && (whole || marked === 'true');
+        refused += good;
+        if (!good) why += ` ${name} '${value}': "${shown}" and "${there.err}", ${marked};`;
+    }
+    say(refused === wrong.length, 'bad fields are refused in the words of the program', why);
+    const error = await answer('flap', {}, '0');
+    say(error && error.status === 2 && error.err === run(['--scene', 'flap.scene', '--error', '0'],
+        folder).err, 'a bad error is refused', error && error.err);
+
+    const nameless = await page.eval(`[...document.querySelectorAll(
+        '.choose input, .choose select')].filter(i => !i.labels.length &&
+        !i.getAttribute('aria-label')).length`);
+    say(nameless === 0, 'each field has a label', nameless);
+    say(page.errors.length === 0, 'no error on the page of the least model',
+        page.errors.join(' '));
+} finally {
+    await browser.close();
+    rmSync(folder, { recursive: true });
+}
+process.exit(failed ? 1 : 0);

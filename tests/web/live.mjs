@@ -1,0 +1,194 @@
+/*
+ * live.mjs SITE NATIVE - the live pages in a headless Chromium.
+ *
+ * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
+ * none is lost, and the native program NATIVE has the same rungs, systems and
+ * knots for the input that the page has recorded.  Frames per second are
+ * printed, not asserted.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
+ */
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { open } from './browser.mjs';
+
+const [site, native] = process.argv.slice(2);
+const url = name => pathToFileURL(resolve(site, name)).href;
+let failed = 0;
+function say(good, what, why) {
+    console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
+    failed += !good;
+}
+
+/* In the page: an event for each frame, as pointer and keys of a person make
+ * them, from numbers that are the same each time.  keys: frame, key. */
+function drive(frames, keys, seed) {
+    const { state, canvas } = document.querySelector('.live').live;
+    let random = seed, x = 1, y = 0, tx = 1, ty = 0, speed = 0.05, down = false;
+    const next = () => (random = (random * 48271) % 2147483647) / 2147483647;
+    const box = canvas.getBoundingClientRect(), scale = box.width / 5.6;
+    const fire = type => canvas.dispatchEvent(new PointerEvent(type, {
+        pointerId: 7, pointerType: 'touch', button: 0, buttons: down ? 1 : 0, bubbles: true,
+        clientX: box.left + box.width / 2 + scale * x,
+        clientY: box.top + box.height / 2 - scale * y }));
+    return new Promise(done => {
+        let before = state.frames;
+        const first = before, began = performance.now(), sent = [];
+        const step = () => {
+            if (state.closed) return done({ frames: state.frames - first, seconds: 0, sent });
+            if (state.frames - first >= frames)
+                return done({ first, sent, frames: state.frames - first,
+                              seconds: (performance.now() - began) / 1000 });
+            for (; before < state.frames; before++) {
+                const chance = next(), k = before - first;
+                if (chance < 0.06) {
+                    tx = 4 * next() - 2;
+                    ty = 4 * next() - 2;
+                    speed = 0.02 * Math.pow(200, next());
+                } else if (chance < 0.1) {
+                    down = !down;
+                    fire(down ? 'pointerdown' : 'pointerup');
+                }
+                const way = Math.hypot(tx - x, ty - y), s = way > speed ? speed / way : 1;
+                x += s * (tx - x);
+                y += s * (ty - y);
+                fire('pointermove');
+                sent.push([x, y, down ? 1 : 0]);
+                for (const [at, key] of keys)
+                    if (at === k) canvas.dispatchEvent(new KeyboardEvent('keydown',
+                        { key, bubbles: true }));
+            }
+            requestAnimationFrame(step);
+        };
+        requestAnimationFrame(step);
+    });
+}
+
+/* The rows of a table, as objects. */
+function rows(lines, name) {
+    const begin = lines.indexOf('# ' + name);
+    if (begin < 0) return [];
+    let k = begin + 1;
+    while (lines[k].startsWith('# ')) k++;
+    const columns = lines[k++].split('\t'), all = [];
+    for (; lines[k]; k++) {
+        const cells = lines[k].split('\t');
+        all.push(Object.fromEntries(columns.map((c, i) => [c, cells[i]])));
+    }
+    return all;
+}
+
+const SEEN = ['first', 'rung', 'status', 'systems', 'part', 'knots'];
+async function square(browser, folder, law, keys, seed) {
+    const page = await browser.page(url('live.html'));
+    const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
+    say(begun, 'the live page begins', page.errors.join(' ') || 'no frame');
+    if (!begun) return page.close();
+    const run = await page.eval(`(${drive})(600, ${JSON.stringify(keys)}, ${seed})`);
+    await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
+        "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
+    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    const { status, lines, input } = await page.eval("(({status, lines, input}) => " +
+        "({status, lines, input}))(document.querySelector('.live').live.state)");
+    const here = rows(lines, 'frames');
+    const lost = here.filter(row => row.rung === 'lost').length;
+    say(status === 0 && run.frames >= 600 && here.length >= 600 && lost === 0,
+        `600 frames by pointer events, ${law}: none lost`,
+        `status ${status}, ${here.length} frames, ${lost} lost; ${page.errors.join(' ')}`);
+    console.log(`web: ${(run.frames / run.seconds).toFixed(1)} frames per second, ${law}, n = 16`);
+    /* What a frame was given are the events of one of the last frames. */
+    const given = input.trim().split('\n').map(line => line.split(' ').map(Number));
+    let strange = 0;
+    for (let k = 3; k < run.frames; k++) {
+        const now = given[run.first + k];
+        strange += !run.sent.slice(k - 3, k + 1).some(sent => now &&
+            sent.every((value, i) => Math.abs(value - now[i]) < 1e-6));
+    }
+    say(strange === 0, `the input is where the pointer was, ${law}`,
+        `not in ${strange} of ${run.frames} frames`);
+
+    const file = join(folder, law + '.txt');
+    writeFileSync(file, input);
+    const there = rows(execFileSync(native, ['--input', file, '--n', '16'],
+        { encoding: 'utf8', maxBuffer: 1e8 }).split('\n'), 'frames');
+    const knots = there.filter(row => row.knots !== '0').length;
+    const other = here.findIndex((row, k) => !there[k] || SEEN.some(c => row[c] !== there[k][c]));
+    say(here.length === there.length && other < 0,
+        `rungs, systems and knots are those of the native replay, ${law}`,
+        `${here.length} and ${there.length} frames; frame ${other + 1}: ` + SEEN.map(c =>
+            `${c} ${(here[other] || {})[c]} ${(there[other] || {})[c]}`).join(', '));
+    if (law === 'cubic') say(knots > 0, 'the cubic hand ties a knot', 'none');
+    let off = 0;
+    here.forEach((row, k) => { if (there[k]) off = Math.max(off,
+        Math.abs(row.energy - there[k].energy) / Math.max(1, Math.abs(there[k].energy))); });
+    console.log(`web: energies differ by ${off.toExponential(1)} of themselves, ${law}`);
+    /* libraries differ in the last digit of log and hypot, and 600 frames of a hand
+     * amplify that; 1e-13 to 4e-10 were seen */
+    say(off < 1e-6, `energies are those of the native replay, ${law}`, off);
+    say(page.errors.length === 0, `no error on the live page, ${law}`, page.errors.join(' '));
+    await page.close();
+}
+
+/* Without the second rung frames are lost, and the page says how many. */
+async function losses(browser) {
+    const page = await browser.page(url('live.html'));
+    await page.until("document.querySelector('.live').live.state.frames > 5");
+    await page.eval(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
+    await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
+        "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
+    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    const { lines, lost } = await page.eval("(({lines, lost}) => " +
+        "({lines, lost}))(document.querySelector('.live').live.state)");
+    const really = rows(lines, 'frames').filter(row => row.rung === 'lost').length;
+    const shown = await page.eval("document.querySelector('.live .lost').textContent");
+    say(really > 0 && lost === really && shown.includes(`${really} lost`),
+        'frames that are lost are said', `${really} lost, ${lost} counted, "${shown}"`);
+    await page.close();
+}
+
+/* The strip of the front page opens under a hand. */
+async function tissue(browser) {
+    const page = await browser.page(url('tissue.html'));
+    const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
+    say(begun, 'the tissue begins', page.errors.join(' ') || 'no frame');
+    if (!begun) return page.close();
+    await page.eval(`(async () => {
+        const { state, canvas, hand } = document.querySelector('.live').live;
+        const key = name => canvas.dispatchEvent(new KeyboardEvent('keydown',
+            { key: name, bubbles: true }));
+        const frames = async n => {
+            for (const end = state.frames + n; state.frames < end;)
+                await new Promise(done => requestAnimationFrame(done));
+        };
+        hand.x = 0.2, hand.y = 0.4;
+        key('Enter');
+        for (let k = 0; k < 8; k++) { key('ArrowUp'); await frames(3); }
+        await frames(20);
+        key('q');
+    })()`);
+    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    const { status, lines } = await page.eval("(({status, lines}) => ({status, lines}))" +
+        "(document.querySelector('.live').live.state)");
+    const frames = rows(lines, 'frames');
+    const least = Math.min(...frames.map(row => Number(row.min_J)));
+    const lost = frames.filter(row => row.rung === 'lost').length;
+    say(status === 0 && frames.length > 40 && lost === 0 && least < 0.95 && least > 0,
+        'the tissue is pulled by the keyboard, no frame lost',
+        `status ${status}, ${frames.length} frames, ${lost} lost, least J ${least}`);
+    say(page.errors.length === 0, 'no error on the page of the tissue', page.errors.join(' '));
+    await page.close();
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'live-'));
+const browser = await open();
+try {
+    await square(browser, folder, 'log', [], 2026);
+    await square(browser, folder, 'cubic', [[3, 'l'], [200, 'i'], [400, 'i']], 14);
+    await losses(browser);
+    await tissue(browser);
+} finally {
+    await browser.close();
+    rmSync(folder, { recursive: true });
+}
+process.exit(failed ? 1 : 0);
