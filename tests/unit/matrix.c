@@ -428,7 +428,8 @@ static void eigenvalues_are_those_in_closed_form(void)
     }
 }
 
-/* Sylvester: as many negative pivots as negative eigenvalues of A - s I. */
+/* Sylvester: as many negative pivots as negative eigenvalues of A - s I, in
+ * whatever unit. */
 static void negative_pivots_count_negative_eigenvalues(void)
 {
     enum { n = 40 };
@@ -444,6 +445,8 @@ static void negative_pivots_count_negative_eigenvalues(void)
         double b[n] = {2.385};
         int negative = -1;
         matrix_combine(A, -s, I, shifted);
+        for (size_t i = 0; i < shifted->size; i++)
+            shifted->a[i] = ldexp(shifted->a[i], 20 * (k - n / 2));
         ck_assert_int_eq(matrix_solve_indefinite(shifted, b, &negative), OK);
         ck_assert_int_eq(negative, k);
     }
@@ -553,12 +556,13 @@ static void a_solve_stays_within_its_vector(void)
         }
 }
 
-/* A + e e_0 e_0^T is solved exactly by u: the residual is e |u_0|. */
-static void backward_error_is_that_of_a_nearby_system(void)
+/* A + e e_0 e_0^T is solved exactly by u: the residual is e |u_0|.  The row
+ * `large` of A has the largest sum. */
+static void backward_error_of(int large)
 {
     enum { n = 23 };
     struct matrix *A = random_band(n, 4);
-    matrix_add(A, n - 1, n - 1, 50.0); /* the last row has the largest sum */
+    matrix_add(A, large, large, 50.0);
     struct matrix *near = matrix_copy(A);
     double u[n], b[n], norm_A = 0.0, norm_u = 0.0, norm_b = 0.0;
     const double e = 1e-6 * matrix_get(A, 0, 0);
@@ -587,6 +591,12 @@ static void backward_error_is_that_of_a_nearby_system(void)
     u[3] = NAN;
     ck_assert(isnan(matrix_backward_error(A, u, b)));
     matrix_free(A), matrix_free(near);
+}
+
+static void backward_error_is_that_of_a_nearby_system(void)
+{
+    backward_error_of(0);
+    backward_error_of(22);
 }
 
 static const struct unit_law laws[] = {

@@ -115,8 +115,14 @@ static void the_order_takes_every_free_vertex_once(void)
                 for (int k = 0; k < d->n_piece; k++) {
                     ck_assert_int_eq(d->piece[k].first, next);
                     next += d->piece[k].count;
-                    for (int c = 0; c < 2; c++)
-                        ck_assert_int_lt(d->piece[k].child[c], k);
+                    for (int c = 0; c < 2; c++) {
+                        const int child = d->piece[k].child[c];
+                        ck_assert_int_lt(child, k);
+                        if (child >= 0)
+                            ck_assert_int_eq(d->piece[child].depth,
+                                             d->piece[k].depth + 1);
+                    }
+                    ck_assert(k < d->n_piece - 1 || d->piece[k].depth == 0);
                 }
                 ck_assert_int_eq(next, d->n_vertex);
                 free(seen);
