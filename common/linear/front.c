@@ -89,6 +89,14 @@ void front_extend(const struct front *child, const int row[],
     }
 }
 
+/* S y, of the w columns of a block at y. */
+static const double *signed_block(int w, const double sign[], const double y[],
+                                  double to[W * V])
+{
+    for (int c = 0; c < w; c++) VEC(to[c * V]) = sign[c] * VEC(y[c * V]);
+    return to;
+}
+
 /* t -= the columns of L before pivot J, for rows of block i and block y. */
 INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
                             int i, int y, vec t[W][Q])
@@ -96,8 +104,10 @@ INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
     const double *l = f->l;
     for (int K = 0; K * V < J; K++) {
         const int w = J - K * V < V ? J - K * V : V;
-        vec_columns(q, w, V * w, V, l + (i - K) * V * w, l + (y - K) * V * w,
-                    t);
+        const double *by = l + (y - K) * V * w;
+        double room[W * V];
+        if (f->sign) by = signed_block(w, &f->sign[K * V], by, room);
+        vec_columns(q, w, V * w, V, l + (i - K) * V * w, by, t);
         l += (all - K) * V * w;
     }
 }
@@ -120,7 +130,9 @@ INLINE enum status front_tile(const int q, const struct front *f, int all,
     if (!of_rest && i == K) {
         vec rows[W];
         UNROLL for (int c = 0; c < W; c++) rows[c] = t[c][0];
-        if (tiles_triangle(n, w, &diagonal[K * W], 1, rows, l, inverse) != OK)
+        if (tiles_triangle(n, w, &diagonal[K * W], 1,
+                           f->sign ? &f->sign[K * W] : NULL, rows, l,
+                           inverse) != OK)
             return NOT_SPD;
         UNROLL for (int c = 0; c < W; c++) /* L^-T for the triangle of L */
             UNROLL for (int r = 0; r < V; r++) t[c][0][r] = r == c;
@@ -131,6 +143,8 @@ INLINE enum status front_tile(const int q, const struct front *f, int all,
             if (c < w)
                 VEC(corner[c * V + r * V * w]) =
                     of_rest ? t[c][r] : t[c][r] * inverse[c];
+    if (f->sign && !of_rest && i == K) /* L^-T S is there: L^-T */
+        signed_block(w, &f->sign[K * W], corner, corner);
     return OK;
 }
 

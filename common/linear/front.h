@@ -24,6 +24,7 @@ struct front {
     int pivots, rest; /* numbers of unknowns, even */
     double *l, *u;    /* [front_size()], [front_size(front_row(rest, 0), 0)] */
     float *rounded;   /* what is kept, [front_size()]; NULL: l is */
+    double *sign;     /* S of the pivots in A = L S L^T, or NULL: A = L L^T */
 };
 
 /* How many numbers l holds, and in which row unknown k of the rest is; that of
@@ -44,9 +45,9 @@ void front_fill(const struct front *front, int n, const int place[],
 void front_extend(const struct front *child, const int row[],
                   const struct front *parent, int after);
 
-/* Keep L of a front, and u := -L L^T of its rest.  Statuses as matrix_factor(),
- * with the order n of the matrix and the diagonal entries of it at the pivots.
- */
+/* Keep L of a front, and u := -L L^T (-L S L^T) of its rest.  Statuses as
+ * matrix_factor(), with the order n of the matrix and the diagonal entries of
+ * it at the pivots; with signs NOT_SPD is that of matrix_solve_indefinite(). */
 enum status front_factor(const struct front *front, int n,
                          const double diagonal[]);
 

@@ -186,8 +186,13 @@ void matrix_solve(const struct matrix *L, double b[])
 enum status matrix_solve_indefinite(const struct matrix *A, double b[],
                                     int *negative)
 {
-    if (A->storage == SPARSE)
-        return A->sparse->solve_indefinite(A->pattern, A->a, b, negative);
+    if (A->storage == SPARSE) {
+        double *memory = allocate_lines(A->sparse->size(A->pattern, 0));
+        const enum status status = A->sparse->solve_indefinite(
+            A->pattern, A->a, memory, b, negative);
+        free(memory);
+        return status;
+    }
     assert(A->storage != DENSE);
     return indefinite_solve(A->n, A->p, A->stride, A->a, b, negative);
 }

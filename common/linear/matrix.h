@@ -48,7 +48,8 @@ struct matrix_sparse {
     void (*solve)(const struct sparse *s, int single, double memory[],
                   double b[]);
     enum status (*solve_indefinite)(const struct sparse *s, const double a[],
-                                    double b[], int *negative);
+                                    double memory[], double b[],
+                                    int *negative);
 };
 
 struct matrix {
@@ -145,12 +146,13 @@ void matrix_solve(const struct matrix *L, double b[]);
 
 /*
  * b := A^{-1} b for an A that is not factored, not dense, and need not be
- * positive definite, by GSL's L D L^T without pivoting, in a band.  *negative
- * (or NULL) is the number of negative pivots D_jj, which is the number of
- * negative eigenvalues of A (Sylvester's law of inertia).
+ * positive definite, by L D L^T without pivoting: in a band GSL's; sparse with
+ * the signs of D kept beside L (sparse.h), refined once.  *negative (or NULL)
+ * is the number of negative pivots D_jj, which is the number of negative
+ * eigenvalues of A (Sylvester's law of inertia).
  *
- * NOT_SPD: a pivot is 0 to round-off, |D_jj| <= eps |A_jj|; b and *negative are
- * then meaningless.
+ * NOT_SPD: a pivot is 0 to round-off, |D_jj| <= eps |A_jj| (sparse: n eps); b
+ * and *negative are then meaningless.
  *
  * Source: Golub & Van Loan, sec. 4.1.2 (L D L^T), 8.1.5 (inertia).
  */

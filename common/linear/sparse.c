@@ -9,7 +9,6 @@
 #include "linear/sparse.h"
 
 #include "linear/front.h"
-#include "linear/indefinite.h"
 #include "linear/matrix.h"
 
 #include <assert.h>
@@ -178,25 +177,31 @@ size_t sparse_size(const struct sparse *s, int single)
     return s->room + (single ? (s->factor + 1) / 2 : s->factor);
 }
 
+/* Where the numbers of a factorisation are: A = L L^T, or L S L^T. */
+struct memory {
+    int single;       /* L is rounded */
+    double *all;      /* [sparse_size()] */
+    double *sign;     /* S, of all unknowns, or NULL */
+};
+
 /* Front i, with its part of the memory. */
-static struct front front_of(const struct sparse *s, int i, int single,
-                             double memory[])
+static struct front front_of(const struct sparse *s, int i, struct memory m)
 {
     const struct sparse_front *f = &s->front[i];
-    double *l = single ? &memory[s->l] : &memory[s->room + f->l];
-    float *rounded = single ? (float *)&memory[s->room] + f->l : NULL;
-    return (struct front){2 * f->piece.count, 2 * f->rest, l, &memory[f->u],
-                          rounded};
+    double *l = m.single ? &m.all[s->l] : &m.all[s->room + f->l];
+    float *rounded = m.single ? (float *)&m.all[s->room] + f->l : NULL;
+    return (struct front){2 * f->piece.count, 2 * f->rest, l, &m.all[f->u],
+                          rounded, m.sign ? &m.sign[2 * f->piece.first] : NULL};
 }
 
-enum status sparse_factor(const struct sparse *s, const double a[], int single,
-                          double memory[])
+static enum status factor(const struct sparse *s, const double a[],
+                          struct memory m)
 {
-    double *diagonal = &memory[s->vector];
+    double *diagonal = &m.all[s->vector];
     enum status status = OK;
     for (int i = 0; i < s->order->n_piece && status == OK; i++) {
         const struct piece *piece = &s->front[i].piece;
-        const struct front front = front_of(s, i, single, memory);
+        const struct front front = front_of(s, i, m);
         const int *start = &s->start[piece->first];
         front_fill(&front, start[piece->count] - start[0], &s->local[start[0]],
                    &a[4 * start[0]]);
@@ -210,12 +215,18 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
             for (int c = 0; c < 2; c++) {
                 const int k = piece->child[c];
                 if (k < 0) continue;
-                const struct front child = front_of(s, k, single, memory);
+                const struct front child = front_of(s, k, m);
                 front_extend(&child, &s->up[s->front[k].at], &front, after);
             }
         }
     }
     return status;
+}
+
+enum status sparse_factor(const struct sparse *s, const double a[], int single,
+                          double memory[])
+{
+    return factor(s, a, (struct memory){single, memory, NULL});
 }
 
 /* Every block and its mirror image; a block of the diagonal is one. */
@@ -238,15 +249,15 @@ void sparse_multiply(const struct sparse *s, const double a[],
     }
 }
 
-void sparse_solve(const struct sparse *s, int single, double memory[],
-                  double b[])
+/* b := L^-1 b, by all fronts; or (back) L^-T b. */
+static void substitute(const struct sparse *s, struct memory m, int back,
+                       double b[])
 {
-    double *x = &memory[s->vector];
-    for (int turn = 0; turn < 2 * s->order->n_piece; turn++) {
-        const int back = turn >= s->order->n_piece;
-        const int i = back ? 2 * s->order->n_piece - 1 - turn : turn;
+    double *x = &m.all[s->vector];
+    for (int turn = 0; turn < s->order->n_piece; turn++) {
+        const int i = back ? s->order->n_piece - 1 - turn : turn;
         const struct sparse_front *f = &s->front[i];
-        const struct front front = front_of(s, i, single, memory);
+        const struct front front = front_of(s, i, m);
         const int p = front.pivots, *place = &s->rest[f->at];
         const int rows = front_row(p, front_row(front.rest, 0));
         double *pivot = &b[2 * f->piece.first], *rest = &x[front_row(p, 0)];
@@ -267,45 +278,45 @@ void sparse_solve(const struct sparse *s, int single, double memory[],
     }
 }
 
-/* A block of a sparse matrix, by columns, whose first entry is (i, j) of the
- * band. */
-static void add_block(const double block[4], int i, int j, size_t stride,
-                      double band[])
+/* b := A^-1 b. */
+static void solve(const struct sparse *s, struct memory m, double b[])
 {
-    for (int column = j; column < j + 2; column++)
-        for (int row = i; row < i + 2; row++, block++) {
-            const int low = row > column ? row : column;
-            const size_t high = (size_t)(row + column - low);
-            if (*block != 0.0)
-                band[high * stride + (size_t)low - high] += *block;
-        }
+    substitute(s, m, 0, b);
+    if (m.sign)
+        for (int k = 0; k < 2 * s->n_vertex; k++) b[k] *= m.sign[k];
+    substitute(s, m, 1, b);
+}
+
+void sparse_solve(const struct sparse *s, int single, double memory[],
+                  double b[])
+{
+    solve(s, (struct memory){single, memory, NULL}, b);
 }
 
 enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
-                                    double b[], int *negative)
+                                    double memory[], double b[],
+                                    int *negative)
 {
-    const int n = 2 * s->n_vertex;
-    int *rank = allocate((size_t)s->n_vertex, sizeof *rank), next = 0, p = 1;
-    for (int v = 0; next < s->n_vertex; v++)
-        if (s->place[v] >= 0) rank[s->place[v]] = next++;
-    for (int v = 0; v < s->n_vertex; v++)
-        for (int k = s->start[v]; k < s->start[v + 1]; k++)
-            if (2 * abs(rank[s->row[k]] - rank[v]) + 1 > p)
-                p = 2 * abs(rank[s->row[k]] - rank[v]) + 1;
-    const size_t row = (size_t)p + 1;
-    double *band = allocate((size_t)n * row, sizeof *band);
-    double *x = allocate((size_t)n, sizeof *x);
-    for (int v = 0; v < s->n_vertex; v++)
-        for (int k = s->start[v]; k < s->start[v + 1]; k++)
-            add_block(&a[4 * k], 2 * rank[s->row[k]], 2 * rank[v], row, band);
-    for (int v = 0; v < s->n_vertex; v++)
-        memcpy(&x[2 * rank[v]], &b[2 * v], 2 * sizeof *b);
-    const enum status status = indefinite_solve(n, p, row, band, x, negative);
-    for (int v = 0; v < s->n_vertex; v++)
-        memcpy(&b[2 * v], &x[2 * rank[v]], 2 * sizeof *b);
-    free(band);
-    free(rank);
+    const size_t n = 2 * (size_t)s->n_vertex;
+    double *sign = allocate(n, sizeof *sign);
+    double *x = allocate(n, sizeof *x), *r = allocate(n, sizeof *r);
+    int below = 0;
+    const struct memory m = {0, memory, sign};
+    const enum status status = factor(s, a, m);
+    if (status == OK) {
+        memcpy(x, b, n * sizeof *x);
+        solve(s, m, x);
+        /* without a search for pivots digits may be lost: once more */
+        sparse_multiply(s, a, x, r);
+        for (size_t k = 0; k < n; k++) r[k] = b[k] - r[k];
+        solve(s, m, r);
+        for (size_t k = 0; k < n; k++) b[k] = x[k] + r[k];
+    }
+    for (size_t k = 0; k < n; k++) below += sign[k] < 0.0;
+    if (negative) *negative = below;
+    free(sign);
     free(x);
+    free(r);
     return status;
 }
 

@@ -67,9 +67,10 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
 void sparse_solve(const struct sparse *s, int single, double memory[],
                   double b[]);
 
-/* As matrix_solve_indefinite(), for the blocks a: the vertices, as the mesh
- * numbers them, make a band. */
+/* As matrix_solve_indefinite(), for the blocks a: A = L S L^T, S a diagonal of
+ * signs.  The memory is for L as it is. */
 enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
-                                    double b[], int *negative);
+                                    double memory[], double b[],
+                                    int *negative);
 
 #endif

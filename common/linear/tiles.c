@@ -53,14 +53,16 @@ INLINE void subtract_all(const int q, int p, int J, int i, ptrdiff_t next,
 }
 
 enum status tiles_triangle(int n, int w, const double diagonal[],
-                           ptrdiff_t apart, vec t[W], vec l[W],
+                           ptrdiff_t apart, double sign[], vec t[W], vec l[W],
                            double inverse[W])
 {
     UNROLL for (int c = 0; c < W; c++) {
         const double pivot = t[c][c];
+        double by = 1.0, above = c < w ? diagonal[c * apart] : 0.0;
         if (c >= w) break;
-        if (!(pivot > n * DBL_EPSILON * diagonal[c * apart])) return NOT_SPD;
-        inverse[c] = 1.0 / sqrt(pivot);
+        if (sign) by = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
+        if (!(by * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
+        inverse[c] = by / sqrt(by * pivot);
         l[c] = t[c] * (1.0 / pivot);
         UNROLL for (int b = c + 1; b < W; b++) t[b] -= t[c][b] * l[c];
     }
@@ -84,7 +86,8 @@ INLINE enum status tile(const int q, int n, int p, int J, int i, int w,
     } else {
         vec first[W];
         UNROLL for (int c = 0; c < W; c++) first[c] = t[c][0];
-        if (tiles_triangle(n, w, corner, next + 1, first, l, inverse) != OK)
+        if (tiles_triangle(n, w, corner, next + 1, NULL, first, l, inverse) !=
+            OK)
             return NOT_SPD;
         vec_substitute(q, l, t); /* and then the first again */
         UNROLL for (int c = 0; c < W; c++) {

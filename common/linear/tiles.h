@@ -33,9 +33,13 @@ void tiles_solve(int n, int p, size_t stride, const double l[], double b[]);
  * front.  t[c] is column c of it, after the columns before the panel have been
  * subtracted; it becomes L_cc times column c of L.  For the tiles below it,
  * l[c][b] := L_bc / L_cc and inverse[c] := 1 / L_cc.  A_cc is
- * diagonal[c * apart]; statuses as tiles_factor(). */
+ * diagonal[c * apart]; statuses as tiles_factor().
+ *
+ * With sign, not NULL, A = L S L^T: sign[c] := 1 or -1, that of the pivot,
+ * l[c][b] := L_bc S_b / (L_cc S_c), inverse[c] := S_c / L_cc.  NOT_SPD then
+ * says that a pivot is 0 to round-off. */
 enum status tiles_triangle(int n, int w, const double diagonal[],
-                           ptrdiff_t apart, vec t[W], vec l[W],
+                           ptrdiff_t apart, double sign[], vec t[W], vec l[W],
                            double inverse[W]);
 
 #endif

@@ -405,29 +405,78 @@ static void the_verbs_are_those_of_dense_storage(void)
     }
 }
 
-static void what_is_indefinite_is_solved_in_a_band(void)
+/* Of all sizes, so that signs change in panels that are whole, cut off, and
+ * many; with a diagonal that dominates no pivot is small. */
+static void what_is_indefinite_is_solved_with_signs(void)
+{
+    for (int n = 1; n <= 14; n += 2 + n % 3)
+        for (int hold = 0; hold < HOLDS; hold++)
+            for (int l = 0; l < COUNT(leaves); l++) {
+                struct pattern p = pattern_alloc(n, hold, (unsigned)(n + l),
+                                                 leaves[l]);
+                struct matrix *A, *B;
+                double x[450], b[450], value[450];
+                int negative, expected = 0;
+                random_pair(p, 3, &A, &B);
+                for (int k = 0; k < p.n; k++)
+                    if (k % 7 == 4 || k % 16 / 8 == 1) {
+                        matrix_add(A, k, k, -10.77);
+                        matrix_add(B, k, k, -10.77);
+                    }
+                fill(p.n, b);
+                fill(p.n, x);
+                ck_assert_int_eq(matrix_solve_indefinite(A, x, &negative), OK);
+                ck_assert_double_le(matrix_residual(B, x, b), 1e-13);
+                matrix_eigenvalues(B, value);
+                for (int k = 0; k < p.n; k++) expected += value[k] < 0.0;
+                ck_assert_int_eq(negative, expected);
+                matrix_free(A);
+                matrix_free(B);
+                pattern_free(p);
+            }
+}
+
+/* Pivots of 1e-7 make entries of L large; one system more brings the digits
+ * back. */
+static void small_pivots_cost_no_digits(void)
 {
     for (int hold = 0; hold < HOLDS; hold++) {
-        struct pattern p = pattern_alloc(7, hold, 3, 5);
+        struct pattern p = pattern_alloc(9, hold, 3, 5);
         struct matrix *A, *B;
-        double x[200], b[200], value[200];
-        int negative, expected = 0;
+        double x[250], b[250];
         random_pair(p, 3, &A, &B);
-        for (int k = 4; k < p.n; k += 7) {
-            matrix_add(A, k, k, -9.385);
-            matrix_add(B, k, k, -9.385);
+        for (int k = 0; k < p.n; k += 3) {
+            const double less = 1e-7 - matrix_get(A, k, k);
+            matrix_add(A, k, k, less);
+            matrix_add(B, k, k, less);
         }
         fill(p.n, b);
         fill(p.n, x);
-        ck_assert_int_eq(matrix_solve_indefinite(A, x, &negative), OK);
-        ck_assert_double_le(matrix_residual(B, x, b), 1e-12);
-        matrix_eigenvalues(B, value);
-        for (int k = 0; k < p.n; k++) expected += value[k] < 0.0;
-        ck_assert_int_eq(negative, expected);
+        ck_assert_int_eq(matrix_solve_indefinite(A, x, NULL), OK);
+        ck_assert_double_le(matrix_residual(B, x, b), 1e-13);
         matrix_free(A);
         matrix_free(B);
         pattern_free(p);
     }
+}
+
+static void a_pivot_of_zero_is_reported_with_signs(void)
+{
+    for (int l = 0; l < COUNT(leaves); l++)
+        for (int bad = 0; bad < 3; bad++) {
+            struct pattern p = pattern_alloc(6, ENDS, 1, leaves[l]);
+            struct matrix *A, *B;
+            double x[100];
+            random_pair(p, 3, &A, &B);
+            fill(p.n, x);
+            matrix_add(A, 0, 0, bad == 0   ? -matrix_get(A, 0, 0)
+                                : bad == 1 ? (double)INFINITY
+                                           : (double)NAN);
+            ck_assert_int_eq(matrix_solve_indefinite(A, x, NULL), NOT_SPD);
+            matrix_free(A);
+            matrix_free(B);
+            pattern_free(p);
+        }
 }
 
 /* max|b - A x| / max|b| of one solve. */
@@ -705,8 +754,11 @@ static const struct unit_law laws[] = {
      a_pivot_is_compared_with_its_own_diagonal},
     {"the_verbs_are_those_of_dense_storage",
      the_verbs_are_those_of_dense_storage},
-    {"what_is_indefinite_is_solved_in_a_band",
-     what_is_indefinite_is_solved_in_a_band},
+    {"what_is_indefinite_is_solved_with_signs",
+     what_is_indefinite_is_solved_with_signs},
+    {"small_pivots_cost_no_digits", small_pivots_cost_no_digits},
+    {"a_pivot_of_zero_is_reported_with_signs",
+     a_pivot_of_zero_is_reported_with_signs},
     {"rounded_factors_have_seven_digits", rounded_factors_have_seven_digits},
     {"rounded_factors_are_refined", rounded_factors_are_refined},
     {"a_turn_must_halve_the_residual", a_turn_must_halve_the_residual},
