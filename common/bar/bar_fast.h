@@ -5,7 +5,7 @@
  * A step of bar_newton() passes over memory again and again: residual, tangent,
  * elimination, back substitution.  Everything that one node needs is known when
  * the sweep gets there, so two passes will do.  The first reads u and b and
- * keeps two numbers a node, the second turns them into the increment:
+ * keeps two numbers per node, the second turns them into the increment:
  *
  *     forward    t = k_e c, l_i = t / (1 + t),  z_i = y c / (1 + t),
  *                then  c := c + 1/k_e,  y := l_i y + (what node e adds to -q)
@@ -18,8 +18,8 @@
  * nothing is subtracted while P' > 0, and no division waits for another.
  * Behind a free end 1/c = 0: l_i = 1, z_i = y / k_e.
  *
- * y still waits for the y before.  Two sweeps that start at the two ends and
- * meet at a node do not wait for each other.
+ * Each y still waits for the y before it, but two sweeps that start at the two
+ * ends and meet at a node do not wait for each other.
  */
 #ifndef COMMON_BAR_FAST_H
 #define COMMON_BAR_FAST_H
