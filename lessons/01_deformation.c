@@ -56,8 +56,8 @@ static double triangle_gradient(const int node[3], const double X[],
                                 const double x[], mat2 *F)
 {
     double J = 0.0;
-    /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); from them *F, and J = det F. */
+    /* SLOT 1b(node, X, x, F, J): given three vertices, take edges from node[0]
+     * as columns of Dm (before) and Ds (after); set *F, and J = det F. */
     todo("1b", node, X, x, F, J);
     /* END 1b */
     return J;
@@ -71,7 +71,7 @@ static double triangle_gradient(const int node[3], const double X[],
  */
 static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
 {
-    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
+    /* SLOT 1c(&F, linear, green, left): given F, fill the three tensors. */
     todo("1c", &F, linear, green, left);
     /* END 1c */
 }

@@ -69,8 +69,8 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
                               const int node[], const double g[],
                               enum diagonal diagonal)
 {
-    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): change A, and b at the
-     * prescribed nodes. */
+    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): given A and b as 3a left
+     * them, change A, and b at the prescribed nodes. */
     todo("3b", N, A, b, n_fixed, node, g, diagonal);
     /* END 3b */
 }

@@ -39,8 +39,8 @@ static double quadratic_form(int n, const double x[], field *beta,
                              const double v[])
 {
     double sum = 0.0;
-    /* SLOT 4a(n, x, beta, v, sum): add up the elements; element j joins nodes
-     * j - 1 and j, and its h_j is its own. */
+    /* SLOT 4a(n, x, beta, v, sum): given the nodes, beta and v, add up the
+     * elements; element j joins nodes j - 1 and j, and its h_j is its own. */
     todo("4a", n, x, beta, v, sum);
     /* END 4a */
     return sum;
@@ -69,7 +69,7 @@ static enum status compatibility(int N, const double b[], double *defect)
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): replace b by its projection. */
+    /* SLOT 4c(N, b): given b, replace it by its projection. */
     todo("4c", N, b);
     /* END 4c */
 }
@@ -101,8 +101,9 @@ static enum status solve_neumann(const struct matrix *A, const double b[],
                                  double u[])
 {
     const int N = A->n;
-    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
-     * solution with a pinned node; then move along the family. */
+    /* SLOT 4d(N, A, b, u, solve_pinned): given A and b, refuse what has no
+     * solution; find some solution with a pinned node; then move along the
+     * family. */
     todo("4d", N, A, b, u, solve_pinned);
     /* END 4d */
 }

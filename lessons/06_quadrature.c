@@ -73,8 +73,8 @@ static double load_entry(int j, int n, const double x[], field *f,
                          const struct quadrature *rule, double qa, double qb)
 {
     double b = 0.0;
-    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, or against one half and with its flux at an end. */
+    /* SLOT 6d(j, n, x, f, rule, qa, qb): given f and fluxes, let b be f against
+     * the two halves of the hat e_j, or one half with its flux at an end. */
     todo("6d", j, n, x, f, rule, qa, qb);
     /* END 6d */
     return b;

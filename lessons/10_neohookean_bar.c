@@ -38,7 +38,7 @@
 static void load_vector(int n, double h, const double f_mid[],
                         const double pull[2], double b[])
 {
-    /* SLOT 10a(n, h, f_mid, pull, b): element by element, then the ends. */
+    /* SLOT 10a(n, h, f_mid, pull, b): given f_mid and pull, fill b. */
     todo("10a", n, h, f_mid, pull, b);
     /* END 10a */
 }
@@ -51,8 +51,8 @@ static void load_vector(int n, double h, const double f_mid[],
 static enum status residual(const struct bar *bar, const double u[],
                             double q[])
 {
-    /* SLOT 10b(bar, u, q): material_defined() and material1_pk1() of
-     * material.h take bar->material and F. */
+    /* SLOT 10b(bar, u, q): given u, set q; material_defined() and
+     * material1_pk1() of material.h take bar->material and F. */
     todo("10b", bar, u, q);
     /* END 10b */
     return OK;
@@ -65,8 +65,8 @@ static enum status residual(const struct bar *bar, const double u[],
 static enum status tangent(const struct bar *bar, const double u[],
                            struct matrix *K)
 {
-    /* SLOT 10c(bar, u, K): material1_dpk1() is P'(F); matrix_zero() and
-     * matrix_add() of matrix.h; add all four entries of an element. */
+    /* SLOT 10c(bar, u, K): given u, set K: material1_dpk1() is P'(F);
+     * matrix_zero(); matrix_add() for all four entries of an element. */
     todo("10c", bar, u, K);
     /* END 10c */
     return OK;
@@ -84,8 +84,8 @@ static enum status increment(const struct bar *bar, struct matrix *K,
                              const double q[], double du[])
 {
     enum status status = OK;
-    /* SLOT 10d(bar, K, q, du, &status): let du solve the corrected system, by
-     * matrix_dirichlet(), matrix_factor() and matrix_solve() of matrix.h. */
+    /* SLOT 10d(bar, K, q, du, &status): given K and q, let du solve the
+     * corrected system: matrix_dirichlet(), matrix_factor(), matrix_solve(). */
     todo("10d", bar, K, q, du, &status);
     /* END 10d */
     return status;
@@ -112,9 +112,9 @@ static struct newton_report newton(const struct bar *bar,
     double *q = allocate((size_t)K->n, sizeof *q);
     double *du = allocate((size_t)K->n, sizeof *du);
     /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
-     * increment): the loop, with report filled on the way; bar_max_free() of
-     * bar.h is max |v_i| of free nodes.  It is the course's first loop of
-     * Newton's; the later ones each change something in this one. */
+     * increment): given the first u, iterate and fill report; bar_max_free() of
+     * bar.h is max |v_i| of free nodes.  This is the course's first loop of
+     * Newton's method; each later one changes something in it. */
     todo("10e", bar, control, u, &report, K, q, du, residual, tangent,
          increment);
     /* END 10e */

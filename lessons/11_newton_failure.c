@@ -45,8 +45,8 @@ static enum status newton_step(const struct material *material, double p,
                                double *step)
 {
     *step = 0.0;
-    /* SLOT 11a(material, p, F, increment, tolerance, step): find the reason
-     * and the step; write every comparison so that a NaN fails it. */
+    /* SLOT 11a(material, p, F, increment, tolerance, step): given p and F, find
+     * reason and step; write every comparison so that a NaN fails it. */
     todo("11a", material, p, F, increment, tolerance, step);
     /* END 11a */
 }
@@ -64,8 +64,8 @@ struct limits {
 static struct limits predict(double mu, double lambda, double F)
 {
     struct limits limits = {0};
-    /* SLOT 11b(mu, lambda, F, &limits): the six closed forms, "On paper" 2
-     * to 4 and 6.  limits.load at F = 1 is -(2 mu + lambda). */
+    /* SLOT 11b(mu, lambda, F, &limits): given F, set the six closed forms of
+     * "On paper" 2 to 4 and 6.  limits.load at F = 1 is -(2 mu + lambda). */
     todo("11b", mu, lambda, F, &limits);
     /* END 11b */
     return limits;
@@ -84,8 +84,8 @@ static enum status line_search(const struct material *material, double p,
     const double w = material1_psi(material, F) - p * (F - 1.0);
     const double slope = (material1_pk1(material, F) - p) * step;
     *length = 1.0;
-    /* SLOT 11c(material, p, F, step, length, w, slope): find *length and
-     * return the status.  Ask for psi only where it is defined. */
+    /* SLOT 11c(material, p, F, step, length, w, slope): given F and a step,
+     * find *length and the status.  Ask for psi only where it is defined. */
     todo("11c", material, p, F, step, length, w, slope);
     /* END 11c */
 }
@@ -125,8 +125,8 @@ static struct outcome load_stepping(const struct material *material, double p,
     const int patience = 25;
     struct newton_control attempt = *control;
     struct outcome state = {OK, 0, 1.0};
-    /* SLOT 11d(material, p, jump, patience, &attempt, &state): walk from s = 0
-     * to s = 1 by calls of solve(), and keep the books in state. */
+    /* SLOT 11d(material, p, jump, patience, &attempt, &state): given a load and
+     * a jump, walk from s = 0 to 1 by calls of solve(), the books in state. */
     todo("11d", material, p, jump, patience, &attempt, &state);
     /* END 11d */
     return state;

@@ -33,7 +33,7 @@
 static mat2 deformation(const int t[3], const double g[6], const double u[])
 {
     mat2 F = mat2_identity();
-    /* SLOT 12a(t, g, u, &F): u_a is at u[2 t[a]] and u[2 t[a] + 1]. */
+    /* SLOT 12a(t, g, u, &F): given u, fill F; u_a begins at u[2 t[a]]. */
     todo("12a", t, g, u, &F);
     /* END 12a */
     return F;
@@ -45,8 +45,9 @@ static enum status residual(const struct scene *s, const double u[], double q[])
 {
     const struct mesh *mesh = s->mesh;
     const struct material *material = &s->body->material;
-    /* SLOT 12b(s->f, mesh, material, u, q, deformation): mesh_gradients(mesh,
-     * e, g) fills g, returns the area; material_defined(), material2_pk1(). */
+    /* SLOT 12b(s->f, mesh, material, u, q, deformation): given u, set q;
+     * mesh_gradients(mesh, e, g) fills g, returns the area; ask
+     * material_defined() and material2_pk1(). */
     todo("12b", s->f, mesh, material, u, q, deformation);
     /* END 12b */
     return OK;
@@ -63,9 +64,9 @@ static enum status tangent(const struct scene *s, const double u[],
 {
     const struct mesh *mesh = s->mesh;
     const struct material *material = &s->body->material;
-    /* SLOT 12c(mesh, material, u, K): for each i, j the 2x2 block dP_ik/dF_jm,
-     * rows k, columns m; material_r(), mat2_cofactor(), matrix_zero(),
-     * matrix_add(). */
+    /* SLOT 12c(mesh, material, u, K): given u, set K: for each i, j the 2x2
+     * block dP_ik/dF_jm, rows k, columns m; material_r(), mat2_cofactor(),
+     * matrix_zero(), matrix_add(). */
     todo("12c", mesh, material, u, K);
     /* END 12c */
     return OK;
@@ -82,9 +83,9 @@ static enum status increment(const struct scene *s, struct matrix *K,
     enum status status = OK;
     int *row = allocate((size_t)s->n_dof, sizeof *row);
     double *zero = allocate((size_t)s->n_dof, sizeof *zero);
-    /* SLOT 12d(s, K, q, du, row, zero, &status): collect the unknowns of held
-     * vertices, s->held[a], in row[]; then matrix_dirichlet() with zero[] as
-     * values, matrix_factor() and matrix_solve() of matrix.h. */
+    /* SLOT 12d(s, K, q, du, row, zero, &status): given K and q, collect the
+     * unknowns of held vertices, s->held[a], in row[]; then matrix_dirichlet()
+     * with zero[] as values, matrix_factor() and matrix_solve(). */
     todo("12d", s, K, q, du, row, zero, &status);
     /* END 12d */
     free(row);
@@ -110,9 +111,9 @@ static struct history equilibrium(const struct scene *s, double tolerance,
     double *du = allocate((size_t)s->n_dof, sizeof *du);
 
     /* SLOT 12e(s, tolerance, cap, weight, u, &report, K, q, du, residual,
-     * tangent, increment): the loop, which fills report (history.h) on its way;
-     * body_max_free() is the size of q and du.  New since 10e: report keeps the
-     * sizes of all iterations, and du is looked at before u takes it. */
+     * tangent, increment): given the first u, iterate and fill report
+     * (history.h); body_max_free() is the size of q and du.  New since 10e:
+     * report keeps all sizes, and du is looked at before u takes it. */
     todo("12e", s, tolerance, cap, weight, u, &report, K, q, du, residual,
          tangent, increment);
     /* END 12e */

@@ -58,8 +58,8 @@ static double triangle_gradient(const int node[3], const double X[],
                                 const double x[], mat2 *F)
 {
     double J = 0.0;
-    /* SLOT 1b(node, X, x, F, J): edges from node[0] as columns of Dm (before)
-     * and Ds (after); from them *F, and J = det F. */
+    /* SLOT 1b(node, X, x, F, J): given three vertices, take edges from node[0]
+     * as columns of Dm (before) and Ds (after); set *F, and J = det F. */
     /* column k: the edge from node[0] to node[k + 1] */
     mat2 Dm, Ds;
     for (int i = 0; i < 2; i++)
@@ -85,7 +85,7 @@ static double triangle_gradient(const int node[3], const double X[],
  */
 static void strains(mat2 F, mat2 *linear, mat2 *green, mat2 *left)
 {
-    /* SLOT 1c(&F, linear, green, left): fill the three tensors. */
+    /* SLOT 1c(&F, linear, green, left): given F, fill the three tensors. */
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++) {
             const double delta = i == j ? 1.0 : 0.0;

@@ -71,8 +71,8 @@ static void replace_equations(int N, double A[], double b[], int n_fixed,
                               const int node[], const double g[],
                               enum diagonal diagonal)
 {
-    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): change A, and b at the
-     * prescribed nodes. */
+    /* SLOT 3b(N, A, b, n_fixed, node, g, diagonal): given A and b as 3a left
+     * them, change A, and b at the prescribed nodes. */
     for (int f = 0; f < n_fixed; f++) {
         const int k = node[f];
         /* A_kk is read before its row and its column are cleared */

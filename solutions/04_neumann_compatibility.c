@@ -39,8 +39,8 @@ static double quadratic_form(int n, const double x[], field *beta,
                              const double v[])
 {
     double sum = 0.0;
-    /* SLOT 4a(n, x, beta, v, sum): add up the elements; element j joins nodes
-     * j - 1 and j, and its h_j is its own. */
+    /* SLOT 4a(n, x, beta, v, sum): given the nodes, beta and v, add up the
+     * elements; element j joins nodes j - 1 and j, and its h_j is its own. */
     for (int j = 1; j <= n; j++) {
         const double beta_j = beta(0.5 * (x[j - 1] + x[j]));
         const double difference = v[j] - v[j - 1];
@@ -79,7 +79,7 @@ static enum status compatibility(int N, const double b[], double *defect)
  */
 static void project(int N, double b[])
 {
-    /* SLOT 4c(N, b): replace b by its projection. */
+    /* SLOT 4c(N, b): given b, replace it by its projection. */
     /* b less its component along (1, ..., 1), the null space of A */
     double mean = 0.0;
     for (int i = 0; i < N; i++) mean += b[i] / N;
@@ -114,8 +114,9 @@ static enum status solve_neumann(const struct matrix *A, const double b[],
                                  double u[])
 {
     const int N = A->n;
-    /* SLOT 4d(N, A, b, u, solve_pinned): refuse what has no solution; find some
-     * solution with a pinned node; then move along the family. */
+    /* SLOT 4d(N, A, b, u, solve_pinned): given A and b, refuse what has no
+     * solution; find some solution with a pinned node; then move along the
+     * family. */
     double defect, mean = 0.0;
     enum status status = compatibility(N, b, &defect);
     if (status == OK) status = solve_pinned(A, b, 0, u);

@@ -101,8 +101,8 @@ static double load_entry(int j, int n, const double x[], field *f,
                          const struct quadrature *rule, double qa, double qb)
 {
     double b = 0.0;
-    /* SLOT 6d(j, n, x, f, rule, qa, qb): let b be f against the two halves of
-     * the hat e_j, or against one half and with its flux at an end. */
+    /* SLOT 6d(j, n, x, f, rule, qa, qb): given f and fluxes, let b be f against
+     * the two halves of the hat e_j, or one half with its flux at an end. */
     /* e_j rises on the element on its left and falls on the other */
     if (j > 0) b += element_integral(x[j - 1], x[j], f, RISING, rule);
     if (j < n) b += element_integral(x[j], x[j + 1], f, FALLING, rule);

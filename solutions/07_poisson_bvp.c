@@ -63,10 +63,10 @@ static enum status solve_bvp(const struct problem *problem, enum load load,
                              int n, const double x[], struct matrix *A,
                              double b[], double u[])
 {
-    /* SLOT 7a(problem, load, n, x, A, b, u, assemble): assemble A and b, and
-     * bring the flux q into b; correct a copy of the system for u(0) = g
-     * [eq:dirichlet-correction]; factor the copy; solve into u.  Free the copy,
-     * and return what matrix_factor() says. */
+    /* SLOT 7a(problem, load, n, x, A, b, u, assemble): given the problem,
+     * assemble A and b, and bring the flux q into b; correct a copy of the
+     * system for u(0) = g [eq:dirichlet-correction]; factor the copy; solve
+     * into u.  Free the copy, and return what matrix_factor() says. */
     const int node[] = {0};
 
     assemble(problem, load, n, x, A, b);
@@ -99,10 +99,10 @@ static struct poisson_error measure(const struct problem *problem, int n,
     for (int j = 0; j <= n; j++)
         error.nodal = fmax(error.nodal, fabs(problem->exact(x[j]) - u[j]));
 
-    /* SLOT 7b(problem, n, x, u, error, gauss): set error.L2 [eq:norm-L2] and
-     * error.energy [eq:norm-energy] by Gauss quadrature on each element;
-     * gsl_integration_glfixed_point(x0, x1, k, &at, &w, gauss) gives point and
-     * weight k of POINTS on (x0, x1). */
+    /* SLOT 7b(problem, n, x, u, error, gauss): given u, set error.L2
+     * [eq:norm-L2] and error.energy [eq:norm-energy] by Gauss quadrature on
+     * each element; gsl_integration_glfixed_point(x0, x1, k, &at, &w, gauss)
+     * gives point and weight k of POINTS on (x0, x1). */
     for (int e = 0; e < n; e++) {
         const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]);
         for (size_t k = 0; k < POINTS; k++) {

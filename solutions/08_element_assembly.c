@@ -77,9 +77,9 @@ static void assemble(int n, const double x[], field *beta, field *f,
                      const struct quadrature *rule, const int order[],
                      struct matrix *A, double b[])
 {
-    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): start from zero;
-     * visit the elements in the given order and add what each contributes
-     * to A (with matrix_add) and to b. */
+    /* SLOT 8b(n, x, beta, f, rule, order, A, b, element): given the nodes,
+     * start from zero; visit the elements in the given order and add what each
+     * contributes to A (with matrix_add) and to b. */
     matrix_zero(A);
     for (int i = 0; i <= n; i++) b[i] = 0.0;
 
@@ -104,8 +104,8 @@ static void assemble(int n, const double x[], field *beta, field *f,
  */
 static double cholesky_flops(int N, int p)
 {
-    /* SLOT 8c(N, p): add up, column by column of L; m entries of column k lie
-     * below the diagonal.  Return the exact count, not the leading order. */
+    /* SLOT 8c(N, p): given N and p, return the exact count, not the leading
+     * order: column k of L has m entries below the diagonal. */
     double flops = 0.0;
     for (int k = 0; k < N; k++) {
         const double m = N - 1 - k < p ? N - 1 - k : p;
@@ -136,9 +136,9 @@ static struct point measure(const struct matrix *A, const double b[],
                             int repeats, double u[])
 {
     struct point point = {.status = OK};
-    /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): factor a copy and
-     * solve, `repeats` times, with the clock around these two calls only;
-     * keep the shortest time; free the copies.  Then judge by
+    /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): given A and b, factor a
+     * copy and solve, `repeats` times, with the clock around these two calls
+     * only; keep the shortest time; free the copies.  Then judge by
      * matrix_backward_error(): not valid, no time (NaN included). */
     for (int k = 0; k < repeats && point.status == OK; k++) {
         struct matrix *L = matrix_copy(A);

@@ -38,7 +38,7 @@ struct elastic {
 static struct elastic elastic_make(double E, double nu)
 {
     struct elastic m = {0};
-    /* SLOT 9a(E, nu, m): fill m.mu, m.lambda and m.modulus. */
+    /* SLOT 9a(E, nu, m): given E and nu, fill m.mu, m.lambda and m.modulus. */
     m.mu = E / (2.0 * (1.0 + nu));
     m.lambda = E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
     /* uniaxial strain, eps = tr eps = u': P = 2 mu u' + lambda u' */
@@ -60,8 +60,8 @@ static void assemble(const struct bar_scene *s, double modulus,
 {
     matrix_zero(K);
     for (int i = 0; i <= s->n; i++) b[i] = 0.0;
-    /* SLOT 9b(s, modulus, f_mid, K, b): add every element, which joins nodes e
-     * and e + 1, to K and to b, then the tractions of the free ends to b. */
+    /* SLOT 9b(s, modulus, f_mid, K, b): given f_mid, add each element, between
+     * nodes e and e + 1, to K and b, then the tractions of free ends to b. */
     const double h = 1.0 / s->n, k = modulus / h;
     for (int e = 0; e < s->n; e++) {
         /* N_e = N_{e+1} = 1/2 at the middle */
@@ -92,9 +92,9 @@ static void assemble(const struct bar_scene *s, double modulus,
 static enum status solve(const struct bar_scene *s, const struct matrix *K,
                          const double b[], double u[])
 {
-    /* SLOT 9c(s, K, b, u): collect the held ends; with none of them check the
-     * balance of b and hold node 0 at 0.  Then matrix_copy, matrix_dirichlet,
-     * matrix_factor, matrix_solve, matrix_free. */
+    /* SLOT 9c(s, K, b, u): given K and b, collect the held ends; with none of
+     * them check the balance of b and hold node 0 at 0.  Then matrix_copy,
+     * matrix_dirichlet, matrix_factor, matrix_solve, matrix_free. */
     int node[2], n_held = 0;
     double value[2], sum = 0.0, scale = 0.0;
 
@@ -142,8 +142,8 @@ static void stress_and_reactions(const struct bar_scene *s, double modulus,
                                  const double b[], const double u[],
                                  double P[], double reaction[2])
 {
-    /* SLOT 9d(s, modulus, b, u, P, reaction): the stresses first; the first and
-     * the last row of K u are made of the first and the last of them. */
+    /* SLOT 9d(s, modulus, b, u, P, reaction): given u and b, set P first; the
+     * first and the last row of K u are made of two of its entries. */
     const int n = s->n;
     for (int e = 1; e <= n; e++) P[e - 1] = modulus * (u[e] - u[e - 1]) * n;
     /* row 0 of K u is -P_1, row n is P_n: the inner forces at the ends */

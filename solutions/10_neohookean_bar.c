@@ -38,7 +38,7 @@
 static void load_vector(int n, double h, const double f_mid[],
                         const double pull[2], double b[])
 {
-    /* SLOT 10a(n, h, f_mid, pull, b): element by element, then the ends. */
+    /* SLOT 10a(n, h, f_mid, pull, b): given f_mid and pull, fill b. */
     for (int i = 0; i <= n; i++) b[i] = 0.0;
     for (int e = 1; e <= n; e++) {
         b[e - 1] += 0.5 * h * f_mid[e - 1];
@@ -57,8 +57,8 @@ static void load_vector(int n, double h, const double f_mid[],
 static enum status residual(const struct bar *bar, const double u[],
                             double q[])
 {
-    /* SLOT 10b(bar, u, q): material_defined() and material1_pk1() of
-     * material.h take bar->material and F. */
+    /* SLOT 10b(bar, u, q): given u, set q; material_defined() and
+     * material1_pk1() of material.h take bar->material and F. */
     for (int i = 0; i <= bar->n; i++) q[i] = -bar->b[i];
     for (int e = 1; e <= bar->n; e++) {
         const double F = 1.0 + (u[e] - u[e - 1]) / bar->h;
@@ -79,8 +79,8 @@ static enum status residual(const struct bar *bar, const double u[],
 static enum status tangent(const struct bar *bar, const double u[],
                            struct matrix *K)
 {
-    /* SLOT 10c(bar, u, K): material1_dpk1() is P'(F); matrix_zero() and
-     * matrix_add() of matrix.h; add all four entries of an element. */
+    /* SLOT 10c(bar, u, K): given u, set K: material1_dpk1() is P'(F);
+     * matrix_zero(); matrix_add() for all four entries of an element. */
     matrix_zero(K);
     for (int e = 1; e <= bar->n; e++) {
         const double F = 1.0 + (u[e] - u[e - 1]) / bar->h;
@@ -108,8 +108,8 @@ static enum status increment(const struct bar *bar, struct matrix *K,
                              const double q[], double du[])
 {
     enum status status = OK;
-    /* SLOT 10d(bar, K, q, du, &status): let du solve the corrected system, by
-     * matrix_dirichlet(), matrix_factor() and matrix_solve() of matrix.h. */
+    /* SLOT 10d(bar, K, q, du, &status): given K and q, let du solve the
+     * corrected system: matrix_dirichlet(), matrix_factor(), matrix_solve(). */
     const int last = bar->n, ends[2] = {0, last};
     const double zero[2] = {0.0, 0.0};
     const int first = bar->held[0] ? 0 : 1;
@@ -145,9 +145,9 @@ static struct newton_report newton(const struct bar *bar,
     double *q = allocate((size_t)K->n, sizeof *q);
     double *du = allocate((size_t)K->n, sizeof *du);
     /* SLOT 10e(bar, control, u, &report, K, q, du, residual, tangent,
-     * increment): the loop, with report filled on the way; bar_max_free() of
-     * bar.h is max |v_i| of free nodes.  It is the course's first loop of
-     * Newton's; the later ones each change something in this one. */
+     * increment): given the first u, iterate and fill report; bar_max_free() of
+     * bar.h is max |v_i| of free nodes.  This is the course's first loop of
+     * Newton's method; each later one changes something in it. */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 

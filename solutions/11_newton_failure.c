@@ -45,8 +45,8 @@ static enum status newton_step(const struct material *material, double p,
                                double *step)
 {
     *step = 0.0;
-    /* SLOT 11a(material, p, F, increment, tolerance, step): find the reason
-     * and the step; write every comparison so that a NaN fails it. */
+    /* SLOT 11a(material, p, F, increment, tolerance, step): given p and F, find
+     * reason and step; write every comparison so that a NaN fails it. */
     if (!material_defined(material, F)) return INVERTED;
     const double residual = material1_pk1(material, F) - p;
     /* p = P(F) + P'(F) step */
@@ -75,8 +75,8 @@ struct limits {
 static struct limits predict(double mu, double lambda, double F)
 {
     struct limits limits = {0};
-    /* SLOT 11b(mu, lambda, F, &limits): the six closed forms, "On paper" 2
-     * to 4 and 6.  limits.load at F = 1 is -(2 mu + lambda). */
+    /* SLOT 11b(mu, lambda, F, &limits): given F, set the six closed forms of
+     * "On paper" 2 to 4 and 6.  limits.load at F = 1 is -(2 mu + lambda). */
     /* F1 = F + (p - P) / P' is 0 at p = P - F P' */
     limits.load = (2.0 * lambda * log(F) - 2.0 * mu - lambda) / F;
     limits.step = mu * F + (mu + lambda - lambda * log(F)) / F; /* F P' */
@@ -104,8 +104,8 @@ static enum status line_search(const struct material *material, double p,
     const double w = material1_psi(material, F) - p * (F - 1.0);
     const double slope = (material1_pk1(material, F) - p) * step;
     *length = 1.0;
-    /* SLOT 11c(material, p, F, step, length, w, slope): find *length and
-     * return the status.  Ask for psi only where it is defined. */
+    /* SLOT 11c(material, p, F, step, length, w, slope): given F and a step,
+     * find *length and the status.  Ask for psi only where it is defined. */
     const double noise = 16.0 * DBL_EPSILON * fabs(w);
     if (!(slope < 0.0)) return NOT_SPD;
     for (; *length > 1e-12; *length *= 0.5) {
@@ -155,8 +155,8 @@ static struct outcome load_stepping(const struct material *material, double p,
     const int patience = 25;
     struct newton_control attempt = *control;
     struct outcome state = {OK, 0, 1.0};
-    /* SLOT 11d(material, p, jump, patience, &attempt, &state): walk from s = 0
-     * to s = 1 by calls of solve(), and keep the books in state. */
+    /* SLOT 11d(material, p, jump, patience, &attempt, &state): given a load and
+     * a jump, walk from s = 0 to 1 by calls of solve(), the books in state. */
     const int budget = attempt.max_iterations;
     double s = 0.0, ds = 1.0;
     while (s < 1.0 && state.status == OK) {

@@ -63,7 +63,7 @@ struct newton_report {
     enum status status; /* OK, INVERTED, NONFINITE, NOT_SPD, STALLED,
                          * MAX_ITERATIONS */
     int iterations;     /* linear systems solved */
-    double residual, increment; /* the last that there were */
+    double residual, increment; /* the last ones computed */
 };
 
 /*
@@ -73,8 +73,8 @@ struct newton_report {
  *
  * u        in/out  start, solution; the last state reached when not OK
  * history  out     max_iterations + 1 lines, or NULL; report.iterations + 1
- *                  of them are set, and NAN is in them what a state that is
- *                  INVERTED or NONFINITE does not have
+ *                  of them are set; a number that a state does not have,
+ *                  because it is INVERTED or NONFINITE, is NAN
  *
  * INVERTED   an element left the domain of the material (without line search)
  * NOT_SPD    K is singular, or not positive definite with control->definite or

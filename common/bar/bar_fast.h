@@ -5,7 +5,7 @@
  * A step of bar_newton() passes over memory again and again: residual, tangent,
  * elimination, back substitution.  Everything that one node needs is known when
  * the sweep gets there, so two passes will do.  The first reads u and b and
- * keeps two numbers a node, the second turns them into the increment:
+ * keeps two numbers per node, the second turns them into the increment:
  *
  *     forward    l_i = c / (c + 1/k_e),  z_i = l_i y / k_e,
  *                then  c := c + 1/k_e,  y := l_i y + (what node e adds to -q)

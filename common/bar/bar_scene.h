@@ -48,8 +48,8 @@ void bar_scene_force(const struct bar_scene *scene, double f_mid[]);
 void bar_scene_load(const struct bar_scene *scene, double b[]);
 
 /*
- * What the linear law has for every X and not only at the nodes: the exact
- * u(X), and P(X) in *P [eq:bar-linear].  With no end held the loads must
+ * The exact solution under the linear law, at any X: u(X), and P(X) in *P
+ * [eq:bar-linear].  With no end held the loads must
  * balance; u is then the one with u(0) = 0.
  */
 double bar_scene_exact(const struct bar_scene *scene, double X, double *P);

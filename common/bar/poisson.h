@@ -19,8 +19,8 @@
 /* A given function of x: beta, f, an exact solution or its derivative. */
 typedef double field(double x);
 
-/* A smooth problem of which no rule has the integrals: beta = e^x and f so that
- * u = sin 2x in (0, 1); u' with it. */
+/* A smooth problem whose integrals no rule has exactly: beta = e^x, and f such
+ * that u = sin 2x in (0, 1); and its u'. */
 field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
 
 /* The constants 1 and 0. */

@@ -9,9 +9,8 @@
  *     newton	0.5	-            and two blank lines after the last row.
  *
  * A cell is a number (%.17g, which strtod turns back into the same double, but
- * for cell_rounded()) or
- * a word: the name of a scene, a law, a method, a reason.  The word `-` stands
- * for a value that there is not.
+ * for cell_rounded()) or a word: the name of a scene, a law, a method, a
+ * reason.  The word `-` stands where a value is missing.
  *
  * gnuplot reads this as it is: plot "file" index "nodes" using "x":"u".
  *
@@ -26,7 +25,7 @@ struct cell {
     int digits;       /* that are printed; 0: all */
 };
 
-/* A value that there is not; a NaN that was computed stays a NaN. */
+/* For a value that is missing; a NaN that was computed stays a NaN. */
 #define MISSING "-"
 
 struct cell cell_number(double number);
@@ -61,8 +60,8 @@ void table_begin_note(const char *name, const char *columns, const char *note,
  *
  *     table_row("stretch", n, 0.5, MISSING, status_name(s));
  *
- * The countdown behind the arguments fills up the parameters a to y, and what
- * of it comes to stand under `n` is the number of the arguments.
+ * The countdown behind the arguments fills up the parameters a to y, and the
+ * number of it that falls to `n` is the number of the arguments.
  */
 #define table_row(...)                                                      \
     TABLE_ROW(__VA_ARGS__, 24, 23, 22, 21, 20, 19, 18, 17, 16, 15, 14, 13,  \

@@ -22,9 +22,9 @@ order(table, name) = system(sprintf( \
      '$0 == t { on = 1; next } on == 1 { for (i = 1; i <= NF; i++) \
       if ($i == c) k = i; on = 2; next } on == 2 { print $k; exit }' '%s'", \
     table, name, data)) + 0.0
-# "rule: orders in L2 and in energy", for the upper panels only
-say(text, table, suffix) = row == 2 ? "" : sprintf("%s: %.2f and %.2f", text, \
-    order(table, "L2".suffix), order(table, "energy".suffix))
+# "rule: order in L2, below that in energy", for the upper panels only
+say(text, table, suffix) = row == 2 ? "" : sprintf("%s: order %.2f, below %.2f", \
+    text, order(table, "L2".suffix), order(table, "energy".suffix))
 
 array Smooth[3] = ["midpoint", "trapezoid", "gauss2"]
 array Rule[3] = ["midpoint", "trapezoid", "Gauss"]
@@ -66,7 +66,7 @@ do for [row = 1:2] {
         }
         if (col == 2) {
             plot data index "point_load" using "h":norm \
-                with linespoints ls 1 title say("order", \
+                with linespoints ls 1 title say("exact load", \
                 "point_load", ""), dashed * x**s ls 8 notitle
         }
         if (col == 3) {

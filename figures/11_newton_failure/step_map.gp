@@ -27,6 +27,8 @@ do for [k = 1:4] {
     set label 1 word("push pull push pull", k).(k > 2 ? \
         ", from the linear lift" : ", from the last state") \
         at graph 1, graph 1.06 right font ",13"
+    set label 2 (k == 2 ? "line: predicted" : "") at graph 0, graph 1.06 \
+        left font ",13"
     if (k < 3) {
         set arrow 1 from limit / 0.85, 0.85 to limit / 150, 150 nohead \
             lw 2 lc rgb "black" front
@@ -41,7 +43,7 @@ do for [k = 1:4] {
              with points pt 7 ps 0.4 lc rgb "#0072B2" \
              title "converged", \
          data index "step_map" using "dg":(drawn("INVERTED") ? \
-             column("n") : NaN) with points pt 2 ps 0.4 lc rgb "#D55E00" \
+             column("n") : NaN) with points pt 2 ps 0.45 lw 2 lc rgb "#D55E00" \
              title "inverted"
 }
 unset multiplot

@@ -520,7 +520,7 @@ static const struct lesson lesson = {
     COUNT(rules),
     "The first solve of Newton's method is this bar. One more turns 4.6 % of "
     "model error into 0.01 % at load 100; at load 10 the linear bar is wrong "
-    "by 0.46 % and few scenes notice (figures/09_linear_bar/cost.svg).",
+    "by 0.46 %, which few scenes show (figures/09_linear_bar/cost.svg).",
     "Give the modulus a minus, 2 mu - lambda, and run with --nu 0.3, then with "
     "--nu 0.34: the bar is 7 times too soft, then it has no positive definite "
     "matrix at all. What would a solver that does not look at its pivots have "

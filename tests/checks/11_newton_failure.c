@@ -509,9 +509,10 @@ static const struct lesson lesson = {
     "Not one point of the map contradicts the boundary drawn over it "
     "(figures/11_newton_failure/load_map.svg): the whole failure of the log "
     "law is one tangent that meets F = 0, because P is concave there.",
-    "--law cubic --p -5000 converges in a few iterations, to F < 0: a bar "
-    "turned inside out, and nobody complains. Then --law cubic --nu 0 "
-    "--start 2.5 --p 0: at rest, three times as long.",
+    "Run --law cubic --p -5000: it converges in a few iterations, to F < 0, a "
+    "bar turned inside out, and no status says so. Then run --law cubic --nu 0 "
+    "--start 2.5 --p 0: where does the bar come to rest, and what is the "
+    "status?",
     what_was_predicted};
 
 int main(int argc, char *argv[])
