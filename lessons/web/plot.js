@@ -107,8 +107,9 @@ function plot(table, setting, width) {
 
 /* Bodies of a table with columns X Y u_x u_y, one after the other where it has
  * several: its vertices row by row, as common/plane/mesh.h numbers them, each cell
- * cut from its lower left to its upper right corner.  Or of particles with x y and
- * F.  A body is {corners: lists of [x, y], J: of each}, or {points, J}. */
+ * cut from its lower left to its upper right corner.  Or of triangles with J, x0 to
+ * y2 and the frame k; or of particles with x y and F.  A body is {corners: lists of
+ * [x, y], J: of each}, or {points, J}. */
 function bodies(table) {
     const column = (name) => table.columns.indexOf(name);
     const take = (names) => names.map(column);
@@ -119,6 +120,15 @@ function bodies(table) {
         const rows = table.rows.map((row) => particles.map((i) => number(row, i)));
         return [{points: rows.map((r) => [r[0], r[1]]),
                  J: rows.map((r) => r[2] * r[5] - r[3] * r[4])}];
+    }
+    const film = take(["k", "J", "x0", "y0", "x1", "y1", "x2", "y2"]);
+    if (!film.includes(-1)) {
+        const frames = {};
+        for (const row of table.rows) (frames[row[film[0]]] ||= []).push(row);
+        return Object.values(frames).map((rows) => ({
+            J: rows.map((row) => number(row, film[1])),
+            corners: rows.map((row) => [2, 4, 6].map((c) =>
+                [number(row, film[c]), number(row, film[c + 1])]))}));
     }
     if (moved.includes(-1)) return [];
     const vertex = table.rows.map((row) => moved.map((i) => number(row, i)));
