@@ -284,7 +284,7 @@ async function noticed([file, from, to, test]) {
 }
 
 async function main() {
-    browser = await open(process.env.CHROMIUM || "chromium");
+    browser = await open("chromium");
     page = await browser.page(1400, 900);
     page.onWorker = (change) => { workers += change; };
     for (const lesson of lessons)
