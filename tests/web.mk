@@ -6,10 +6,12 @@
 
 WASM := $(BUILD)/wasm
 WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
-            [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
-no_web = no emscripten, or no source of GSL; make deps-web installs them
+            command -v pandoc > /dev/null && \
+            [ -n "$$(BUILD='$(BUILD)' sh tests/tools/web_gsl.sh source)" ]
+no_web = emscripten, pandoc, chromium or the source of GSL is missing; make \
+         deps-web installs them
 .PHONY: deps-web web
-deps-web: ; @sh tests/tools/deps_web.sh $(WASM)
+deps-web: ; @BUILD='$(BUILD)' sh tests/tools/deps_web.sh
 
 # Debian's emscripten does not find its acorn under another node than Debian's.
 EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
@@ -22,10 +24,11 @@ WASM_LINK = -O2 -sSINGLE_FILE=1 -sENVIRONMENT=worker -sEXIT_RUNTIME=1 \
 
 $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 	$(call say,emcc,GSL)
-	$(Q)sh tests/tools/web_gsl.sh build $(WASM)
+	$(Q)BUILD='$(BUILD)' sh tests/tools/web_gsl.sh build
 WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
                     common/motion/window_sdl.c,$(wildcard common/*/*.c)) \
                     $(LESSONS:%=solutions/%.c))
+-include $(wildcard $(WASM)/common/*/*.d)
 $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
 	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' -c $< -o $@
@@ -41,10 +44,43 @@ $(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
 	      cat $(WASM)/$1.part.js && echo '};'; } > $$@ && rm $(WASM)/$1.part.js
 endef
 $(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
-.PHONY: wasm web-check
+.PHONY: wasm web-pages
 wasm: $(LESSONS:%=$(WASM)/%.js)
 
-web-check:
+# What was measured of each prediction.
+$(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
+        $(BUILD)/solutions/%
+	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
+	    $(MOVED)
+WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js
+$(WASM)/book/index.html: $(BOOK) $(wildcard figures/*.svg figures/*/*.svg) \
+        tests/tools/book.sh
+	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
+$(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
+        $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
+	$(call say,web,$(@D))
+	$(Q)node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
+web-pages: $(BUILD)/web/index.html
+web:
 	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
-web: web-check
-	$(SHARED)@"$$MAKE" wasm
+	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \
+	    "$$(find $(BUILD)/web -type f | wc -l) files," \
+	    "$$(tar -cf - -C $(BUILD)/web . | gzip | wc -c | \
+	    awk '{ printf "%.1f", $$1 / 1e6 }') MB as an archive"
+
+# ---- in a headless Chromium
+.PHONY: test-web web-again
+WEB_TESTS = $(WEB_TOOLS) && command -v chromium > /dev/null
+test-web: $(T)/web.result
+	@if grep '^skip web: ' $<; then :; else sh tests/tools/count.sh < $<; fi
+# what was left out is tried again: the tools may be there now
+web-again: ;
+$(T)/web.result: $(shell grep -qs '^skip web: ' $(T)/web.result && \
+        echo web-again) $(BOOK) $(wildcard lessons/web/* common/*/* solutions/*.c \
+        tests/checks/*.[ch] tests/tools/web_* tests/tools/b*.* tests/cli/web.js) \
+        tests/web.mk $(LESSONS:%=$(BUILD)/data/%.tsv)
+	$(call say,test,the pages in a browser)
+	$(SHARED)$(Q)mkdir -p $(@D) && if $(WEB_TESTS); then \
+	    "$$MAKE" web-pages > $@.log 2>&1 && node tests/cli/web.js $(BUILD) > $@ || \
+	    { echo 'FAIL web:'; tail -n 20 $@.log; } >> $@; \
+	else echo 'skip web: $(no_web)' > $@; fi
