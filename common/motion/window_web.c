@@ -1,4 +1,4 @@
-/* window_web.c - window.h on a page: web/live.js has the canvas, the buttons
+/* window_web.c - window.h on a page: lessons/web/live.js has the canvas, buttons
  * and the clock.  window_next() waits for the page by Asyncify, without a busy
  * wait. */
 #include "motion/window.h"

@@ -40,12 +40,12 @@ function differs(a, b) {
 
 const folder = mkdtempSync(join(tmpdir(), 'choose-'));
 const browser = await open();
-const page = await browser.page(pathToFileURL(resolve(site, 'choose.html')).href);
+const page = await browser.page(pathToFileURL(resolve(site, 'web/choose.html')).href);
 
 /* Set the example and these fields, choose, and wait for the answer. */
 async function answer(example, fields, error = '10', verify = false) {
     await page.eval(`(() => {
-        const box = document.querySelector('.choose'), f = box.fields;
+        const box = document.querySelector('.least-model'), f = box.fields;
         f.example.value = ${JSON.stringify(example)};
         f.example.dispatchEvent(new Event('change'));
         for (const [name, values] of Object.entries(${JSON.stringify(fields)}))
@@ -56,8 +56,8 @@ async function answer(example, fields, error = '10', verify = false) {
         f.verify.checked = ${verify};
         f.form.requestSubmit();
     })()`);
-    if (!await page.until("document.querySelector('.choose').said", 90)) return null;
-    return page.eval("document.querySelector('.choose').said");
+    if (!await page.until("document.querySelector('.least-model').said", 90)) return null;
+    return page.eval("document.querySelector('.least-model').said");
 }
 
 try {
@@ -92,7 +92,7 @@ try {
     for (const [name, value] of wrong) {
         const here = await answer('flap', { [name]: value });
         /* the same fields as a file */
-        const file = await page.eval(`document.querySelector('.choose').fields.words
+        const file = await page.eval(`document.querySelector('.least-model').fields.words
             .map(w => [w.word, w.inputs.map(i => i.value.trim()).join(' ')])
             .filter(([, v]) => v.trim()).map(([w, v]) => w + ' ' + v).join('\\n') + '\\n'`);
         writeFileSync(join(folder, 'flap.scene'), file);
@@ -112,7 +112,7 @@ try {
         folder).err, 'a bad error is refused', error && error.err);
 
     const nameless = await page.eval(`[...document.querySelectorAll(
-        '.choose input, .choose select')].filter(i => !i.labels.length &&
+        '.least-model input, .least-model select')].filter(i => !i.labels.length &&
         !i.getAttribute('aria-label')).length`);
     say(nameless === 0, 'each field has a label', nameless);
     say(page.errors.length === 0, 'no error on the page of the least model',

@@ -1,5 +1,6 @@
 /*
- * live.mjs SITE NATIVE - the live pages in a headless Chromium.
+ * live.mjs SITE NATIVE [PART [FRAMES]] - the live pages in a headless Chromium:
+ * all parts, or log, cubic, losses or tissue.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
  * none is lost, and the native program NATIVE has the same rungs, systems and
@@ -13,7 +14,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open } from './browser.mjs';
 
-const [site, native] = process.argv.slice(2);
+const [site, native, part = 'all', frames = 600] = process.argv.slice(2);
 const url = name => pathToFileURL(resolve(site, name)).href;
 let failed = 0;
 function say(good, what, why) {
@@ -81,11 +82,11 @@ function rows(lines, name) {
 
 const SEEN = ['first', 'rung', 'status', 'systems', 'part', 'knots'];
 async function square(browser, folder, law, keys, seed) {
-    const page = await browser.page(url('live.html'));
+    const page = await browser.page(url('web/live.html'));
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
     say(begun, 'the live page begins', page.errors.join(' ') || 'no frame');
     if (!begun) return page.close();
-    const run = await page.eval(`(${drive})(600, ${JSON.stringify(keys)}, ${seed})`);
+    const run = await page.eval(`(${drive})(${frames}, ${JSON.stringify(keys)}, ${seed})`);
     await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
     await page.until("document.querySelector('.live').live.state.status !== null", 10);
@@ -93,8 +94,8 @@ async function square(browser, folder, law, keys, seed) {
         "({status, lines, input}))(document.querySelector('.live').live.state)");
     const here = rows(lines, 'frames');
     const lost = here.filter(row => row.rung === 'lost').length;
-    say(status === 0 && run.frames >= 600 && here.length >= 600 && lost === 0,
-        `600 frames by pointer events, ${law}: none lost`,
+    say(status === 0 && run.frames >= frames && here.length >= frames && lost === 0,
+        `${frames} frames by pointer events, ${law}: none lost`,
         `status ${status}, ${here.length} frames, ${lost} lost; ${page.errors.join(' ')}`);
     console.log(`web: ${(run.frames / run.seconds).toFixed(1)} frames per second, ${law}, n = 16`);
     /* What a frame was given are the events of one of the last frames. */
@@ -132,7 +133,7 @@ async function square(browser, folder, law, keys, seed) {
 
 /* Without the second rung frames are lost, and the page says how many. */
 async function losses(browser) {
-    const page = await browser.page(url('live.html'));
+    const page = await browser.page(url('web/live.html'));
     await page.until("document.querySelector('.live').live.state.frames > 5");
     await page.eval(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
     await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
@@ -149,7 +150,7 @@ async function losses(browser) {
 
 /* The strip of the front page opens under a hand. */
 async function tissue(browser) {
-    const page = await browser.page(url('tissue.html'));
+    const page = await browser.page(url('web/tissue.html'));
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
     say(begun, 'the tissue begins', page.errors.join(' ') || 'no frame');
     if (!begun) return page.close();
@@ -183,10 +184,12 @@ async function tissue(browser) {
 const folder = mkdtempSync(join(tmpdir(), 'live-'));
 const browser = await open();
 try {
-    await square(browser, folder, 'log', [], 2026);
-    await square(browser, folder, 'cubic', [[3, 'l'], [200, 'i'], [400, 'i']], 14);
-    await losses(browser);
-    await tissue(browser);
+    const asked = name => part === 'all' || part === name;
+    if (asked('log')) await square(browser, folder, 'log', [], 2026);
+    if (asked('cubic'))
+        await square(browser, folder, 'cubic', [[3, 'l'], [200, 'i'], [400, 'i']], 14);
+    if (asked('losses')) await losses(browser);
+    if (asked('tissue')) await tissue(browser);
 } finally {
     await browser.close();
     rmSync(folder, { recursive: true });

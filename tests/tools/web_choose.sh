@@ -1,5 +1,5 @@
 #!/bin/sh
-# choose_data.sh WORDS - what choose.html knows, as a script: the table of the words
+# web_choose.sh WORDS - what choose.html knows, as a script: the table of the words
 # (WORDS, printed by form.c), what scene_file.h says of each, the example scenes,
 # and the pages of the lessons.
 set -u
@@ -39,6 +39,6 @@ for lesson in lessons/[0-9][0-9]_*.md; do
     name=${lesson##*/}
     name=${name%.md}
     number=${name%%_*}
-    echo "\"${number#0}\": \"lessons/$name.html\","
+    echo "\"${number#0}\": \"../lessons/$name.html\","
 done
 echo '} };'

@@ -2,12 +2,14 @@
  * live.js - the page's part of window.h (common/motion/window_web.c): canvas,
  * buttons and clock of a live scene.
  *
- *     <div class="live" data-program="24_live.js" data-args="--n 16"></div>
+ *     <div class="live" data-program="../programs/square.js" data-args="--n 16"></div>
  *
  * The program is one of `make web`: a function programs[name](Module).  It
- * calls Module.page.next(), which waits for a frame, and Module.page.draw().  A
- * scene with data-on-demand is begun by its button, for its program is loaded
- * only then.
+ * calls Module.page.next(), which waits for a frame, Module.page.draw() and, at
+ * the end, Module.page.close().  A scene with data-on-demand is begun by its
+ * button, and its program is loaded only then.  data-keys are the buttons that
+ * there are, all unless given; data-wide, -high and -middle are metres; data-layers
+ * are heights where the colour changes, instead of colours by J.
  */
 'use strict';
 (() => {
@@ -65,8 +67,10 @@ function live(box) {
     const layers = data.layers ? data.layers.split(' ').map(Number) : null;
 
     const stage = made('div', box, { class: 'stage' });
-    const canvas = made('canvas', stage, { tabindex: '0', role: 'img',
-        'aria-label': data.label || 'A soft body, whose left side is held' });
+    const id = 'live-help-' + document.querySelectorAll('.live .help').length;
+    const canvas = made('canvas', stage, { tabindex: '0', role: 'application',
+        'aria-label': data.label || 'A soft square, whose left side is held',
+        'aria-describedby': id });
     const keys = made('div', box, { class: 'keys', role: 'group',
         'aria-label': 'What can be changed' });
     const said = made('p', box, { class: 'said' });
@@ -74,7 +78,7 @@ function live(box) {
     const chart = made('canvas', box, { class: 'times', role: 'img' });
     const alert = made('p', box, { class: 'lost', role: 'status' });
     const saved = made('p', box, { class: 'saved' });
-    made('p', box, { class: 'help', text: 'Drag with the mouse or a finger. ' +
+    made('p', box, { class: 'help', id, text: 'Drag with the mouse or a finger. ' +
         'With the keyboard: arrows move the hand, Enter grabs and lets go; ' +
         'letters in brackets are keys, too.' });
     const ink = canvas.getContext('2d'), bars = chart.getContext('2d');
@@ -206,9 +210,9 @@ function live(box) {
             ink.fill(path, 'nonzero');
             if (frame.J.length > 2048 || layers) ink.stroke(path); /* no seams */
         }
-        if (frame.J.length <= 2048 && !layers) {
+        if (frame.J.length <= 2048) {
             ink.lineWidth = 0.7 * ratio;
-            ink.strokeStyle = 'rgb(120,120,120)';
+            ink.strokeStyle = layers ? 'rgba(0,0,0,.13)' : 'rgb(120,120,120)';
             ink.stroke(all);
         }
         ink.fillStyle = style.getPropertyValue('--ink') || '#141414';

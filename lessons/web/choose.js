@@ -1,5 +1,5 @@
 /*
- * choose_page.js - `make choose` as a page: the words of the scene file as a form,
+ * choose.js - `make choose` as a page: the words of the scene file as a form,
  * the answer of common/choice/choose.c, and its picture.
  *
  * Words, ranges, units and examples are those of choose_data.js, which `make web`
@@ -8,7 +8,7 @@
 'use strict';
 (() => {
 const LIMIT = 60; /* seconds of one run */
-const box = document.querySelector('.choose');
+const box = document.querySelector('.least-model');
 
 function made(tag, parent, attributes) {
     const element = document.createElement(tag);
@@ -197,8 +197,8 @@ function show(said, name, scene, options) {
         if (part.text.length) linked(part.text.map(line => line.slice(2)).join('\n'),
                                      made('pre', section, {}));
         if (/^Price/.test(part.head)) made('p', section, { class: 'says', text: 'The ' +
-            'milliseconds were measured just now, in this browser; make choose measures those ' +
-            'of a program that is compiled for your machine.' });
+            'milliseconds were measured just now, in this browser, which compiled the program ' +
+            'while it was choosing; make choose measures those of your machine.' });
         if (k === 0 && said.picture) picture(said.picture, section);
     });
     const file = made('details', made('section', answer, {}), {});
