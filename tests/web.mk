@@ -6,8 +6,8 @@
 
 WASM := $(BUILD)/wasm
 WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
-            [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
-no_web = no emscripten, or no source of GSL; make deps-web installs them
+            command -v pandoc > /dev/null && [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
+no_web = no emscripten, no pandoc or no source of GSL; make deps-web installs them
 .PHONY: deps-web web
 deps-web: ; @sh tests/tools/deps_web.sh $(WASM)
 
@@ -41,10 +41,26 @@ $(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
 	      cat $(WASM)/$1.part.js && echo '};'; } > $$@ && rm $(WASM)/$1.part.js
 endef
 $(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
-.PHONY: wasm web-check
+.PHONY: wasm web-pages
 wasm: $(LESSONS:%=$(WASM)/%.js)
 
-web-check:
+# What was measured of each prediction.
+$(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
+        $(BUILD)/solutions/%
+	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
+	    $(MOVED)
+WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js
+$(WASM)/book/index.html: $(BOOK) $(wildcard figures/*.svg figures/*/*.svg) \
+        tests/tools/book.sh
+	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
+$(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
+        $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
+	$(call say,web,$(@D))
+	$(Q)node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
+web-pages: $(BUILD)/web/index.html
+web:
 	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
-web: web-check
-	$(SHARED)@"$$MAKE" wasm
+	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \
+	    "$$(find $(BUILD)/web -type f | wc -l) files," \
+	    "$$(tar -cf - -C $(BUILD)/web . | gzip | wc -c | \
+	    awk '{ printf "%.1f", $$1 / 1e6 }') MB as an archive"

@@ -161,6 +161,24 @@ static void print_predictions(int index)
                                 : "the program prints nothing to compare");
 }
 
+/* As JUDGE --measured REFERENCE: print what the program gives for each
+ * prediction, a line "2a 6741.22" for each; return 1 where one is missing. */
+static int print_measured(char *argv[], int index)
+{
+    struct finding finding;
+    char path[PATH_SIZE], line[80];
+    judging.reference = absolute(argv[2]);
+    make_work(argv[0]);
+    child_on_interrupt(remove_work);
+    child_work_in(judging.work);
+    examine(index, &finding);
+    FILE *file = open_regular(work_file("judge.measured", path));
+    while (file && fgets(line, sizeof line, file)) fputs(line, stdout);
+    if (file) fclose(file);
+    remove_work();
+    return finding.verdict != PASS;
+}
+
 /* All checks pass. */
 static void print_ok(const char *number, int n, const struct finding finding[])
 {
@@ -269,6 +287,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
         return 0;
     }
     be_the_subject(lesson, argc, argv);
+    if (argc == 3 && strcmp(argv[1], "--measured") == 0)
+        return print_measured(argv, n);
     judging.file = value_of(argc, argv, "--file");
     read_predictions(value_of(argc, argv, "--source"));
     judging.subject = absolute(value_of(argc, argv, "--subject"));

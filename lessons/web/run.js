@@ -1,0 +1,95 @@
+/*
+ * run.js - run a program of the workbook in a worker, and read its tables.
+ *
+ * A program is a function of Module in programs/NAME.js (tests/web.mk), brought by
+ * a script element, which works from a file as well as from a server.  It computes
+ * in a worker, so that the page stays awake and an endless loop can be ended.
+ */
+"use strict";
+self.programs ||= {};
+
+/* The program's function; folder is where programs/ lies. */
+function loadProgram(folder, name) {
+    if (programs[name]) return Promise.resolve(programs[name]);
+    return new Promise((resolve, reject) => {
+        const script = document.createElement("script");
+        script.src = folder + "programs/" + name + ".js";
+        script.onload = () => resolve(programs[name]);
+        script.onerror = () => reject(new Error(script.src + " cannot be read"));
+        document.head.append(script);
+    });
+}
+
+/* What the worker does: lines are sent in heaps, and first of all those before
+ * the status.  A program that cannot go on has no status. */
+function work(program, args) {
+    let out = [], err = [];
+    const send = (more) => {
+        postMessage({out: out.join(""), err: err.join(""), ...more});
+        out = [];
+        err = [];
+    };
+    const crashed = (event) => {
+        event.preventDefault();
+        send({status: null, crash: String(event.reason || event.message)});
+    };
+    self.addEventListener("error", crashed);
+    self.addEventListener("unhandledrejection", crashed);
+    const begin = performance.now();
+    program({
+        arguments: args,
+        print: (line) => { out.push(line + "\n"); if (out.length > 999) send({}); },
+        printErr: (line) => { err.push(line + "\n"); if (err.length > 99) send({}); },
+        onExit: (status) => send({status, ms: performance.now() - begin}),
+    });
+}
+
+/*
+ * Run it: {finished, stop}.  finished is a promise of {status, out, err, ms, end}:
+ * end is "exit" with a status, or "stopped" by stop(), "limit" after so many
+ * seconds, "flood" when it has printed more than 16 MB, "crash" with its reason in
+ * err.  What it had printed till then is in out.
+ */
+function runProgram(program, args, seconds) {
+    const text = `(${work})(${program}, ${JSON.stringify(args)});`;
+    const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
+    const worker = new Worker(url);
+    const result = {status: null, out: "", err: "", ms: null, end: null};
+    let stop;
+    const finished = new Promise((resolve) => {
+        const end = (how) => {
+            if (result.end) return;
+            result.end = how;
+            worker.terminate();
+            clearTimeout(timer);
+            URL.revokeObjectURL(url);
+            resolve(result);
+        };
+        const timer = setTimeout(end, 1e3 * seconds, "limit");
+        stop = () => end("stopped");
+        worker.onerror = (event) => { result.err += event.message; end("crash"); };
+        worker.onmessage = ({data}) => {
+            result.out += data.out;
+            result.err += data.err;
+            if (result.out.length > 16e6) end("flood");
+            if (data.crash) { result.err += data.crash; end("crash"); }
+            if (data.status === undefined) return;
+            Object.assign(result, {status: data.status, ms: data.ms});
+            end("exit");
+        };
+    });
+    return {finished, stop};
+}
+
+/* The tables of an output: {name, notes, columns, rows}; cells are text.  A table
+ * that was cut off is there as far as it goes. */
+function readTables(out) {
+    return out.split("\n\n\n").filter((text) => text.startsWith("# ")).map((text) => {
+        const lines = text.split("\n").filter((line) => line !== "");
+        const notes = lines.filter((line) => line.startsWith("# "));
+        const [columns, ...rows] = lines.filter((line) => !line.startsWith("# "))
+            .map((line) => line.split("\t"));
+        return {name: notes.shift().slice(2), notes: notes.map((note) => note.slice(2)),
+                columns: columns || [], rows};
+    });
+}

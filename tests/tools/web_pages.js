@@ -1,0 +1,107 @@
+/*
+ * web_pages.js - the pages of build/web/: those of the book, and in every chapter
+ * of a lesson the panel "Try it", before the section Measured.
+ *
+ *     node tests/tools/web_pages.js BOOK BUILD SITE LESSON...
+ *
+ * BOOK is the book as HTML.  The form is made of the list that BUILD/solutions/LESSON
+ * prints with -h; what is asked comes from the PREDICT lines of its source, what was
+ * measured from BUILD/wasm/LESSON.measured, and the columns to plot from its line
+ * Plot.  A list or a line that is not as it should be is an error.
+ */
+"use strict";
+const fs = require("fs");
+const {execFileSync} = require("child_process");
+const [book, build, site, ...lessons] = process.argv.slice(2);
+
+function fail(words) {
+    console.error("web: " + words);
+    process.exit(1);
+}
+const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+const read = (path) => fs.readFileSync(path, "utf8");
+
+/* A line of -h (common/base/options.c): "  --name  help [default]; what is allowed" */
+function field(lesson, line) {
+    const part = /^ {2}--(\w+) +(.*?)(?: \[([^\][]*)\])?; (one of: .*|a whole number .*|a number .*|[^;]*)$/
+        .exec(line);
+    if (!part) fail(`${lesson} -h: ${line}`);
+    const [, name, help, initial = "", allowed] = part;
+    if (allowed === "a file's name") return ""; /* a browser has none */
+    const common = `id="option-${name}" name="${name}" data-default="${escape(initial)}"` +
+                   ` aria-describedby="hint-${name}"`;
+    const words = /^one of: ([^;]*)/.exec(allowed);
+    const kind = words ? "select" : "input";
+    const input = words
+        ? `<select ${common}>` + words[1].split(" ").map((word) =>
+            `<option${word === initial ? " selected" : ""}>${word}</option>`).join("") +
+          "</select>"
+        : `<input ${common} value="${escape(initial)}" autocomplete="off" spellcheck="false">`;
+    const hint = words ? allowed.slice(words[0].length).replace(/^; /, "") : allowed;
+    return `<div class="field ${kind}"><label for="option-${name}"><code>${name}</code></label>
+${input}<span class="hint" id="hint-${name}">${escape(help)}${hint && "; " + escape(hint)}</span></div>\n`;
+}
+
+function questions(lesson, source) {
+    const measured = new Map(read(`${build}/wasm/${lesson}.measured`).trim().split("\n")
+        .map((line) => line.split(" ")));
+    return [...source.matchAll(/^ \* PREDICT (\w+) ([^:]*): \.\.\.$/gm)].map(([, key, asked]) => {
+        if (!isFinite(measured.get(key) ?? NaN)) fail(`${lesson}: no number for PREDICT ${key}`);
+        return `<div class="field"><label for="predict-${key}">${key}. ${escape(asked)}</label>
+<input id="predict-${key}" inputmode="text" autocomplete="off" data-measured="${measured.get(key)}">
+<output for="predict-${key}"></output></div>\n`;
+    }).join("");
+}
+
+function panel(lesson) {
+    const source = read(`solutions/${lesson}.c`);
+    const usage = execFileSync(`${build}/solutions/${lesson}`, ["-h"], {encoding: "utf8"});
+    const fields = usage.trimEnd().split("\n").slice(1).map((line) => field(lesson, line));
+    const plot = /^ \* Plot: (.*)$/m.exec(source);
+    if (!plot) fail(`${lesson}: no line Plot`);
+    return `<section class="try" aria-labelledby="try-it" data-program="${lesson}" data-folder="../"
+data-plot="${plot[1]}" data-seconds="30">
+<h2 id="try-it">Try it</h2>
+<p>This is the finished program of the lesson: it runs in your browser, and what it prints are the
+numbers of the reference.</p>
+<noscript><p>For this your browser must run JavaScript.</p></noscript>
+<form hidden>
+<fieldset class="predict"><legend>Predict first</legend>
+<p class="hint">A number or a fraction for each; <q>Run</q> then sets beside it what the reference
+gives, whatever the options below are.</p>
+${questions(lesson, source)}<p><button type="button" name="look">I only want to look</button></p></fieldset>
+<fieldset><legend>Options</legend>
+${fields.join("")}<p class="hint">The same with your own program: <code class="command"></code></p></fieldset>
+<p><button name="run">Run</button> <button type="button" name="stop">Stop</button>
+<button type="button" name="defaults">Defaults</button></p>
+<p role="status" aria-live="polite"></p>
+</form>
+<div class="results"></div>
+</section>
+${["run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+}
+
+const part = `${site}.part`;
+fs.rmSync(part, {recursive: true, force: true});
+fs.cpSync(book, part, {recursive: true});
+fs.mkdirSync(part + "/web");
+fs.mkdirSync(part + "/programs");
+for (const name of fs.readdirSync("lessons/web"))
+    fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
+for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
+    if (!name.endsWith(".html")) continue;
+    const up = "../".repeat(name.split("/").length - 1);
+    const css = `<link rel="stylesheet" href="${up}book.css">`;
+    fs.writeFileSync(`${part}/${name}`, read(`${part}/${name}`).replace(css,
+        `<meta name="color-scheme" content="light dark">\n${css}\n` +
+        `<link rel="stylesheet" href="${up}web/web.css">`));
+}
+for (const lesson of lessons) {
+    const page = `${part}/lessons/${lesson}.html`, text = read(page);
+    const at = text.indexOf('<h2 id="measured">');
+    if (at < 0) fail(`${page} has no section Measured`);
+    fs.writeFileSync(page, text.slice(0, at) + panel(lesson) + text.slice(at));
+    fs.copyFileSync(`${build}/wasm/${lesson}.js`, `${part}/programs/${lesson}.js`);
+}
+fs.rmSync(site, {recursive: true, force: true});
+fs.renameSync(part, site);
