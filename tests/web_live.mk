@@ -16,10 +16,11 @@ $(eval $(call wasm_program,choose,$(WASM)/common/choice/choose.o,$(WASM_FILES)))
 # The words of a scene file, for the form.
 $(BUILD)/lessons/web/form: lessons/web/form.c $(LIB)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
-$(WASM)/choose_data.js: $(BUILD)/lessons/web/form tests/tools/web_choose.sh \
+$(WASM)/choose_data.js: $(BUILD)/lessons/web/form $(BUILD)/choose tests/tools/web_choose.sh \
         common/choice/scene_file.h $(wildcard lessons/scenes/* lessons/[0-9]*.md)
 	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(WASM)/words.tsv && \
-	    sh tests/tools/web_choose.sh $(WASM)/words.tsv > $(PART) && $(MOVED)
+	    $(BUILD)/choose -h > $(WASM)/choose.help && sh tests/tools/web_choose.sh \
+	    $(WASM)/words.tsv $(WASM)/choose.help > $(PART) && $(MOVED)
 
 # Into the pages that web.mk has made: what of them leads here, and what runs.
 LIVE_PROGRAMS := square tissue choose
@@ -39,3 +40,11 @@ $(T)/web-live.result: $(BUILD)/web/web/choose_data.js $(BUILD)/solutions/24_live
 	grep -q '^ok web: no error on the page of the least model' $@ || \
 	    echo 'FAIL web: the tests in the browser did not end:' \
 	        "$$(tail -n 5 $(T)/web-live.log | tr '\n' ' ')" >> $@
+
+# Is a mistake in their scripts noticed?
+$(T)/web-mistakes.result: $(T)/web-live.result tests/web/mistakes.mjs
+	$(call say,test,mistakes in the live pages)
+	$(Q)mkdir -p $(@D) && node tests/web/mistakes.mjs $(BUILD)/web \
+	    $(BUILD)/solutions/24_live $(BUILD)/choose > $@ 2>&1 || :
+.PHONY: test-web
+test-web: $(T)/web-live.result $(T)/web-mistakes.result

@@ -73,21 +73,20 @@ for (const word of words) {
         (word.n ? (word.says ? '; ' : '') + range(word) : '') });
 }
 const last = made('div', form, { class: 'fields' });
-function option(name, value, says) {
+/* A line of -h: "  --within   that a frame may take [33]; a number from ..." */
+function option(name) {
+    const [, says, value, allowed] = self.choose.help.match(
+        new RegExp('--' + name + ' +(.*?) \\[(.*?)\\]; (.*)'));
+    const check = allowed === 'one of: no yes';
     made('label', last, { for: name, text: name });
-    const cell = made('span', last, { class: 'inputs' });
-    const input = made('input', cell, { id: name, type: 'text', value,
-                                        'aria-describedby': name + '-says' });
-    made('span', last, { id: name + '-says', class: 'says', text: says });
+    const input = made('input', made('span', last, { class: 'inputs' }), {
+        id: name, type: check ? 'checkbox' : 'text', 'aria-describedby': name + '-says' });
+    if (!check) input.value = value;
+    made('span', last, { id: name + '-says', class: 'says',
+        text: says + (check ? '' : '; ' + allowed.replace('a number from ', '')) });
     return input;
 }
-const error = option('error', '10', '%, of the largest displacement, that you allow');
-const within = option('within', '33', 'ms that a frame may take');
-made('label', last, { for: 'verify', text: 'verify' });
-const verify = made('input', made('span', last, { class: 'inputs' }),
-                    { id: 'verify', type: 'checkbox', 'aria-describedby': 'verify-says' });
-made('span', last, { id: 'verify-says', class: 'says',
-                     text: 'by a better model on a finer mesh' });
+const error = option('error'), within = option('within'), verify = option('verify');
 const act = made('p', form, { class: 'act' });
 const choose = made('button', act, { type: 'submit', text: 'Choose' });
 const stop = made('button', act, { type: 'button', text: 'Stop', disabled: '' });
@@ -270,8 +269,8 @@ form.addEventListener('submit', async event => {
     answer.replaceChildren();
     for (const input of form.querySelectorAll('[aria-invalid]'))
         input.removeAttribute('aria-invalid');
-    const args = ['--scene', name, '--error', error.value.trim() || '10', '--within',
-        within.value.trim() || '33', '--verify', verify.checked ? 'yes' : 'no',
+    const args = ['--scene', name, '--error', error.value.trim(), '--within',
+        within.value.trim(), '--verify', verify.checked ? 'yes' : 'no',
         '--picture', 'picture'];
     state.textContent = 'Choosing ...';
     choose.disabled = true;

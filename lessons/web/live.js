@@ -89,7 +89,7 @@ function live(box) {
     const shownAt = [];  /* when they were drawn (ms) */
     const state = { frames: 0, lost: 0, knots: 0, stopped: false, closed: false,
                     due: 0, lines: [], status: null, fps: 0 };
-    box.live = { state, hand, pressed, canvas };
+    box.live = { state, hand, press, canvas };
 
     /* ---- size, and from pixels to metres ---- */
     let scale = 1, ratio = 1;
@@ -252,7 +252,7 @@ function live(box) {
             bars.fillStyle = ms > FRAME ? 'rgb(200,60,60)' : 'rgb(90,120,160)';
             bars.fillRect(w - (k + 1) * step, floor - tall, Math.max(step, 1), tall);
         }
-        bars.fillStyle = 'rgb(200,0,0)';
+        bars.fillStyle = style.getPropertyValue('--bad') || '#b00020';
         bars.fillRect(left, floor - per * FRAME, w - left, ratio);
         bars.font = 12 * ratio + 'px sans-serif';
         bars.textBaseline = 'middle';
