@@ -318,7 +318,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/new.result $(T)/diff.result \
-           $(T)/many.result $(SAME_RESULTS) \
+           $(T)/many.result $(T)/web.result $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 # first what is long, one after the other, or waits, while the rest computes

@@ -7,7 +7,8 @@
 WASM := $(BUILD)/wasm
 WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
             command -v pandoc > /dev/null && [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
-no_web = no emscripten, no pandoc or no source of GSL; make deps-web installs them
+no_web = emscripten, pandoc, chromium or the source of GSL is missing; make \
+         deps-web installs them
 .PHONY: deps-web web
 deps-web: ; @sh tests/tools/deps_web.sh $(WASM)
 
@@ -64,3 +65,20 @@ web:
 	    "$$(find $(BUILD)/web -type f | wc -l) files," \
 	    "$$(tar -cf - -C $(BUILD)/web . | gzip | wc -c | \
 	    awk '{ printf "%.1f", $$1 / 1e6 }') MB as an archive"
+
+# ---- in a headless Chromium
+.PHONY: test-web web-again
+WEB_TESTS = $(WEB_TOOLS) && command -v chromium > /dev/null
+test-web: $(T)/web.result
+	@if grep '^skip web: ' $<; then :; else sh tests/tools/count.sh < $<; fi
+# what was left out is tried again: the tools may be there now
+web-again: ;
+$(T)/web.result: $(shell grep -qs '^skip web: ' $(T)/web.result && \
+        echo web-again) $(BOOK) $(wildcard lessons/web/* common/*/* solutions/*.c \
+        tests/checks/*.[ch] tests/tools/web_* tests/tools/b*.* tests/cli/web.js) \
+        tests/web.mk $(LESSONS:%=$(BUILD)/data/%.tsv)
+	$(call say,test,the pages in a browser)
+	$(SHARED)$(Q)mkdir -p $(@D) && if $(WEB_TESTS); then \
+	    "$$MAKE" web-pages > $@.log 2>&1 && node tests/cli/web.js $(BUILD) > $@ || \
+	    { echo 'FAIL web:'; tail -n 20 $@.log; } >> $@; \
+	else echo 'skip web: $(no_web)' > $@; fi

@@ -19,7 +19,11 @@ function picture(width, height, label) {
     return svg;
 }
 
-const short = (x) => String(Number(x.toPrecision(4))).replace("e+", "e");
+function short(x) {
+    const text = x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5)
+        ? String(Number(x.toPrecision(4)).toExponential()) : String(Number(x.toPrecision(4)));
+    return text.replace("e+", "e");
+}
 
 /* An axis over these numbers: at(x) from 0 to 1, and where its ticks are.  Round
  * steps of 1, 2 or 5; with log whole decades, every k-th if there are many. */
@@ -59,13 +63,14 @@ function curves(table, {x, y, key, logx, logy}) {
     return lists;
 }
 
-function plot(table, setting) {
+/* width: of the picture in pixels, so that its letters are those of the page. */
+function plot(table, setting, width) {
     const lists = curves(table, setting), all = [...lists.values()].flat();
     const {x, y, logx, logy} = setting;
     const what = `${y} over ${x} of table ${table.name}`;
-    if (all.length === 0) return picture(560, 20, `${what}: no numbers to draw`);
+    if (all.length === 0) return picture(width, 20, `${what}: no numbers to draw`);
     const names = [...lists.keys()].filter((name) => name !== "").slice(0, INKS);
-    const W = 560, H = 340, left = 74, right = 12, top = 14 + 18 * names.length, foot = 46;
+    const W = width, H = Math.round(0.3 * W + 170), left = 78, right = 12, top = 14 + 18 * names.length, foot = 46;
     const across = axis(all.map((p) => p[0]), logx), up = axis(all.map((p) => p[1]), logy);
     const px = (v) => left + (W - left - right) * across.at(v);
     const py = (v) => H - foot - (H - top - foot) * up.at(v);
@@ -84,7 +89,7 @@ function plot(table, setting) {
     draw(svg, "text", {x: (left + W - right) / 2, y: H - 8, "text-anchor": "middle"},
          x + (logx ? " (log)" : ""));
     draw(svg, "text", {"text-anchor": "middle", transform:
-         `translate(14 ${(top + H - foot) / 2}) rotate(-90)`}, y + (logy ? " (log)" : ""));
+         `translate(12 ${(top + H - foot) / 2}) rotate(-90)`}, y + (logy ? " (log)" : ""));
     [...lists].forEach(([name, points], n) => {
         const ink = `ink${n % INKS}`;
         const at = points.map((p) => `${px(p[0]).toFixed(1)},${py(p[1]).toFixed(1)}`);
@@ -150,11 +155,11 @@ function colour(J) {
     return `rgb(${c.map((k) => Math.round(250 + t * (k - 250))).join(" ")})`;
 }
 
-function drawBody(name, {corners, points, J}) {
+function drawBody(name, {corners, points, J}, width) {
     const at = corners ? corners.flat() : points;
     const [x0, x1, y0, y1] = [Math.min(...at.map((p) => p[0])), Math.max(...at.map((p) => p[0])),
                               Math.min(...at.map((p) => p[1])), Math.max(...at.map((p) => p[1]))];
-    const W = 560, scale = Math.min((W - 20) / (x1 - x0), 400 / (y1 - y0));
+    const W = width, scale = Math.min((W - 20) / (x1 - x0), (0.3 * W + 230) / (y1 - y0));
     const H = scale * (y1 - y0) + 20, shift = (W - scale * (x1 - x0)) / 2;
     const inverted = J.filter((j) => !(j > 0)).length;
     const svg = picture(W, H, `The ${corners ? "body, " + J.length + " triangles" : J.length +

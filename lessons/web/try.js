@@ -114,6 +114,8 @@ function check(label, on, change) {
     return make("label", {}, box, " " + label);
 }
 
+const width = () => Math.max(280, Math.min(660, results.clientWidth));
+
 /* The plot that was chosen last stays chosen, as long as its table is there. */
 const [table, x, y, ...words] = here.plot.split(" ");
 const byDefault = {table, x, y, key: (words.find((w) => w.startsWith("key=")) || "").slice(4),
@@ -140,7 +142,7 @@ function plotElement(tables) {
             select("a curve for each", ["", ...t.columns], chosen.key,
                    (name) => update({key: name})),
             check("log across", chosen.logx, (on) => update({logx: on})),
-            check("log up", chosen.logy, (on) => update({logy: on}))), plot(t, chosen));
+            check("log up", chosen.logy, (on) => update({logy: on}))), plot(t, chosen, width()));
         if (focus >= 0) box.querySelectorAll("select, input")[focus].focus();
     };
     if (drawn.length > 0) update({});
@@ -149,7 +151,7 @@ function plotElement(tables) {
 
 function bodyElement({name}, list) {
     const box = make("figure", {});
-    const show = (n) => box.replaceChildren(drawBody(name, list[n]), make("figcaption", {},
+    const show = (n) => box.replaceChildren(drawBody(name, list[n], width()), make("figcaption", {},
         `${name}: blue is pressed, white at rest, orange stretched, magenta inverted. `,
         ...(list.length < 2 ? [] : [select("picture", list.map((_, k) => String(k)), String(n),
                                            (value) => { show(Number(value));

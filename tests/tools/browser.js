@@ -47,6 +47,7 @@ exports.open = async (command) => {
         const {sessionId} = await send("Target.attachToTarget", {targetId, flatten: true});
         const self = {
             errors: [], /* what scripts of the page threw, or could not load */
+            onWorker: () => {}, /* 1: one begins, -1: one has ended */
             send: (method, params) => send(method, params, sessionId),
             close: () => send("Target.closeTarget", {targetId}),
         };
@@ -55,11 +56,15 @@ exports.open = async (command) => {
             if (message.sessionId !== sessionId) return;
             const {method, params} = message;
             if (method === "Page.loadEventFired") loaded();
+            if (method === "Target.attachedToTarget") self.onWorker(1);
+            if (method === "Target.detachedFromTarget") self.onWorker(-1);
             if (method === "Runtime.exceptionThrown")
                 self.errors.push(params.exceptionDetails.exception?.description || "a script");
             if (method === "Log.entryAdded" && params.entry.level === "error")
                 self.errors.push(params.entry.text + " " + (params.entry.url || ""));
         });
+        await self.send("Target.setAutoAttach",
+                        {autoAttach: true, waitForDebuggerOnStart: false, flatten: true});
         for (const domain of ["Page", "Runtime", "Log"]) await self.send(domain + ".enable");
         await self.send("Emulation.setDeviceMetricsOverride",
                         {width, height, deviceScaleFactor: 1, mobile: width < 600});
@@ -79,10 +84,12 @@ exports.open = async (command) => {
         return self;
     };
     const close = async () => {
-        await Promise.race([send("Browser.close").catch(() => {}),
-                            new Promise((resolve) => setTimeout(resolve, 3000))]);
-        child.kill("SIGKILL");
-        fs.rmSync(folder, {recursive: true, force: true, maxRetries: 5, retryDelay: 100});
+        const ended = new Promise((resolve) => child.on("exit", resolve));
+        const late = setTimeout(() => child.kill("SIGKILL"), 5000);
+        send("Browser.close").catch(() => {});
+        await ended;
+        clearTimeout(late);
+        fs.rmSync(folder, {recursive: true, force: true, maxRetries: 9, retryDelay: 200});
     };
     return {page, close};
 };

@@ -93,7 +93,7 @@ for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
     const up = "../".repeat(name.split("/").length - 1);
     const css = `<link rel="stylesheet" href="${up}book.css">`;
     fs.writeFileSync(`${part}/${name}`, read(`${part}/${name}`).replace(css,
-        `<meta name="color-scheme" content="light dark">\n${css}\n` +
+        `<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n${css}\n` +
         `<link rel="stylesheet" href="${up}web/web.css">`));
 }
 for (const lesson of lessons) {

@@ -1,0 +1,324 @@
+/*
+ * web.js - the pages of make web in a headless Chromium; prints a line "ok WHAT" or
+ * "FAIL WHAT: why" for each thing that is tried.
+ *
+ *     node tests/cli/web.js BUILD
+ *
+ * Every chapter is opened from its file, its default scene is run, and the tables
+ * are those that the native program prints (BUILD/data/NN_slug.tsv).  At the end the
+ * tests themselves are tried: each is run with a page that a mistake has spoiled.
+ */
+"use strict";
+const fs = require("fs");
+const http = require("http");
+const path = require("path");
+const {spawnSync} = require("child_process");
+const {open} = require("../tools/browser.js");
+const build = path.resolve(process.argv[2] || "build");
+const site = build + "/web";
+const lessons = fs.readdirSync("solutions").filter((f) => /^\d\d_.*\.c$/.test(f))
+    .map((f) => f.slice(0, -2)).sort();
+
+/* ---- comparison with the native program --------------------------------------- */
+
+/* Why the outputs differ, or "".  Words, notes and whole numbers are equal; other
+ * numbers to 1e-9 of the largest of their column, and to 1e-12, since a momentum
+ * that is nothing but round-off is another one.  Milliseconds are left out. */
+function difference(got, want) {
+    const [a, b] = [got.split("\n"), want.split("\n")];
+    if (a.length !== b.length) return `${a.length} lines, not ${b.length}`;
+    const whole = /^-?\d+$/;
+    let columns = [], largest = [];
+    for (let i = 0; i < b.length; i++) {
+        if (i > 0 && b[i - 1].startsWith("# ") && !b[i].startsWith("# ")) {
+            columns = b[i].split("\t");
+            largest = columns.map(() => 0);
+            for (let k = i + 1; b[k]; k++)
+                b[k].split("\t").forEach((c, j) => {
+                    if (isFinite(c)) largest[j] = Math.max(largest[j], Math.abs(c));
+                });
+        }
+        if (a[i] === b[i]) continue;
+        const [x, y] = [a[i].split("\t"), b[i].split("\t")];
+        const bad = y.findIndex((c, j) => columns[j] !== "ms" && x[j] !== c &&
+            !(isFinite(c) && isFinite(x[j]) && !(whole.test(c) && whole.test(x[j])) &&
+              Math.abs(x[j] - c) <= 1e-9 * largest[j] + 1e-12));
+        if (bad >= 0 || x.length !== y.length)
+            return `line ${i + 1}, ${columns[bad]}: got ${x[bad]}, want ${y[bad]}`;
+    }
+    return "";
+}
+
+const native = (lesson, args) => {
+    const {status, stdout, stderr} = spawnSync(`${build}/solutions/${lesson}`, args,
+                                               {encoding: "utf8"});
+    return {status, out: stdout, err: stderr};
+};
+
+/* ---- in the page ---------------------------------------------------------------- */
+
+let browser, page, workers = 0;
+const script = (f, ...args) => page.evaluate(`(${f})(${args.map((a) => JSON.stringify(a))})`);
+const chapter = (lesson, root = site) => page.go(`file://${root}/lessons/${lesson}.html`);
+
+function expect(condition, words) {
+    if (!condition) throw new Error(words);
+}
+
+/* Fill the fields, run, and wait for the end: {kind, said, result}. */
+async function run(fields = {}, press = "run", patience = 40) {
+    await script((fields) => {
+        for (const field of document.querySelectorAll(".predict input"))
+            if (!field.readOnly) field.value = "1/2";
+        for (const name in fields) form.elements.namedItem(name).value = fields[name];
+        form.dispatchEvent(new Event("input"));
+    }, fields);
+    await script((name) => button(name).click(), press);
+    return settled(patience);
+}
+async function settled(patience) {
+    for (let k = 0; k < 50 * patience; k++) {
+        const now = await script(() => {
+            const status = panel.querySelector("[role=status]");
+            return {kind: status.dataset.kind, said: status.textContent, result: panel.result};
+        });
+        if (now.kind && now.kind !== "running") return now;
+        await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    throw new Error(`after ${patience} s it still runs`);
+}
+/* Workers that have been ended take a moment to go. */
+async function noWorker() {
+    for (let k = 0; workers > 0 && k < 100; k++)
+        await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(workers === 0, `${workers} workers still run`);
+}
+const endless = (text) => script((text) => {
+    programs[here.program] = eval(`(function (Module) { ${text} })`);
+}, text);
+
+/* ---- what is tried ---------------------------------------------------------------- */
+
+const tests = {
+    async numbers(root, lesson = "12_triangles") {
+        await chapter(lesson, root);
+        const before = await script(() => ({
+            locked: guesses.length > 0 && button("run").disabled,
+            loaded: document.querySelector('script[src*="programs/"]') !== null,
+            wide: document.documentElement.scrollWidth - innerWidth,
+            unnamed: [...form.elements].filter((e) => /INPUT|SELECT/.test(e.tagName) &&
+                                                      e.labels.length === 0).length}));
+        expect(before.locked, "it runs before anything is predicted");
+        expect(!before.loaded, "the program is loaded before it is run");
+        expect(before.wide <= 0, `the page is ${before.wide} pixels too wide`);
+        expect(before.unnamed === 0, `${before.unnamed} fields without a label`);
+        const {kind, said, result} = await run();
+        expect(kind === "ok" && result.status === 0, `the default scene: ${said}`);
+        const want = fs.readFileSync(`${build}/data/${lesson}.tsv`, "utf8");
+        const why = difference(result.out, want);
+        expect(why === "", why);
+        const shown = await script(() => ({
+            tables: results.querySelectorAll("details table").length,
+            cells: results.querySelectorAll("td").length,
+            pictures: [...results.querySelectorAll("svg")].every((s) => s.getAttribute(
+                "aria-label").length > 20 && s.children.length > 5),
+            drawn: results.querySelectorAll(".plot svg").length,
+            measured: guesses.every((field) => /^measured [-\d.e]+: \S/.test(
+                field.nextElementSibling.textContent)),
+            wide: document.documentElement.scrollWidth - innerWidth}));
+        const tables = want.split("\n\n\n").filter((t) => t !== "").length;
+        expect(shown.tables === tables, `${shown.tables} tables are shown, not ${tables}`);
+        expect(shown.drawn === 1 && shown.pictures, "a picture is missing, empty or unnamed");
+        expect(shown.measured, "a prediction has no measured number beside it");
+        expect(shown.wide <= 0, `with its tables the page is ${shown.wide} pixels too wide`);
+        expect(page.errors.length === 0, page.errors.join("; "));
+        return `${tables} tables`;
+    },
+    async refusal(root, lesson = "12_triangles") {
+        await chapter(lesson, root);
+        const name = await script(() => [...form.querySelectorAll(".field.input")].find((field) =>
+            / number from /.test(field.textContent)).querySelector("input").name);
+        const {kind, said} = await run({[name]: "1e99x"});
+        const want = native(lesson, ["--" + name, "1e99x"]);
+        expect(kind === "refused" && want.status === 2 && said === want.err.trim(),
+               `it says "${said}", the native program "${want.err.trim()}"`);
+        expect(await script(() => document.activeElement.name) === name &&
+               await script(() => document.activeElement.ariaInvalid) === "true",
+               "the field that is refused is not marked");
+        const again = await run({[name]: await script((n) =>
+            form.elements.namedItem(n).dataset.default, name)});
+        expect(again.kind === "ok", `after it: ${again.said}`);
+    },
+    async unsolved(root) {
+        await chapter("04_neumann_compatibility", root);
+        const {kind, said, result} = await run({project: "no"});
+        const want = native("04_neumann_compatibility", ["--project", "no"]);
+        expect(kind === "unsolved" && want.status === 1 && said.includes(want.err.trim()) &&
+               said.includes("INCOMPATIBLE"), said);
+        expect(difference(result.out, want.out) === "", difference(result.out, want.out));
+        expect(await script(() => results.querySelectorAll("details table").length) > 1,
+               "its tables are not shown");
+    },
+    async options(root) {
+        await chapter("13_backward_euler_2d", root);
+        const {result} = await run({scene: "spin", n: "5"});
+        const want = native("13_backward_euler_2d", ["--scene", "spin", "--n", "5"]);
+        expect(difference(result.out, want.out) === "", difference(result.out, want.out));
+        expect(await script(() => panel.querySelector(".command").textContent) ===
+               "make lesson-13 ARGS='--scene spin --n 5'", "the command is another one");
+    },
+    async body(root) {
+        await chapter("12_triangles", root);
+        const {result} = await run({scene: "compress", n: "5"});
+        const least = await script((out) => {
+            const tables = readTables(out), of = (name) => tables.find((t) => t.name === name);
+            const [last] = of("result").rows, k = of("result").columns.indexOf("min_J");
+            return {got: Math.min(...bodies(of("nodes"))[0].J), want: Number(last[k]),
+                    drawn: results.querySelectorAll("figure polygon").length};
+        }, result.out);
+        expect(Math.abs(least.got - least.want) < 1e-12 && least.drawn === 50,
+               `min J ${least.got}, of the program ${least.want}; ${least.drawn} triangles`);
+    },
+    async limit(root) {
+        await chapter("12_triangles", root);
+        await endless("for (;;) {}");
+        await script(() => { here.seconds = 0.5; });
+        const {kind} = await run({}, "run", 5);
+        expect(kind === "limit", `an endless loop ends with ${kind}`);
+        await noWorker();
+    },
+    async stop(root) {
+        await chapter("12_triangles", root);
+        await endless('Module.print("# t"); for (let k = 0; k < 5000; k++) Module.print("x"); ' +
+                      "for (;;) {}");
+        setTimeout(() => script(() => button("stop").click()), 500);
+        const {kind, result} = await run({}, "run", 5);
+        expect(kind === "stopped", `the button stop ends it with ${kind}`);
+        expect(result.out.startsWith("# t\nx\n"), "what it had printed is lost");
+        await noWorker();
+        expect(!await script(() => button("run").disabled), "then it cannot be run again");
+    },
+    async crash(root) {
+        await chapter("12_triangles", root);
+        await endless('throw new Error("unreachable");');
+        const {kind, said} = await run({}, "run", 5);
+        expect(kind === "crash" && said.includes("unreachable"), `${kind}: ${said}`);
+        await noWorker();
+    },
+    async keyboard(root) {
+        await chapter("12_triangles", root);
+        await script(() => button("look").click());
+        await script(() => form.elements.namedItem("n").focus());
+        const key = {key: "Enter", code: "Enter", windowsVirtualKeyCode: 13, text: "\r"};
+        await page.send("Input.dispatchKeyEvent", {type: "keyDown", ...key});
+        await page.send("Input.dispatchKeyEvent", {type: "keyUp", ...key});
+        const {kind} = await settled(5);
+        expect(kind === "ok", `Enter in a field: ${kind}`);
+    },
+};
+
+async function attempt(what, test) {
+    try {
+        const more = await test();
+        console.log(`ok web: ${what}${more ? ", " + more : ""}`);
+    } catch (error) {
+        console.log(`FAIL web: ${what}: ${error.message}`);
+    }
+}
+
+/* A plain file server, without compression and without a word about types but that
+ * of its pages and scripts. */
+async function served(test) {
+    const type = {".html": "text/html", ".js": "text/javascript", ".css": "text/css",
+                  ".svg": "image/svg+xml"};
+    const server = http.createServer((request, response) => {
+        const file = site + decodeURIComponent(new URL(request.url, "http://x").pathname);
+        if (!fs.existsSync(file)) return response.writeHead(404).end();
+        response.writeHead(200, {"Content-Type": type[path.extname(file)] || ""});
+        response.end(fs.readFileSync(file));
+    });
+    await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+    await page.go(`http://127.0.0.1:${server.address().port}/lessons/12_triangles.html`);
+    const {kind, said} = await run();
+    server.close();
+    server.closeAllConnections();
+    expect(kind === "ok" && page.errors.length === 0, `${said} ${page.errors.join("; ")}`);
+}
+
+/* Mistakes of the scripts: file, what stands there, what instead, and the test that
+ * must notice. */
+const mistakes = [
+    ["run.js", "worker.terminate();", "", "stop"],
+    ["run.js", "setTimeout(end, 1e3 * seconds, \"limit\")", "0", "limit"],
+    ["run.js", "if (out.length > 999) send({});", "", "stop"],
+    ["run.js", 'out.push(line + "\\n")', 'if (!line.startsWith("3\\t")) out.push(line + "\\n")',
+     "numbers"],
+    ["run.js", "if (data.crash) {", "if (false) {", "crash"],
+    ["try.js", "let open = guesses.length === 0;", "let open = true;", "numbers"],
+    ["try.js", "field.value !== field.dataset.default", "false", "refusal"],
+    ["try.js", "if (end === \"exit\" && status === 2) markField", "if (false) markField",
+     "refusal"],
+    ["try.js", "else if (end === \"exit\") showMeasured();", "", "numbers"],
+    ["try.js", "showResult(result);", "if (result.status === 0) showResult(result);",
+     "unsolved"],
+    ["try.js", '["--" + field.name, field.value.trim()]', '["--" + field.name, "5"]', "options"],
+    ["plot.js", "function plot(table, setting, width) {",
+     "function plot(table, setting, width) { return picture(1, 1, \"\");", "numbers"],
+    ["plot.js", "[a, a + wide + 1, a + wide]", "[a + 1, a + wide + 1, a + wide]", "body"],
+    ["plot.js", "area(x) / area(X)", "area(X) / area(x)", "body"],
+];
+async function noticed([file, from, to, test]) {
+    const copy = build + "/wasm/spoiled";
+    fs.rmSync(copy, {recursive: true, force: true});
+    fs.cpSync(site + "/web", copy + "/web", {recursive: true});
+    for (const name of ["lessons", "programs", "figures", "book.css"])
+        fs.symlinkSync(`${site}/${name}`, `${copy}/${name}`);
+    const text = fs.readFileSync(`${copy}/web/${file}`, "utf8");
+    expect(text.includes(from), `${file} has no ${from}`);
+    fs.writeFileSync(`${copy}/web/${file}`, text.replace(from, () => to));
+    const why = await tests[test](copy).then(() => null, (error) => error.message);
+    expect(why !== null, `${test} does not notice`);
+    await page.go("about:blank");
+    workers = 0;
+}
+
+async function main() {
+    browser = await open(process.env.CHROMIUM || "chromium");
+    page = await browser.page(1400, 900);
+    page.onWorker = (change) => { workers += change; };
+    for (const lesson of lessons)
+        await attempt(`${lesson} has the native numbers`, () => tests.numbers(site, lesson));
+    for (const lesson of lessons)
+        await attempt(`${lesson} refuses a bad field with the program's own words`,
+                      () => tests.refusal(site, lesson));
+    await attempt("a scene that cannot be solved has its reason and its tables",
+                  () => tests.unsolved(site));
+    await attempt("options reach the program", () => tests.options(site));
+    await attempt("the body that is drawn is the program's", () => tests.body(site));
+    await attempt("an endless loop ends at the limit", () => tests.limit(site));
+    await attempt("an endless loop is stopped by its button", () => tests.stop(site));
+    await attempt("a crash is said", () => tests.crash(site));
+    await attempt("a form is run by Enter", () => tests.keyboard(site));
+    await attempt("a plain server will do", () => served());
+    await attempt("a difference of 1e-8 is one", async () => {
+        const want = fs.readFileSync(`${build}/data/12_triangles.tsv`, "utf8");
+        const cell = /0\.\d{12,}/.exec(want)[0];
+        expect(difference(want.replace(cell, cell * (1 + 1e-8)), want) !== "" &&
+               difference(want.replace("\n81\t", "\n82\t").replace("OK", "NO"), want) !== "",
+               "it is not noticed");
+    });
+    page.close();
+    page = await browser.page(390, 800);
+    page.onWorker = (change) => { workers += change; };
+    workers = 0;
+    for (const lesson of ["12_triangles", "19_mpm_force"])
+        await attempt(`${lesson} on a phone`, () => tests.numbers(site, lesson));
+    for (const mistake of mistakes)
+        await attempt(`${mistake[0]} without ${mistake[1]} is noticed`, () => noticed(mistake));
+    await browser.close();
+}
+main().catch((error) => {
+    console.log(`FAIL web: ${error.stack}`);
+    process.exitCode = 1;
+    return browser?.close();
+});
