@@ -30,21 +30,17 @@ $(BUILD)/web/web/choose_data.js: $(BUILD)/web/index.html $(WASM)/choose_data.js 
 	$(Q)node tests/tools/web_live.js $(WASM) $(BUILD)/web $(LIVE_PROGRAMS)
 web-pages: $(BUILD)/web/web/choose_data.js
 
-$(T)/web-live.result: $(BUILD)/web/web/choose_data.js $(BUILD)/solutions/24_live \
-        $(BUILD)/choose $(wildcard tests/web/*)
-	$(call say,test,live scenes and the least model in a browser)
-	$(Q)mkdir -p $(@D) && { node tests/web/live.mjs $(BUILD)/web \
-	        $(BUILD)/solutions/24_live; \
-	    node tests/web/choose.mjs $(BUILD)/web $(BUILD)/choose; } > $(T)/web-live.log \
-	    2>&1; grep -E '^(ok|FAIL) ' $(T)/web-live.log > $@; \
-	grep -q '^ok web: no error on the page of the least model' $@ || \
-	    echo 'FAIL web: the tests in the browser did not end:' \
-	        "$$(tail -n 5 $(T)/web-live.log | tr '\n' ' ')" >> $@
-
-# Is a mistake in their scripts noticed?
-$(T)/web-mistakes.result: $(T)/web-live.result tests/web/mistakes.mjs
-	$(call say,test,mistakes in the live pages)
-	$(Q)mkdir -p $(@D) && node tests/web/mistakes.mjs $(BUILD)/web \
-	    $(BUILD)/solutions/24_live $(BUILD)/choose > $@ 2>&1 || :
-.PHONY: test-web
-test-web: $(T)/web-live.result $(T)/web-mistakes.result
+# In a headless Chromium: the scenes, the form, and whether a mistake in their
+# scripts is noticed.
+LIVE_TESTS := $(patsubst %,$(T)/web-%.result,live choose mistakes)
+$(LIVE_TESTS): $(T)/web-%.result: $(T)/web.result $(wildcard tests/web/*) \
+        tests/web_live.mk $(wildcard lessons/scenes/*) $(BUILD)/solutions/24_live \
+        $(BUILD)/choose
+	$(call say,test,tests/web/$*.mjs)
+	$(SHARED)$(Q)mkdir -p $(@D) && if grep -q '^skip web: ' $<; then : > $@; else \
+	    { "$$MAKE" web-pages > $@.log 2>&1 && node tests/web/$*.mjs $(BUILD)/web \
+	        $(BUILD)/solutions/24_live $(BUILD)/choose > $@ 2>> $@.log; } || \
+	    grep -q '^FAIL' $@ || { echo 'FAIL web: tests/web/$*.mjs:' \
+	        "$$(tail -n 5 $@.log | tr '\n' ' ')"; } >> $@; fi
+	@grep 'frames per second' $@ || :
+test-web: $(LIVE_TESTS)

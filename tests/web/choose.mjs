@@ -1,7 +1,7 @@
 /*
- * choose.mjs SITE NATIVE - the page of the least model in a headless Chromium.
+ * choose.mjs SITE SQUARE CHOOSE - the page of the least model in a headless Chromium.
  *
- * For each example the page says what the program NATIVE says, but for what is
+ * For each example the page says what the program CHOOSE says, but for what is
  * measured in seconds, and its picture has the numbers; bad fields are refused
  * in the program's own words.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -12,7 +12,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open } from './page.mjs';
 
-const [site, native] = process.argv.slice(2).map(path => resolve(path));
+const [site, , native] = process.argv.slice(2).map(path => resolve(path));
 let failed = 0;
 function say(good, what, why) {
     console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);

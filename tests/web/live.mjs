@@ -1,9 +1,9 @@
 /*
- * live.mjs SITE NATIVE [PART [FRAMES]] - the live pages in a headless Chromium:
+ * live.mjs SITE SQUARE CHOOSE [PART [FRAMES]] - the live pages in a headless Chromium:
  * all parts, or log, cubic, losses, tissue or touch.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
- * none is lost, and the native program NATIVE has the same rungs, systems and
+ * none is lost, and the native program SQUARE has the same rungs, systems and
  * knots for the input that the page has recorded.  Frames per second are
  * printed, not asserted.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -14,7 +14,7 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open } from './page.mjs';
 
-const [site, native, part = 'all', frames = 600] = process.argv.slice(2);
+const [site, native, , part = 'all', frames = 600] = process.argv.slice(2);
 const url = name => pathToFileURL(resolve(site, name)).href;
 let failed = 0;
 function say(good, what, why) {

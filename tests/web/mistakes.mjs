@@ -11,8 +11,8 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
 const [site, square, choose] = process.argv.slice(2).map(path => resolve(path));
-const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, part, frames];
-const CHOOSE = ['tests/web/choose.mjs', choose];
+const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part, frames];
+const CHOOSE = ['tests/web/choose.mjs', square, choose];
 /* name, script, from, to, test, the check that fails */
 const MISTAKES = [
     ['the hand is upside down', 'live.js', 'hand.y = middle - (', 'hand.y = middle + (',
