@@ -155,6 +155,7 @@ help:
 	@echo '  make figures      run every study and draw every figure'
 	@echo '  make course       run and judge every solution, draw every figure'
 	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
+	@echo '  make web          the book in which the lessons run; make deps-web first'
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make live         lesson 24 in a window (needs SDL2)'
 	@echo '  make choose SCENE=lessons/scenes/flap.scene   the least model for a scene'
@@ -497,8 +498,8 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help deps status figures course book web wasm test live choose bench many grade lint \
-         starters workbook programs studies memcheck look alone clean new-% \
+GOALS := help deps status figures course book web wasm web-pages test live choose \
+         bench many grade lint starters workbook programs studies memcheck look alone clean new-% \
          deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
 $(BY_NUMBER:=-%): ; $(WANT); exit 2
@@ -507,10 +508,10 @@ ifneq ($(filter-out $(GOALS),$(foreach g,$(MAKECMDGOALS),$(if $(findstring \
 .DEFAULT: ; $(WANT); exit 2
 endif
 
-# Progress and replaced files of the student stay.
+# Progress and replaced files of the student stay, and what was fetched.
 clean:
 	@for f in $(BUILD)/*; do case $$f in \
-	    */progress|*/saved) ;; *) rm -rf "$$f" ;; esac; done
+	    */progress|*/saved|*/source) ;; *) rm -rf "$$f" ;; esac; done
 
 # Thousands of rules are for tests and teachers; what a student asks for does
 # without them, and answers at once.

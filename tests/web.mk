@@ -6,11 +6,11 @@
 
 WASM := $(BUILD)/wasm
 WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
-            command -v pandoc > /dev/null && [ -n "$$(sh tests/tools/web_gsl.sh source $(WASM))" ]
+            command -v pandoc > /dev/null && [ -n "$$(BUILD='$(BUILD)' sh tests/tools/web_gsl.sh source)" ]
 no_web = emscripten, pandoc, chromium or the source of GSL is missing; make \
          deps-web installs them
 .PHONY: deps-web web
-deps-web: ; @sh tests/tools/deps_web.sh $(WASM)
+deps-web: ; @BUILD='$(BUILD)' sh tests/tools/deps_web.sh
 
 # Debian's emscripten does not find its acorn under another node than Debian's.
 EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
@@ -23,10 +23,11 @@ WASM_LINK = -O2 -sSINGLE_FILE=1 -sENVIRONMENT=worker -sEXIT_RUNTIME=1 \
 
 $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 	$(call say,emcc,GSL)
-	$(Q)sh tests/tools/web_gsl.sh build $(WASM)
+	$(Q)BUILD='$(BUILD)' sh tests/tools/web_gsl.sh build
 WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
                     common/motion/window_sdl.c,$(wildcard common/*/*.c)) \
                     $(LESSONS:%=solutions/%.c))
+-include $(wildcard $(WASM)/common/*/*.d)
 $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
 	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' -c $< -o $@

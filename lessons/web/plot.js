@@ -25,10 +25,20 @@ function short(x) {
     return text.replace("e+", "e");
 }
 
+/* The least and the largest, of however many. */
+function extent(numbers) {
+    let least = Infinity, most = -Infinity;
+    for (const x of numbers) {
+        if (x < least) least = x;
+        if (x > most) most = x;
+    }
+    return [least, most];
+}
+
 /* An axis over these numbers: at(x) from 0 to 1, and where its ticks are.  Round
  * steps of 1, 2 or 5; with log whole decades, every k-th if there are many. */
 function axis(numbers, log) {
-    let from = Math.min(...numbers), to = Math.max(...numbers);
+    let [from, to] = extent(numbers);
     const ticks = [];
     if (log) {
         from = Math.floor(Math.log10(from));
@@ -74,10 +84,9 @@ function plot(table, setting, width) {
     const across = axis(all.map((p) => p[0]), logx), up = axis(all.map((p) => p[1]), logy);
     const px = (v) => left + (W - left - right) * across.at(v);
     const py = (v) => H - foot - (H - top - foot) * up.at(v);
-    const range = (c) => all.map((p) => p[c]).sort((a, b) => a - b);
-    const [xs, ys] = [range(0), range(1)];
-    const svg = picture(W, H, `${what}: ${all.length} points, ${x} from ${short(xs[0])} to ` +
-        `${short(xs.at(-1))}, ${y} from ${short(ys[0])} to ${short(ys.at(-1))}`);
+    const range = (c) => extent(all.map((p) => p[c])).map(short).join(" to ");
+    const svg = picture(W, H, `${what}: ${all.length} points, ${x} from ${range(0)}, ` +
+        `${y} from ${range(1)}`);
     for (const t of across.ticks) {
         draw(svg, "path", {class: "grid", d: `M${px(t)},${top}V${H - foot}`});
         draw(svg, "text", {x: px(t), y: H - foot + 18, "text-anchor": "middle"}, short(t));
@@ -107,8 +116,9 @@ function plot(table, setting, width) {
 
 /* Bodies of a table with columns X Y u_x u_y, one after the other where it has
  * several: its vertices row by row, as common/plane/mesh.h numbers them, each cell
- * cut from its lower left to its upper right corner.  Or of particles with x y and
- * F.  A body is {corners: lists of [x, y], J: of each}, or {points, J}. */
+ * cut from its lower left to its upper right corner.  Or of triangles with J, x0 to
+ * y2 and the frame k; or of particles with x y and F.  A body is {corners: lists of
+ * [x, y], J: of each}, or {points, J}. */
 function bodies(table) {
     const column = (name) => table.columns.indexOf(name);
     const take = (names) => names.map(column);
@@ -119,6 +129,15 @@ function bodies(table) {
         const rows = table.rows.map((row) => particles.map((i) => number(row, i)));
         return [{points: rows.map((r) => [r[0], r[1]]),
                  J: rows.map((r) => r[2] * r[5] - r[3] * r[4])}];
+    }
+    const film = take(["k", "J", "x0", "y0", "x1", "y1", "x2", "y2"]);
+    if (!film.includes(-1)) {
+        const frames = {};
+        for (const row of table.rows) (frames[row[film[0]]] ||= []).push(row);
+        return Object.values(frames).map((rows) => ({
+            J: rows.map((row) => number(row, film[1])),
+            corners: rows.map((row) => [2, 4, 6].map((c) =>
+                [number(row, film[c]), number(row, film[c + 1])]))}));
     }
     if (moved.includes(-1)) return [];
     const vertex = table.rows.map((row) => moved.map((i) => number(row, i)));
@@ -157,14 +176,13 @@ function colour(J) {
 
 function drawBody(name, {corners, points, J}, width) {
     const at = corners ? corners.flat() : points;
-    const [x0, x1, y0, y1] = [Math.min(...at.map((p) => p[0])), Math.max(...at.map((p) => p[0])),
-                              Math.min(...at.map((p) => p[1])), Math.max(...at.map((p) => p[1]))];
+    const [x0, x1] = extent(at.map((p) => p[0])), [y0, y1] = extent(at.map((p) => p[1]));
     const W = width, scale = Math.min((W - 20) / (x1 - x0), (0.3 * W + 230) / (y1 - y0));
     const H = scale * (y1 - y0) + 20, shift = (W - scale * (x1 - x0)) / 2;
     const inverted = J.filter((j) => !(j > 0)).length;
     const svg = picture(W, H, `The ${corners ? "body, " + J.length + " triangles" : J.length +
-        " particles"} of table ${name}: J from ${short(Math.min(...J))} to ` +
-        `${short(Math.max(...J))}, ${inverted} inverted`);
+        " particles"} of table ${name}: J from ` +
+        `${extent(J).map(short).join(" to ")}, ${inverted} inverted`);
     const pixel = (p) => [shift + scale * (p[0] - x0), H - 10 - scale * (p[1] - y0)]
         .map((c) => c.toFixed(1));
     J.forEach((j, e) => {

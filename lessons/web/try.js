@@ -50,7 +50,7 @@ const isNumber = (text) => /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?(\/\d+\.?\d*)?$/i
 let open = guesses.length === 0; /* may it run? */
 
 function mayRun() {
-    button("run").disabled = running !== null ||
+    button("run").disabled =
         !(open || guesses.every((field) => isNumber(field.value.trim())));
     button("stop").disabled = running === null;
 }
@@ -217,9 +217,12 @@ async function run() {
     mayRun();
 }
 
-form.onsubmit = (event) => { event.preventDefault(); if (!button("run").disabled) run(); };
+form.onsubmit = (event) => {
+    event.preventDefault();
+    if (!button("run").disabled && !running) run();
+};
 form.oninput = () => { showCommand(); mayRun(); };
-button("stop").onclick = () => running?.stop();
+button("stop").onclick = () => { running?.stop(); button("run").focus(); };
 button("defaults").onclick = () => {
     for (const field of form.elements)
         if (field.dataset.default !== undefined) field.value = field.dataset.default;

@@ -196,7 +196,8 @@ const tests = {
         expect(kind === "stopped", `the button stop ends it with ${kind}`);
         expect(result.out.startsWith("# t\nx\n"), "what it had printed is lost");
         await noWorker();
-        expect(!await script(() => button("run").disabled), "then it cannot be run again");
+        expect(await script(() => document.activeElement === button("run") &&
+                                  !button("run").disabled), "then it cannot be run again");
     },
     async crash(root) {
         await chapter("12_triangles", root);

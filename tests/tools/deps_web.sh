@@ -1,15 +1,14 @@
 #!/bin/sh
-# deps_web.sh [FOLDER] - install what only `make web` needs: emscripten, node-acorn
-# and chromium, and fetch GSL's source into FOLDER, from which it is built for the
-# browser.
+# deps_web.sh - install what only `make web` needs: emscripten, node-acorn, chromium
+# and pandoc; and fetch GSL's source into BUILD/source, where make clean leaves it.
 #
 # With apt; GSL_SOURCE=, a tarball or a folder, is taken as it is.  The entry that
-# apt needs for sources is made in FOLDER, and of the system's lists none is
-# changed.  Exit status 1 when something cannot be had.
+# apt needs for sources is made in BUILD/source for the moment, and no file of the
+# system is changed.  Exit status 1 when something cannot be had.
 set -u
 LC_ALL=C
 export LC_ALL
-folder=${1:-build/wasm}
+folder=${BUILD:-build}/source
 missing=
 for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc; do
     command=${name#*=} package=${name%=*}
@@ -19,7 +18,7 @@ for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc; do
 done
 mkdir -p "$folder" || exit 1
 folder=$(cd "$folder" && pwd)
-source=$(sh tests/tools/web_gsl.sh source "$folder")
+source=$(sh tests/tools/web_gsl.sh source)
 if [ -z "$missing" ] && [ -n "$source" ]; then
     echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, GSL's source"
     exit 0
@@ -69,8 +68,9 @@ if [ -z "$source" ]; then
     fi
     rm -rf "$lists"
 fi
-[ -n "$(sh tests/tools/web_gsl.sh source "$folder")" ] || {
+[ -n "$(sh tests/tools/web_gsl.sh source)" ] || {
     echo "deps-web: GSL's source is not there" >&2
     exit 1
 }
-echo "  deps     installed:$missing${source:- GSL\'s source}"
+[ -n "$source" ] || missing="$missing GSL's source"
+echo "  deps     installed:$missing"

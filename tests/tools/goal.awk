@@ -35,7 +35,7 @@ BEGIN {
     n = split(lessons, slug, " ")
     for (k = 1; k <= n; k++) if (index(slug[k], number "_") == 1) known = 1
     command = nearest(word, by_number (number != "" ? "" : " help deps status" \
-        " figures course book test live bench many grade lint starters clean"))
+        " figures course book web test live bench many grade lint starters clean"))
     if (command == "")
         print "There is no " goal "; make alone says what there is."
     else if (number == "" && index(" " by_number " ", " " command " "))

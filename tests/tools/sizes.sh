@@ -58,6 +58,7 @@ lines $(shared no figures/*/*.c | grep -vE '^figures/(speed|many)/') |
 lines $(shared no figures/speed/*.c) | row 'lines of a study of speed' - 190
 lines figures/many/*.[ch] | row 'lines of the study with PETSc' - 250
 lines common/*/*.[ch] $(shared yes figures/*/*.c) | row 'lines of a file of common/' - 420
+lines lessons/web/*.* | row 'lines of a script of the pages' - 250
 lines workbook.md | row 'lines of workbook.md' - 530
 # a part of the judge, or a tool, does one thing; checks and laws are lists
 lines $(ls tests/checks/*.[ch] | grep -v '/[0-9][0-9]_') tests/tools/*.* tests/cli/*.sh |

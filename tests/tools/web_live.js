@@ -36,7 +36,8 @@ insert("lessons/24_live.html", "see who wins",
     'data-args="--n 16 --record input.txt"></div>' +
     '<p><a href="../web/live.html">The square on a page of its own</a>, and ' +
     '<a href="../web/tissue.html">a strip of tissue</a>.</p>' +
-    '<script src="../web/live.js" defer></script>');
+    ["elements", "live_draw", "live"].map((name) =>
+        `<script src="../web/${name}.js" defer></script>`).join(""));
 insert("lessons/24_live.html", "book.css", '<link rel="stylesheet" href="../web/live.css">');
 for (const name of programs) fs.copyFileSync(`${wasm}/${name}.js`, `${site}/programs/${name}.js`);
 fs.copyFileSync(`${wasm}/choose_data.js`, `${site}/web/choose_data.js`);

@@ -19,6 +19,9 @@ function fail(words) {
     process.exit(1);
 }
 const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+/* Words of a source as HTML: what stands in backquotes and options are code. */
+const prose = (text) => escape(text).replace(/`([^`]*)`|(--\w+)/g,
+    (whole, quoted, option) => `<code>${quoted ?? option}</code>`);
 const read = (path) => fs.readFileSync(path, "utf8");
 
 /* A line of -h (common/base/options.c): "  --name  help [default]; what is allowed" */
@@ -39,7 +42,7 @@ function field(lesson, line) {
         : `<input ${common} value="${escape(initial)}" autocomplete="off" spellcheck="false">`;
     const hint = words ? allowed.slice(words[0].length).replace(/^; /, "") : allowed;
     return `<div class="field ${kind}"><label for="option-${name}"><code>${name}</code></label>
-${input}<span class="hint" id="hint-${name}">${escape(help)}${hint && "; " + escape(hint)}</span></div>\n`;
+${input}<span class="hint" id="hint-${name}">${prose(help)}${hint && "; " + prose(hint)}</span></div>\n`;
 }
 
 function questions(lesson, source) {
@@ -47,7 +50,7 @@ function questions(lesson, source) {
         .map((line) => line.split(" ")));
     return [...source.matchAll(/^ \* PREDICT (\w+) ([^:]*): \.\.\.$/gm)].map(([, key, asked]) => {
         if (!isFinite(measured.get(key) ?? NaN)) fail(`${lesson}: no number for PREDICT ${key}`);
-        return `<div class="field"><label for="predict-${key}">${key}. ${escape(asked)}</label>
+        return `<div class="field"><label for="predict-${key}">${key}. ${prose(asked)}</label>
 <input id="predict-${key}" inputmode="text" autocomplete="off" data-measured="${measured.get(key)}">
 <output for="predict-${key}"></output></div>\n`;
     }).join("");
@@ -67,12 +70,12 @@ numbers of the reference.</p>
 <noscript><p>For this your browser must run JavaScript.</p></noscript>
 <form hidden>
 <fieldset class="predict"><legend>Predict first</legend>
-<p class="hint">A number or a fraction for each; <q>Run</q> then sets beside it what the reference
-gives, whatever the options below are.</p>
+<p class="hint" id="predict-hint"><q>Run</q> waits for a number or a fraction in each, and then sets
+beside it what the reference gives, whatever the options below are.</p>
 ${questions(lesson, source)}<p><button type="button" name="look">I only want to look</button></p></fieldset>
 <fieldset><legend>Options</legend>
 ${fields.join("")}<p class="hint">The same with your own program: <code class="command"></code></p></fieldset>
-<p><button name="run">Run</button> <button type="button" name="stop">Stop</button>
+<p><button name="run" aria-describedby="predict-hint">Run</button> <button type="button" name="stop">Stop</button>
 <button type="button" name="defaults">Defaults</button></p>
 <p role="status" aria-live="polite"></p>
 </form>
@@ -96,6 +99,11 @@ for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
         `<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n${css}\n` +
         `<link rel="stylesheet" href="${up}web/web.css">`));
 }
+const front = read(part + "/index.html");
+fs.writeFileSync(part + "/index.html", front.replace(/<\/h1>\s*<p>.*<\/p>/, (first) => `${first}
+<p>Here the lessons run: each chapter has a panel
+<a href="lessons/${lessons[0]}.html#try-it">Try it</a>, which asks for your predictions and then computes
+in your browser.</p>`));
 for (const lesson of lessons) {
     const page = `${part}/lessons/${lesson}.html`, text = read(page);
     const at = text.indexOf('<h2 id="measured">');

@@ -15,7 +15,7 @@ const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part,
 const CHOOSE = ['tests/web/choose.mjs', square, choose];
 /* name, script, from, to, test, the check that fails */
 const MISTAKES = [
-    ['the hand is upside down', 'live.js', 'hand.y = middle - (', 'hand.y = middle + (',
+    ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',
      LIVE('log'), 'the input is where the pointer was'],
     ['the input that is saved is that of the next frame', 'live.js',
      "read('input.txt')]", "read('input.txt').slice(read('input.txt').indexOf('\\n') + 1)]",
