@@ -5,6 +5,7 @@
 # what calls main() alone is made so that it can stop.
 WASM_FILES := -sFORCE_FILESYSTEM=1 -sEXPORTED_RUNTIME_METHODS=FS
 WASM_LIVE  := $(WASM_FILES) -sENVIRONMENT=web -sASYNCIFY=1 -sASYNCIFY_IGNORE_INDIRECT=1
+-include $(wildcard $(WASM)/lessons/web/*.d)
 WINDOW     := $(WASM)/common/motion/window_web.o
 $(WASM)/lessons/web/tissue.o: $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)

@@ -5,14 +5,16 @@
 'use strict';
 (() => {
 const LEAST = /^(The least model|NOT SURE)/;
-/* The lines without a blank at the front are heads, those that follow their text. */
+/* The lines without a blank at the front are heads, those that follow their text.
+ * A head goes on where the next line begins with a small letter. */
 function sections(out) {
     const all = [];
     for (const line of out.split('\n')) {
         const head = line && line[0] !== ' ', now = all[all.length - 1];
         if (!line) continue;
         if (!head) now.text.push(line);
-        else if (now && !now.text.length) now.head += ' ' + line;
+        else if (now && !now.text.length && (/^[a-z]/.test(line) || LEAST.test(now.head)))
+            now.head += ' ' + line;
         else all.push({ head: line, text: [] });
     }
     return all;
