@@ -6,7 +6,8 @@
 
 WASM := $(BUILD)/wasm
 WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
-            command -v pandoc > /dev/null && [ -n "$$(BUILD='$(BUILD)' sh tests/tools/web_gsl.sh source)" ]
+            command -v pandoc > /dev/null && \
+            [ -n "$$(BUILD='$(BUILD)' sh tests/tools/web_gsl.sh source)" ]
 no_web = emscripten, pandoc, chromium or the source of GSL is missing; make \
          deps-web installs them
 .PHONY: deps-web web

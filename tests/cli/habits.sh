@@ -234,6 +234,10 @@ says 'make live ignores ERROR; that is for make choose' \
     'what make choose takes is for it alone' \
     env MAKELEVEL=0 MAKEFLAGS= "$MAKE" live ERROR=5%
 
+# ---- the pages that run ------------------------------------------------------------
+says 'make deps-web installs them' 'make web names what is missing' \
+    env GSL_SOURCE=/nowhere "$MAKE" web
+
 # ---- the window -------------------------------------------------------------------
 if pkg-config --exists sdl2 2>/dev/null; then
     awk -f tests/tools/starter.awk solutions/24_live.c >lessons/24_live.c

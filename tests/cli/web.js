@@ -284,7 +284,7 @@ async function noticed([file, from, to, test]) {
 }
 
 async function main() {
-    browser = await open(process.env.CHROMIUM || "chromium");
+    browser = await open("chromium");
     page = await browser.page(1400, 900);
     page.onWorker = (change) => { workers += change; };
     for (const lesson of lessons)
@@ -301,6 +301,11 @@ async function main() {
     await attempt("a crash is said", () => tests.crash(site));
     await attempt("a form is run by Enter", () => tests.keyboard(site));
     await attempt("a plain server will do", () => served());
+    await attempt("the site has at most 8 MB as an archive", () => {
+        const {stdout} = spawnSync("sh", ["-c", `tar -cf - -C '${site}' . | gzip | wc -c`]);
+        expect(Number(stdout) <= 8e6, `${stdout} bytes`);
+        return (stdout / 1e6).toFixed(1) + " MB";
+    });
     await attempt("a difference of 1e-8 is one", async () => {
         const want = fs.readFileSync(`${build}/data/12_triangles.tsv`, "utf8");
         const cell = /0\.\d{12,}/.exec(want)[0];

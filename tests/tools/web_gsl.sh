@@ -21,31 +21,31 @@ err/error err/stream integration/glfixed linalg/cholesky linalg/householder
 linalg/ldlt_band linalg/symmtd matrix/init matrix/rowcol matrix/submatrix
 matrix/swap matrix/view rng/inline rng/mt rng/rng sort/sortvec specfunc/log
 sys/pow_int vector/copy vector/init vector/oper vector/subvector vector/view'
-gsl=$build/wasm/gsl
-rm -rf "$gsl" && mkdir -p "$gsl" || exit 1
-log=$gsl/build.log
+: "${NODE_PATH:=/usr/share/nodejs}" # Debian's acorn, for any node
+export NODE_PATH
+# Far from here, because configure refuses a path with a blank or an apostrophe.
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' 0
+trap 'exit 130' 1 2 15
+log=$build/wasm/gsl.log
+mkdir -p "$build/wasm/gsl/gsl" && : >"$log" || exit 1
 failed() {
     tail -n 3 "$log" >&2
     echo "web: GSL cannot be built; the whole log is $log" >&2
     exit 1
 }
-if [ ! -d "$source" ]; then
-    mkdir "$gsl/source" && tar -xzf "$source" --strip-components=1 -C "$gsl/source" \
-        >"$log" 2>&1 || failed
-    source=$gsl/source
-fi
-source=$(cd "$source" && pwd)
-cd "$gsl" || exit 1
-log=build.log
-# The host is another one with 32 bits, so that configure runs nothing; its headers
-# are links into the source.
-{ emconfigure "$source/configure" --host=i686-pc-linux-gnu --disable-shared \
-    --disable-dependency-tracking CFLAGS=-O2 && make -C gsl; } >"$log" 2>&1 || failed
+if [ -d "$source" ]; then cp -R "$source" "$work/source"
+else mkdir "$work/source" && tar -xzf "$source" --strip-components=1 -C "$work/source"
+fi >>"$log" 2>&1 || failed
+# For the host, which is another one with 32 bits, configure runs nothing.
+(cd "$work" && emconfigure source/configure --host=i686-pc-linux-gnu \
+    --disable-shared --disable-dependency-tracking CFLAGS=-O2 &&
+    make -C gsl) >>"$log" 2>&1 || failed
 for file in $files; do
-    object=$(echo "$file" | tr / _).o
-    echo "emcc -std=gnu17 -O2 -ffp-contract=off -DHAVE_CONFIG_H -I. -I'$source'" \
-        "-I'$source/${file%/*}' -c '$source/$file.c' -o $object"
-done >commands
-tr '\n' '\0' <commands |
-    xargs -0 -P "$(getconf _NPROCESSORS_ONLN)" -n 1 sh -c >>"$log" 2>&1 || failed
-emar rcs libgsl.a ./*.o >>"$log" 2>&1 || failed
+    echo "emcc -std=gnu17 -O2 -ffp-contract=off -DHAVE_CONFIG_H -I. -Isource" \
+        "-Isource/${file%/*} -c source/$file.c -o $(echo "$file" | tr / _).o"
+done | tr '\n' '\0' | (cd "$work" && xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" \
+    sh -c) >>"$log" 2>&1 || failed
+emar rcs "$work/libgsl.a" "$work"/*.o >>"$log" 2>&1 &&
+    cp -L "$work"/gsl/*.h "$build/wasm/gsl/gsl" &&
+    cp "$work/libgsl.a" "$build/wasm/gsl" || failed
