@@ -333,6 +333,7 @@ memcheck: $$(READY)
 	    sh tests/tools/count.sh
 
 include tests/web.mk
+include tests/web_live.mk
 include tests/many.mk
 include tests/mutants.mk
 endif

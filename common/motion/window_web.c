@@ -1,6 +1,5 @@
-/* window_web.c - window.h on a page: web/live.js has the canvas, the buttons
- * and the clock.  window_next() waits for the page by Asyncify, without a busy
- * wait. */
+/* window_web.c - window.h on a page: a script has canvas, buttons and clock.
+ * window_next() waits for it by Asyncify, without a busy wait. */
 #include "motion/window.h"
 
 #include "motion/caption.h"

@@ -1,7 +1,7 @@
 /*
- * choose.mjs SITE NATIVE - the page of the least model in a headless Chromium.
+ * choose.mjs SITE SQUARE CHOOSE - the page of the least model in a headless Chromium.
  *
- * For each example the page says what the program NATIVE says, but for what is
+ * For each example the page says what the program CHOOSE says, but for what is
  * measured in seconds, and its picture has the numbers; bad fields are refused
  * in the program's own words.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -10,9 +10,9 @@ import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { open } from './browser.mjs';
+import { open } from './page.mjs';
 
-const [site, native] = process.argv.slice(2);
+const [site, , native] = process.argv.slice(2).map(path => resolve(path));
 let failed = 0;
 function say(good, what, why) {
     console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
@@ -40,12 +40,12 @@ function differs(a, b) {
 
 const folder = mkdtempSync(join(tmpdir(), 'choose-'));
 const browser = await open();
-const page = await browser.page(pathToFileURL(resolve(site, 'choose.html')).href);
+const page = await browser.page(pathToFileURL(resolve(site, 'web/choose.html')).href);
 
 /* Set the example and these fields, choose, and wait for the answer. */
 async function answer(example, fields, error = '10', verify = false) {
-    await page.eval(`(() => {
-        const box = document.querySelector('.choose'), f = box.fields;
+    await page.evaluate(`(() => {
+        const box = document.querySelector('.least-model'), f = box.fields;
         f.example.value = ${JSON.stringify(example)};
         f.example.dispatchEvent(new Event('change'));
         for (const [name, values] of Object.entries(${JSON.stringify(fields)}))
@@ -56,8 +56,8 @@ async function answer(example, fields, error = '10', verify = false) {
         f.verify.checked = ${verify};
         f.form.requestSubmit();
     })()`);
-    if (!await page.until("document.querySelector('.choose').said", 90)) return null;
-    return page.eval("document.querySelector('.choose').said");
+    if (!await page.until("document.querySelector('.least-model').said", 90)) return null;
+    return page.evaluate("document.querySelector('.least-model').said");
 }
 
 try {
@@ -75,8 +75,8 @@ try {
         if (!good) why += ` ${file}: ` + (here ? `${here.status} ${there.status} ` +
             differs(timeless(here.out) + here.err, there.out + there.err) : 'no answer');
         if (!there.out) continue;
-        const bars = await page.eval("document.querySelectorAll('.answer rect').length");
-        const links = await page.eval("document.querySelectorAll('.answer a').length");
+        const bars = await page.evaluate("document.querySelectorAll('.answer rect').length");
+        const links = await page.evaluate("document.querySelectorAll('.answer a').length");
         pictures += here && (!here.picture || bars === 7) && links > 3;
     }
     say(SCENES.length >= 16 && same === SCENES.length,
@@ -92,13 +92,13 @@ try {
     for (const [name, value] of wrong) {
         const here = await answer('flap', { [name]: value });
         /* the same fields as a file */
-        const file = await page.eval(`document.querySelector('.choose').fields.words
+        const file = await page.evaluate(`document.querySelector('.least-model').fields.words
             .map(w => [w.word, w.inputs.map(i => i.value.trim()).join(' ')])
             .filter(([, v]) => v.trim()).map(([w, v]) => w + ' ' + v).join('\\n') + '\\n'`);
         writeFileSync(join(folder, 'flap.scene'), file);
         const there = run(['--scene', 'flap.scene'], folder);
-        const shown = await page.eval("document.querySelector('#wrong').textContent");
-        const marked = await page.eval("document.activeElement.name === " +
+        const shown = await page.evaluate("document.querySelector('#wrong').textContent");
+        const marked = await page.evaluate("document.activeElement.name === " +
             `${JSON.stringify(name)} && document.activeElement.getAttribute('aria-invalid')`);
         const whole = value === '0 0'; /* nothing is loaded: no field is at fault */
         const good = there.status === 2 && here && here.status === 2 &&
@@ -111,8 +111,8 @@ try {
     say(error && error.status === 2 && error.err === run(['--scene', 'flap.scene', '--error', '0'],
         folder).err, 'a bad error is refused', error && error.err);
 
-    const nameless = await page.eval(`[...document.querySelectorAll(
-        '.choose input, .choose select')].filter(i => !i.labels.length &&
+    const nameless = await page.evaluate(`[...document.querySelectorAll(
+        '.least-model input, .least-model select')].filter(i => !i.labels.length &&
         !i.getAttribute('aria-label')).length`);
     say(nameless === 0, 'each field has a label', nameless);
     say(page.errors.length === 0, 'no error on the page of the least model',

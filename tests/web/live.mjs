@@ -1,8 +1,9 @@
 /*
- * live.mjs SITE NATIVE - the live pages in a headless Chromium.
+ * live.mjs SITE SQUARE CHOOSE [PART [FRAMES]] - the live pages in a headless Chromium:
+ * all parts, or log, cubic, losses, tissue or touch.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
- * none is lost, and the native program NATIVE has the same rungs, systems and
+ * none is lost, and the native program SQUARE has the same rungs, systems and
  * knots for the input that the page has recorded.  Frames per second are
  * printed, not asserted.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -11,9 +12,9 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { open } from './browser.mjs';
+import { open } from './page.mjs';
 
-const [site, native] = process.argv.slice(2);
+const [site, native, , part = 'all', frames = 600] = process.argv.slice(2);
 const url = name => pathToFileURL(resolve(site, name)).href;
 let failed = 0;
 function say(good, what, why) {
@@ -81,20 +82,20 @@ function rows(lines, name) {
 
 const SEEN = ['first', 'rung', 'status', 'systems', 'part', 'knots'];
 async function square(browser, folder, law, keys, seed) {
-    const page = await browser.page(url('live.html'));
+    const page = await browser.page(url('web/live.html'));
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
     say(begun, 'the live page begins', page.errors.join(' ') || 'no frame');
     if (!begun) return page.close();
-    const run = await page.eval(`(${drive})(600, ${JSON.stringify(keys)}, ${seed})`);
-    await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
+    const run = await page.evaluate(`(${drive})(${frames}, ${JSON.stringify(keys)}, ${seed})`);
+    await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
     await page.until("document.querySelector('.live').live.state.status !== null", 10);
-    const { status, lines, input } = await page.eval("(({status, lines, input}) => " +
+    const { status, lines, input } = await page.evaluate("(({status, lines, input}) => " +
         "({status, lines, input}))(document.querySelector('.live').live.state)");
     const here = rows(lines, 'frames');
     const lost = here.filter(row => row.rung === 'lost').length;
-    say(status === 0 && run.frames >= 600 && here.length >= 600 && lost === 0,
-        `600 frames by pointer events, ${law}: none lost`,
+    say(status === 0 && run.frames >= frames && here.length >= frames && lost === 0,
+        `${frames} frames by pointer events, ${law}: none lost`,
         `status ${status}, ${here.length} frames, ${lost} lost; ${page.errors.join(' ')}`);
     console.log(`web: ${(run.frames / run.seconds).toFixed(1)} frames per second, ${law}, n = 16`);
     /* What a frame was given are the events of one of the last frames. */
@@ -132,16 +133,16 @@ async function square(browser, folder, law, keys, seed) {
 
 /* Without the second rung frames are lost, and the page says how many. */
 async function losses(browser) {
-    const page = await browser.page(url('live.html'));
+    const page = await browser.page(url('web/live.html'));
     await page.until("document.querySelector('.live').live.state.frames > 5");
-    await page.eval(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
-    await page.eval("document.querySelector('.live').live.canvas.dispatchEvent(" +
+    await page.evaluate(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
+    await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
     await page.until("document.querySelector('.live').live.state.status !== null", 10);
-    const { lines, lost } = await page.eval("(({lines, lost}) => " +
+    const { lines, lost } = await page.evaluate("(({lines, lost}) => " +
         "({lines, lost}))(document.querySelector('.live').live.state)");
     const really = rows(lines, 'frames').filter(row => row.rung === 'lost').length;
-    const shown = await page.eval("document.querySelector('.live .lost').textContent");
+    const shown = await page.evaluate("document.querySelector('.live .lost').textContent");
     say(really > 0 && lost === really && shown.includes(`${really} lost`),
         'frames that are lost are said', `${really} lost, ${lost} counted, "${shown}"`);
     await page.close();
@@ -149,11 +150,11 @@ async function losses(browser) {
 
 /* The strip of the front page opens under a hand. */
 async function tissue(browser) {
-    const page = await browser.page(url('tissue.html'));
+    const page = await browser.page(url('web/tissue.html'));
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
     say(begun, 'the tissue begins', page.errors.join(' ') || 'no frame');
     if (!begun) return page.close();
-    await page.eval(`(async () => {
+    await page.evaluate(`(async () => {
         const { state, canvas, hand } = document.querySelector('.live').live;
         const key = name => canvas.dispatchEvent(new KeyboardEvent('keydown',
             { key: name, bubbles: true }));
@@ -168,7 +169,7 @@ async function tissue(browser) {
         key('q');
     })()`);
     await page.until("document.querySelector('.live').live.state.status !== null", 10);
-    const { status, lines } = await page.eval("(({status, lines}) => ({status, lines}))" +
+    const { status, lines } = await page.evaluate("(({status, lines}) => ({status, lines}))" +
         "(document.querySelector('.live').live.state)");
     const frames = rows(lines, 'frames');
     const least = Math.min(...frames.map(row => Number(row.min_J)));
@@ -180,13 +181,53 @@ async function tissue(browser) {
     await page.close();
 }
 
+/* A finger on a small screen drags the square, and not the page. */
+async function touch(browser) {
+    const page = await browser.page(url('web/live.html'), 390, 800);
+    await page.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+    await page.until("document.querySelector('.live').live.state.frames > 5");
+    const box = await page.evaluate(`(() => {
+        const canvas = document.querySelector('.live canvas');
+        canvas.scrollIntoView({ block: 'center' });
+        const r = canvas.getBoundingClientRect();
+        return { x: r.left + r.width / 2, y: r.top + r.height / 2, scale: r.width / 5.6,
+                 top: scrollY, wide: document.documentElement.scrollWidth };
+    })()`);
+    const finger = (type, x, y) => page.send('Input.dispatchTouchEvent', { type, touchPoints:
+        type === 'touchEnd' ? [] : [{ x: box.x + x * box.scale, y: box.y - y * box.scale }] });
+    await finger('touchStart', 0.95, 0.5);
+    for (let k = 1; k <= 20; k++) {
+        await finger('touchMove', 0.95 + 0.03 * k, 0.5 - 0.06 * k);
+        await new Promise(done => setTimeout(done, 40));
+    }
+    const { top, hand } = await page.evaluate("({ top: scrollY, " +
+        "hand: document.querySelector('.live').live.hand })");
+    await finger('touchEnd');
+    await page.until("!document.querySelector('.live').live.hand.down", 5);
+    await page.evaluate("document.querySelector('.live').live.press('q')");
+    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    const { lines } = await page.evaluate("(({lines}) => ({lines}))" +
+        "(document.querySelector('.live').live.state)");
+    const frames = rows(lines, 'frames'), end = frames[frames.length - 1] || {};
+    const strained = Math.max(...frames.map(row => Number(row.energy)));
+    say(hand.down === 1 && Math.abs(hand.x - 1.55) < 0.02 && Math.abs(hand.y + 0.7) < 0.02 &&
+        top === box.top && box.wide <= 390 && strained > 10,
+        'a finger drags the square, and not the page', JSON.stringify({ hand, top, box,
+            strained, end }));
+    say(page.errors.length === 0, 'no error under a finger', page.errors.join(' '));
+    await page.close();
+}
+
 const folder = mkdtempSync(join(tmpdir(), 'live-'));
 const browser = await open();
 try {
-    await square(browser, folder, 'log', [], 2026);
-    await square(browser, folder, 'cubic', [[3, 'l'], [200, 'i'], [400, 'i']], 14);
-    await losses(browser);
-    await tissue(browser);
+    const asked = name => part === 'all' || part === name;
+    if (asked('log')) await square(browser, folder, 'log', [], 2026);
+    if (asked('cubic'))
+        await square(browser, folder, 'cubic', [[3, 'l'], [200, 'i'], [400, 'i']], 14);
+    if (asked('losses')) await losses(browser);
+    if (asked('tissue')) await tissue(browser);
+    if (asked('touch')) await touch(browser);
 } finally {
     await browser.close();
     rmSync(folder, { recursive: true });

@@ -1,7 +1,7 @@
 #!/bin/sh
-# choose_data.sh WORDS - what choose.html knows, as a script: the table of the words
-# (WORDS, printed by form.c), what scene_file.h says of each, the example scenes,
-# and the pages of the lessons.
+# web_choose.sh WORDS HELP - what choose.html knows, as a script: the table of the words
+# (WORDS, printed by form.c), what scene_file.h says of each, the program's options
+# (HELP, of choose -h), the example scenes, and the pages of the lessons.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -12,6 +12,8 @@ text() { # text FILE: as a template of JavaScript
 }
 printf 'self.choose = {\nwords: '
 text "$1"
+printf ',\nhelp: '
+text "$2"
 printf ',\nsays: {\n'
 # " *     width    0.08               m; it lies along X1"
 awk '/^ \*     [A-Za-z]+ +[^ ]/ && !done {
@@ -39,6 +41,6 @@ for lesson in lessons/[0-9][0-9]_*.md; do
     name=${lesson##*/}
     name=${name%.md}
     number=${name%%_*}
-    echo "\"${number#0}\": \"lessons/$name.html\","
+    echo "\"${number#0}\": \"../lessons/$name.html\","
 done
 echo '} };'

@@ -33,8 +33,8 @@ static struct mesh *strip(void)
     return mesh;
 }
 
-/* A new body: bone holds the lowest row, and the hand, where it is down, what is
- * near to it.  false: it has taken nothing. */
+/* A new body: bone holds the lowest row, and the hand, where it is down, what
+ * is near to it.  false: it has taken nothing. */
 static int hold(struct live *live, int down)
 {
     const struct mesh *mesh = live->mesh;

@@ -2,52 +2,19 @@
  * live.js - the page's part of window.h (common/motion/window_web.c): canvas,
  * buttons and clock of a live scene.
  *
- *     <div class="live" data-program="24_live.js" data-args="--n 16"></div>
+ *     <div class="live" data-program="../programs/square.js" data-args="--n 16"></div>
  *
  * The program is one of `make web`: a function programs[name](Module).  It
- * calls Module.page.next(), which waits for a frame, and Module.page.draw().  A
- * scene with data-on-demand is begun by its button, for its program is loaded
- * only then.
+ * calls Module.page.next(), which waits for a frame, Module.page.draw() and, at
+ * the end, Module.page.close().  A scene with data-on-demand is begun by its
+ * button, and its program is loaded only then.  data-keys are the buttons that
+ * there are, all unless given; data-wide, -high and -middle are metres; data-layers
+ * are heights where the colour changes, instead of colours by J.
  */
 'use strict';
 (() => {
 const FRAME = 1000 / 30, SHOWN = 240;
 const KEYS = { space: ' ' };
-
-/* Blue where it is pressed, white at rest, orange where it is stretched, magenta
- * where it is inverted; in steps, so that all triangles of one colour are one
- * path. */
-const STEPS = 32;
-const COLOURS = [];
-for (let k = 0; k <= 2 * STEPS; k++) {
-    const s = k / STEPS - 1, end = s > 0 ? [235, 120, 20] : [33, 102, 196];
-    COLOURS.push('rgb(' + end.map(c =>
-        Math.round(250 + Math.abs(s) * (c - 250))).join(',') + ')');
-}
-const INVERTED = COLOURS.push('rgb(214,0,190)') - 1;
-function stretched(frame, e) {
-    const J = frame.J[e];
-    if (!(J > 0)) return INVERTED;
-    return Math.round(STEPS * (1 + Math.max(-1, Math.min(1, Math.log2(J)))));
-}
-
-/* Muscle, fat and skin: depths of one material. */
-const SKIN = ['rgb(178,74,66)', 'rgb(240,206,120)', 'rgb(232,180,160)'];
-const SKIN_INVERTED = SKIN.push('rgb(214,0,190)') - 1;
-function layered(frame, e) {
-    let y = 0;
-    for (let k = 0; k < 3; k++) y += frame.rest[2 * frame.triangle[3 * e + k] + 1];
-    if (!(frame.J[e] > 0)) return SKIN_INVERTED;
-    return y / 3 < frame.layers[0] ? 0 : y / 3 < frame.layers[1] ? 1 : 2;
-}
-
-function made(tag, parent, attributes) {
-    const element = document.createElement(tag);
-    for (const name in attributes)
-        if (name === 'text') element.textContent = attributes[name];
-        else element.setAttribute(name, attributes[name]);
-    return parent.appendChild(element);
-}
 
 function script(source) {
     return new Promise((done, failed) => {
@@ -59,25 +26,26 @@ function script(source) {
 
 function live(box) {
     const data = box.dataset;
-    const wide = Number(data.wide || 5.6), high = Number(data.high || 4.4);
-    const middle = Number(data.middle || 0); /* height (m) of the canvas's middle */
     const only = data.keys ? data.keys.split(' ') : null;
-    const layers = data.layers ? data.layers.split(' ').map(Number) : null;
 
     const stage = made('div', box, { class: 'stage' });
-    const canvas = made('canvas', stage, { tabindex: '0', role: 'img',
-        'aria-label': data.label || 'A soft body, whose left side is held' });
+    const id = 'live-help-' + document.querySelectorAll('.live .help').length;
+    const canvas = made('canvas', stage, { tabindex: '0', role: 'application',
+        'aria-label': data.label || 'A soft square, whose left side is held',
+        'aria-describedby': id });
     const keys = made('div', box, { class: 'keys', role: 'group',
         'aria-label': 'What can be changed' });
     const said = made('p', box, { class: 'said' });
     const count = made('p', box, { class: 'said' });
     const chart = made('canvas', box, { class: 'times', role: 'img' });
+    made('p', box, { class: 'help', text: 'Milliseconds of the last ' + SHOWN +
+        ' frames, without drawing.' });
     const alert = made('p', box, { class: 'lost', role: 'status' });
     const saved = made('p', box, { class: 'saved' });
-    made('p', box, { class: 'help', text: 'Drag with the mouse or a finger. ' +
+    made('p', box, { class: 'help', id, text: 'Drag with the mouse or a finger. ' +
         'With the keyboard: arrows move the hand, Enter grabs and lets go; ' +
         'letters in brackets are keys, too.' });
-    const ink = canvas.getContext('2d'), bars = chart.getContext('2d');
+    const drawing = self.liveDrawing(box, canvas, chart, SHOWN);
 
     const hand = { x: 1, y: 0, down: 0, arrows: false };
     const pressed = [];  /* keys for the frames to come */
@@ -85,32 +53,12 @@ function live(box) {
     const shownAt = [];  /* when they were drawn (ms) */
     const state = { frames: 0, lost: 0, knots: 0, stopped: false, closed: false,
                     due: 0, lines: [], status: null, fps: 0 };
-    box.live = { state, hand, pressed, canvas };
-
-    /* ---- size, and from pixels to metres ---- */
-    let scale = 1, ratio = 1;
-    function fit() {
-        const width = stage.clientWidth;
-        ratio = window.devicePixelRatio || 1;
-        scale = width / wide;
-        for (const [c, w, h] of [[canvas, width, width * high / wide],
-                                 [chart, Math.min(width, 480), 84]]) {
-            c.style.width = w + 'px';
-            c.style.height = h + 'px';
-            c.width = Math.round(w * ratio);
-            c.height = Math.round(h * ratio);
-        }
-    }
-    function metres(event) {
-        const r = canvas.getBoundingClientRect();
-        hand.x = (event.clientX - r.left - r.width / 2) / scale;
-        hand.y = middle - (event.clientY - r.top - r.height / 2) / scale;
-    }
+    box.live = { state, hand, press, canvas };
 
     /* ---- the hand ---- */
     canvas.addEventListener('pointerdown', event => {
         if (event.button !== 0) return;
-        metres(event);
+        [hand.x, hand.y] = drawing.metres(event);
         hand.down = 1;
         hand.arrows = false;
         try { canvas.setPointerCapture(event.pointerId); } catch (e) { /* synthetic */ }
@@ -118,13 +66,14 @@ function live(box) {
         event.preventDefault();
     });
     canvas.addEventListener('pointermove', event => {
-        if (!hand.arrows || event.buttons) metres(event);
+        if (!hand.arrows || event.buttons) [hand.x, hand.y] = drawing.metres(event);
     });
     for (const ends of ['pointerup', 'pointercancel', 'lostpointercapture'])
         canvas.addEventListener(ends, () => { if (!hand.arrows) hand.down = 0; });
     document.addEventListener('keydown', event => {
-        if (state.closed || (event.target !== document.body &&
-                             !box.contains(event.target))) return;
+        const near = box.contains(event.target) ||
+            (event.target === document.body && !('onDemand' in data));
+        if (state.closed || !near) return;
         if (event.ctrlKey || event.altKey || event.metaKey) return;
         const on = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0],
                      ArrowDown: [0, -0.1], ArrowUp: [0, 0.1] }[event.key];
@@ -176,87 +125,6 @@ function live(box) {
             }
     }
 
-    /* ---- drawing ---- */
-    function drawBody(frame) {
-        const style = getComputedStyle(box), x = frame.x, t = frame.triangle;
-        const paint = layers ? layered : stretched, names = layers ? SKIN : COLOURS;
-        frame.layers = layers;
-        ink.setTransform(1, 0, 0, 1, 0, 0);
-        ink.clearRect(0, 0, canvas.width, canvas.height);
-        const s = scale * ratio, px = [], n = x.length / 2;
-        for (let a = 0; a < n; a++)
-            px.push(canvas.width / 2 + s * x[2 * a],
-                    canvas.height / 2 - s * (x[2 * a + 1] - middle));
-        const paths = new Map(), all = new Path2D();
-        for (let e = 0; e < frame.J.length; e++) {
-            const colour = paint(frame, e);
-            if (!paths.has(colour)) paths.set(colour, new Path2D());
-            for (const path of [paths.get(colour), all]) {
-                for (let k = 0; k < 3; k++) {
-                    const a = 2 * t[3 * e + k];
-                    if (k) path.lineTo(px[a], px[a + 1]);
-                    else path.moveTo(px[a], px[a + 1]);
-                }
-                path.closePath();
-            }
-        }
-        ink.lineWidth = ratio;
-        for (const [colour, path] of paths) {
-            ink.fillStyle = ink.strokeStyle = names[colour];
-            ink.fill(path, 'nonzero');
-            if (frame.J.length > 2048 || layers) ink.stroke(path); /* no seams */
-        }
-        if (frame.J.length <= 2048 && !layers) {
-            ink.lineWidth = 0.7 * ratio;
-            ink.strokeStyle = 'rgb(120,120,120)';
-            ink.stroke(all);
-        }
-        ink.fillStyle = style.getPropertyValue('--ink') || '#141414';
-        const size = Math.max(2.5, Math.min(5, scale / 22)) * ratio;
-        for (let a = 0; a < n; a++)
-            if (frame.held[a])
-                ink.fillRect(px[2 * a] - size / 2, px[2 * a + 1] - size / 2, size, size);
-        ink.strokeStyle = 'rgb(200,0,0)';
-        ink.lineWidth = 3 * ratio;
-        state.knots = 0;
-        for (let a = 0; a < n; a++) {
-            if (!frame.knot[a]) continue;
-            state.knots++;
-            ink.beginPath();
-            ink.arc(px[2 * a], px[2 * a + 1], 12 * ratio, 0, 2 * Math.PI);
-            ink.stroke();
-        }
-        if (hand.down || hand.arrows) { /* where the hand wants to be */
-            ink.strokeStyle = style.getPropertyValue('--ink') || '#141414';
-            ink.lineWidth = 1.5 * ratio;
-            ink.beginPath();
-            ink.arc(canvas.width / 2 + s * hand.x,
-                    canvas.height / 2 - s * (hand.y - middle), 7 * ratio, 0, 2 * Math.PI);
-            ink.stroke();
-        }
-    }
-
-    /* The milliseconds of the last frames, and the line of 33. */
-    function drawTimes() {
-        const style = getComputedStyle(box), w = chart.width, h = chart.height;
-        const plain = style.getPropertyValue('--ink') || '#141414';
-        const floor = h - 2 * ratio, per = (h - 4 * ratio) / 66;
-        bars.clearRect(0, 0, w, h);
-        const left = 52 * ratio, step = (w - left) / SHOWN;
-        for (let k = 0; k < took.length; k++) {
-            const ms = took[took.length - 1 - k], tall = Math.max(ratio, per * Math.min(66, ms));
-            bars.fillStyle = ms > FRAME ? 'rgb(200,60,60)' : 'rgb(90,120,160)';
-            bars.fillRect(w - (k + 1) * step, floor - tall, Math.max(step, 1), tall);
-        }
-        bars.fillStyle = 'rgb(200,0,0)';
-        bars.fillRect(left, floor - per * FRAME, w - left, ratio);
-        bars.font = 12 * ratio + 'px sans-serif';
-        bars.textBaseline = 'middle';
-        bars.fillText('33 ms', 0, floor - per * FRAME);
-        bars.fillStyle = plain;
-        bars.fillText('0', 0, floor - 5 * ratio);
-    }
-
     /* ---- what the program calls ---- */
     let Module = null;
     const page = {
@@ -279,8 +147,8 @@ function live(box) {
             if (took.length > SHOWN) took.shift();
             if (shownAt.length > 61) shownAt.shift();
             words(frame.text);
-            drawBody(frame);
-            drawTimes();
+            state.knots = drawing.body(frame, hand);
+            drawing.times(took);
             const passed = shownAt[shownAt.length - 1] - shownAt[0];
             state.fps = passed > 0 ? 1000 * (shownAt.length - 1) / passed : 0;
             if (state.frames % 6 === 1 || frame.lost !== state.lost) {
@@ -320,8 +188,9 @@ function live(box) {
             saved.append(' ');
         }
         if (state.input)
-            made('span', saved, { text: 'make live ARGS=\'--input live.txt\' plays ' +
-                'the input again. ' });
+            made('span', saved, { text: 'make live ARGS=\'' +
+                data.args.replace(/--record \S+/, '--input live.txt') +
+                '\' plays the input again. ' });
         made('button', saved, { type: 'button', text: 'Begin again' })
             .addEventListener('click', () => {
                 const twin = box.cloneNode(false);
@@ -338,8 +207,8 @@ function live(box) {
     /* ---- begin ---- */
     async function begin() {
         const name = data.program.replace(/.*\//, '').replace(/\.js$/, '');
-        fit();
-        new ResizeObserver(fit).observe(stage);
+        drawing.fit();
+        new ResizeObserver(drawing.fit).observe(stage);
         try {
             if (!(self.programs || {})[name]) await script(data.program);
             Module = { page, arguments: (data.args || '').split(' ').filter(word => word),

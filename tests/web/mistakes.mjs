@@ -1,0 +1,65 @@
+/*
+ * mistakes.mjs SITE SQUARE CHOOSE - do the tests of the pages notice mistakes?
+ *
+ * Each mistake changes a script in a copy of the site; the test of its part must
+ * then say FAIL to the check that is named.  SQUARE and CHOOSE are the native
+ * programs.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
+ */
+import { spawn } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+
+const [site, square, choose] = process.argv.slice(2).map(path => resolve(path));
+const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part, frames];
+const CHOOSE = ['tests/web/choose.mjs', square, choose];
+/* name, script, from, to, test, the check that fails */
+const MISTAKES = [
+    ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',
+     LIVE('log'), 'the input is where the pointer was'],
+    ['the input that is saved is that of the next frame', 'live.js',
+     "read('input.txt')]", "read('input.txt').slice(read('input.txt').indexOf('\\n') + 1)]",
+     LIVE('log'), 'rungs, systems and knots'],
+    ['a key is lost', 'live.js', "pressed.shift() || '.'", "(pressed.shift(), '.')",
+     LIVE('losses'), 'frames that are lost are said'],
+    ['lost frames are not said', 'live.js', 'if (frame.lost !== state.lost) alert',
+     'if (false) alert', LIVE('losses'), 'frames that are lost are said'],
+    ['Enter does not grab', 'live.js', 'hand.down = hand.down ? 0 : 1', 'hand.down = 0',
+     LIVE('tissue'), 'the tissue is pulled by the keyboard'],
+    ['what an example does not say is kept', 'choose.js',
+     "for (const input of word.inputs) input.value = '';", '', CHOOSE,
+     'the answers to'],
+    ['verify is not passed on', 'choose.js', "verify.checked ? 'yes' : 'no'", "'no'",
+     CHOOSE, 'the answers to'],
+    ['the line above is marked', 'choose.js', 'at[line[1] - 1]', 'at[line[1] - 2]', CHOOSE,
+     'bad fields are refused'],
+    ['a field without a label', 'choose.js', "made('label', last, { for: name, text: name })",
+     "made('b', last, { text: name })", CHOOSE, 'each field has a label']
+];
+
+function run(args) {
+    return new Promise(done => {
+        const child = spawn(process.execPath, args, { stdio: ['ignore', 'pipe', 'ignore'] });
+        let out = '';
+        child.stdout.on('data', data => { out += data; });
+        child.on('close', () => done(out));
+    });
+}
+let failed = 0;
+for (const [name, script, from, to, [test, ...args], check] of MISTAKES) {
+    const copy = mkdtempSync(join(tmpdir(), 'mistake-'));
+    cpSync(join(site, 'web'), join(copy, 'web'), { recursive: true });
+    for (const folder of ['programs', 'book.css'])
+        symlinkSync(join(site, folder), join(copy, folder));
+    const path = join(copy, 'web', script), text = readFileSync(path, 'utf8');
+    let why = text.split(from).length === 2 ? '' : 'does not fit ' + script;
+    if (!why) {
+        writeFileSync(path, text.split(from).join(to));
+        const out = await run([test, copy, ...args]);
+        if (!out.includes('FAIL web: ' + check)) why = 'not caught by: ' + check;
+    }
+    console.log(why ? `FAIL web: mistake: ${name}: ${why}` : `ok web: mistake: ${name}`);
+    failed += why !== '';
+    rmSync(copy, { recursive: true });
+}
+process.exit(failed ? 1 : 0);
