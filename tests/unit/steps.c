@@ -181,7 +181,7 @@ static void the_residual_is_the_slope_of_the_potential(void)
     }
 }
 
-/* Up to 1e-12 of the parts counts as less, whatever their signs and the unit. */
+/* Up to 1e-12 of the parts counts as less, whatever the signs and the unit. */
 static void round_off_is_allowed(void)
 {
     for (double unit = 1e-9; unit < 1e10; unit *= 1e3) {
