@@ -64,8 +64,8 @@ static enum status response1(const struct material *material, double F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, F, &v) != OK) return INVERTED;
-    /* SLOT 2b(material, mu, lambda, F, v, out): set out->psi, out->P, out->dP,
-     * for LINEAR and, with v, for both Neo-Hookean laws. */
+    /* SLOT 2b(material, mu, lambda, F, v, out): given F, set out->psi, out->P,
+     * out->dP for LINEAR and, with v, for both Neo-Hookean laws. */
     todo("2b", material, mu, lambda, F, v, out);
     /* END 2b */
     return OK;
@@ -83,8 +83,8 @@ static enum status response2(const struct material *material, mat2 F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2c(material, mu, lambda, F, v, psi, P): set *psi, *P for LINEAR and,
-     * with v, for both Neo-Hookean laws. */
+    /* SLOT 2c(material, mu, lambda, F, v, psi, P): given F, set *psi, *P for
+     * LINEAR and, with v, for both Neo-Hookean laws. */
     todo("2c", material, mu, lambda, F, v, psi, P);
     /* END 2c */
     return OK;
@@ -98,8 +98,8 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): set *dP, given dF: each
-     * factor of P changes in the direction dF. */
+    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): given F and dF, set *dP:
+     * each factor of P changes in the direction dF. */
     todo("2d", material, mu, lambda, F, dF, v, dP);
     /* END 2d */
     return OK;

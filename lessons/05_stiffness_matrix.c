@@ -52,8 +52,8 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
  */
 static double eigenvalue_exact(enum ends ends, int n, double h, int k)
 {
-    /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
-     * fixed the smallest, k = 1, is 0. */
+    /* SLOT 5b(ends, n, h, k): given which ends are fixed, n and h, return the
+     * eigenvalue of this k; with no end fixed the smallest, k = 1, is 0. */
     todo("5b", ends, n, h, k);
     /* END 5b */
 }
@@ -77,9 +77,9 @@ struct cost {
 static struct cost cholesky_cost(enum storage storage, int N, int p)
 {
     struct cost cost = {0.0, 0.0};
-    /* SLOT 5c(storage, N, p, cost.numbers): set cost.numbers and cost.flops,
-     * exactly and not only to leading order; a real N keeps N * N from
-     * overflowing. */
+    /* SLOT 5c(storage, N, p, cost.numbers): given N and p, set cost.numbers and
+     * cost.flops, exactly and not only to leading order; a real N keeps N * N
+     * from overflowing. */
     todo("5c", storage, N, p, cost.numbers);
     /* END 5c */
     return cost;

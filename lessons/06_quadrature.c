@@ -49,7 +49,7 @@ static double element_integral(double x0, double x1, field *g,
                                enum shape shape, const struct quadrature *rule)
 {
     double sum = 0.0;
-    /* SLOT 6b(x0, x1, g, shape, rule): let sum be the integral, to which each
+    /* SLOT 6b(x0, x1, g, shape, rule): given g, let sum be the integral: each
      * point of the rule adds its weight times g there times the shape. */
     todo("6b", x0, x1, g, shape, rule);
     /* END 6b */
@@ -62,7 +62,7 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
                           double row[3])
 {
     row[0] = row[1] = row[2] = 0.0;
-    /* SLOT 6c(j, n, x, mean, row): fill row, given the means: the element on
+    /* SLOT 6c(j, n, x, mean, row): given the means, fill row: the element on
      * the left of vertex j, then that on its right, if there is one. */
     todo("6c", j, n, x, mean, row);
     /* END 6c */

@@ -73,8 +73,8 @@ static enum status response1(const struct material *material, double F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, F, &v) != OK) return INVERTED;
-    /* SLOT 2b(material, mu, lambda, F, v, out): set out->psi, out->P, out->dP,
-     * for LINEAR and, with v, for both Neo-Hookean laws. */
+    /* SLOT 2b(material, mu, lambda, F, v, out): given F, set out->psi, out->P,
+     * out->dP for LINEAR and, with v, for both Neo-Hookean laws. */
     if (material->law == LINEAR) {
         const double modulus = 2.0 * mu + lambda, e = F - 1.0;
         out->psi = 0.5 * modulus * e * e;
@@ -104,8 +104,8 @@ static enum status response2(const struct material *material, mat2 F,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2c(material, mu, lambda, F, v, psi, P): set *psi, *P for LINEAR and,
-     * with v, for both Neo-Hookean laws. */
+    /* SLOT 2c(material, mu, lambda, F, v, psi, P): given F, set *psi, *P for
+     * LINEAR and, with v, for both Neo-Hookean laws. */
     if (material->law == LINEAR) {
         const mat2 H = mat2_subtract(F, mat2_identity());
         const mat2 eps = mat2_scale(0.5, mat2_add(H, mat2_transpose(H)));
@@ -134,8 +134,8 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     const double mu = material->mu, lambda = material->lambda;
     struct volumetric v = {0};
     if (volumetric(material->law, mat2_det(F), &v) != OK) return INVERTED;
-    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): set *dP, given dF: each
-     * factor of P changes in the direction dF. */
+    /* SLOT 2d(material, mu, lambda, F, dF, v, dP): given F and dF, set *dP:
+     * each factor of P changes in the direction dF. */
     if (material->law == LINEAR) {
         /* P is linear in F: its own formula, of dF */
         const mat2 eps = mat2_scale(0.5, mat2_add(dF, mat2_transpose(dF)));

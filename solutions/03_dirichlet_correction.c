@@ -55,7 +55,7 @@ static void assemble(int n, double beta, double f, double A[], double b[])
 static void move_known_values(int N, const double A[], double b[], int n_fixed,
                               const int node[], const double g[])
 {
-    /* SLOT 3a(N, A, b, n_fixed, node, g): change b, from A and g; what becomes
+    /* SLOT 3a(N, A, b, n_fixed, node, g): given A and g, change b; what becomes
      * of it at the prescribed nodes themselves does not matter. */
     /* b := b - sum_k g_k (column k of A) */
     for (int k = 0; k < n_fixed; k++)

@@ -59,8 +59,8 @@ static void stiffness_matrix(int n, const double x[], struct matrix *A)
  */
 static double eigenvalue_exact(enum ends ends, int n, double h, int k)
 {
-    /* SLOT 5b(ends, n, h, k): return the eigenvalue of this k; with no end
-     * fixed the smallest, k = 1, is 0. */
+    /* SLOT 5b(ends, n, h, k): given which ends are fixed, n and h, return the
+     * eigenvalue of this k; with no end fixed the smallest, k = 1, is 0. */
     double theta = k * M_PI / n;
     if (ends == NONE_FIXED) theta = (k - 1) * M_PI / (n + 1);
     if (ends == ONE_FIXED) theta = (2 * k - 1) * M_PI / (2 * n + 1);
@@ -88,9 +88,9 @@ struct cost {
 static struct cost cholesky_cost(enum storage storage, int N, int p)
 {
     struct cost cost = {0.0, 0.0};
-    /* SLOT 5c(storage, N, p, cost.numbers): set cost.numbers and cost.flops,
-     * exactly and not only to leading order; a real N keeps N * N from
-     * overflowing. */
+    /* SLOT 5c(storage, N, p, cost.numbers): given N and p, set cost.numbers and
+     * cost.flops, exactly and not only to leading order; a real N keeps N * N
+     * from overflowing. */
     const double order = N;
     const double q = storage == DENSE ? order - 1.0 : p;
     cost.numbers = order * (q + 1.0);

@@ -61,7 +61,7 @@ static double element_integral(double x0, double x1, field *g,
                                enum shape shape, const struct quadrature *rule)
 {
     double sum = 0.0;
-    /* SLOT 6b(x0, x1, g, shape, rule): let sum be the integral, to which each
+    /* SLOT 6b(x0, x1, g, shape, rule): given g, let sum be the integral: each
      * point of the rule adds its weight times g there times the shape. */
     const double h = x1 - x0;
     for (int k = 0; k < rule->n; k++) {
@@ -80,7 +80,7 @@ static void stiffness_row(int j, int n, const double x[], const double mean[],
                           double row[3])
 {
     row[0] = row[1] = row[2] = 0.0;
-    /* SLOT 6c(j, n, x, mean, row): fill row, given the means: the element on
+    /* SLOT 6c(j, n, x, mean, row): given the means, fill row: the element on
      * the left of vertex j, then that on its right, if there is one. */
     /* e_{j-1}' = -1/h, e_j' = 1/h: mean h (1/h)(1/h) = mean / h */
     if (j > 0) {

@@ -509,8 +509,8 @@ static const struct lesson lesson = {
     COUNT(rules),
     "All three rules give L2 order 2 and energy order 1, and from h = 1/32 on "
     "their energy errors agree to 0.1 % (study kink, table `solution`): with "
-    "linear elements the interpolation error rules; one sample per element is "
-    "enough.",
+    "linear elements the interpolation error is the larger one by far, so that "
+    "one sample per element is enough.",
     "Let beta jump inside an element (study kink, table `jump`): integrating "
     "beta exactly is no better than sampling it, both have L2 order 1. The "
     "harmonic mean has 1.5. Why is 1/beta the function to average?",

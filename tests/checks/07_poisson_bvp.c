@@ -458,7 +458,8 @@ static const struct lesson lesson = {
     "of quadrature alone (figures/07_poisson_bvp/trap.svg); the L2 error has "
     "order 2 whatever you do. Which of them is the error of the method?",
     "Measure the energy error at the midpoints only (one Gauss point per "
-    "element): order 2 instead of 1. Where is the slope of u_h that good?",
+    "element), and you find order 2 instead of 1. Where is the slope of u_h "
+    "that good?",
     what_was_predicted};
 
 int main(int argc, char *argv[])

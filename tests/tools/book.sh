@@ -47,7 +47,8 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
     position: relative; left: 50%; transform: translateX(-50%); }
     .wide:has(table) { width: max-content;
     min-width: 100%; max-width: min(64rem, 94vw); position: relative; left: 50%;
-    transform: translateX(-50%); } }
+    transform: translateX(-50%); }
+    details .wide:has(table) { max-width: min(64rem, 50vw + 20rem); left: 0; transform: none; } }
 @media (max-width: 600px) { body { font-size: 16px; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
