@@ -26,7 +26,7 @@
 static int weights(int order, double h, double x, double w[], double dw[])
 {
     int first = 0;
-    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
+    /* SLOT 18a(order, h, x, w, dw, &first): `first`, then each node's piece. */
     todo("18a", order, h, x, w, dw, &first);
     /* END 18a */
     return first;

@@ -26,7 +26,7 @@
 static int weights(int order, double h, double x, double w[], double dw[])
 {
     int first = 0;
-    /* SLOT 18a(order, h, x, w, dw, &first): first, then each node's piece. */
+    /* SLOT 18a(order, h, x, w, dw, &first): `first`, then each node's piece. */
     /* Order 2 has the nearest node in the middle; of orders 1 and 3 as many
      * nodes are left of x as right of it. */
     first = (int)floor(order == 2 ? x / h - 0.5 : x / h) - (order == 3);

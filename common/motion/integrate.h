@@ -2,8 +2,8 @@
  * integrate.h - steps in time of the models of model.h: four methods, and the
  * frame of a loop that has to go on whatever happens.
  *
- * All implicit methods are one: backward Euler from some state (a, b) by some
- * step d [eq:one-solve], u* = solve(d, a, b) and v* = (u* - a) / d.
+ * All implicit methods are one: backward Euler from some state (a, b), by a
+ * step of length d [eq:one-solve], u* = solve(d, a, b) and v* = (u* - a) / d.
  *
  *     BACKWARD_EULER     a = u0, b = v0, d = dt;  u+ = u*, v+ = v*
  *     IMPLICIT_MIDPOINT  a = u0, b = v0, d = dt/2, boundary values half-way;
@@ -107,8 +107,8 @@ extern const struct step_control INTEGRATE_NEWTON;
 
 /* ---- a frame ------------------------------------------------------------- */
 
-/* First what is fast; then what goes downhill from a state that exists: after a
- * sudden stop the velocity points the wrong way. */
+/* The fast attempt comes first, then one that goes downhill from a state that
+ * exists, because after a sudden stop the velocity points the wrong way. */
 extern const struct step_control FAST, ROBUST;
 enum { MOST_SUBSTEPS = 8 };
 

@@ -34,7 +34,7 @@ const char *work_scene_name(enum work_scene scene); /* "slow_pull", ... */
 double work_end(enum work_scene scene);             /* (s) */
 
 /* The elements whose limit is known best; a squeezed corner of quadratic ones
- * is inverted on fine meshes, and waves with kinks are no better by them. */
+ * is inverted on fine meshes, and waves with kinks are no better with them. */
 enum element work_limit_element(enum work_scene scene);
 
 /* Cells per row of the coarsest mesh; others have a multiple of it. */

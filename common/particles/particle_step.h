@@ -36,8 +36,8 @@ struct particle_step {
 
 /*
  * The unknowns y that the nodes move by: u_r = sign_r y_(equation r), and 0
- * where equation_r < 0.  Unknowns have the nodes with mass, of which a bar's
- * move along their axis only.
+ * where equation_r < 0.  The nodes with mass have unknowns; those of a bar move
+ * along its axis only.
  */
 struct unknowns {
     int n, n_dof;
@@ -88,8 +88,8 @@ enum status particle_potential(const struct particle_body *body,
  * [eq:critical-step]; NAN where the tangent is not defined. */
 double particle_frequency(const struct particle_body *body);
 
-/* How a step went: the systems solved (particle_newton() does not count one
- * that stalled), and those factored once more because A had to be projected;
+/* How a step went: the linear systems solved (particle_newton() does not count
+ * one that stalled), and those factored again because A had to be projected;
  * max|r| of the unknowns (N) before iteration k, max|du| (m) of it, and the
  * part of du that was taken. */
 enum { STEP_CAP = 50 };

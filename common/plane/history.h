@@ -23,7 +23,7 @@ struct history {
     double increment[HISTORY_CAP + 1]; /* max|du| of system k (m) */
 };
 
-/* A row for each system, and one for that which was not solved, with the
+/* A row for each linear system, and one for what was not solved, with the
  * reason.  Its residual is left out where there is none (INVERTED, NONFINITE),
  * and where it is round-off (OK). */
 void history_table(const char *name, const struct history *history);

@@ -60,9 +60,9 @@ void quadratic_shares(const struct mesh *mesh, double area[]);
 void quadratic_load(const struct mesh *mesh, const double density[2],
                     double f[]);
 
-/* Each two nodes of a triangle are neighbours: so says this list of *n_list
- * triangles, three vertices each, that has each pair of the six in it, for
- * sparse_alloc().  The caller frees it. */
+/* Any two nodes of a triangle are neighbours.  This list for sparse_alloc()
+ * says so: *n_list triangles of three vertices each, in which every pair of the
+ * six occurs.  The caller frees it. */
 int *quadratic_pairs(const struct mesh *mesh, int *n_list);
 
 #endif

@@ -39,7 +39,7 @@ void release_shift(struct body *body);
 enum status release_search(const struct body *body, const double q[],
                            const double du[], double u[]);
 
-/* From u to where the body comes to rest, or to the last state reached. */
+/* Take u to where the body comes to rest, or to the last state reached. */
 struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[]);
 

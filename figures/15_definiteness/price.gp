@@ -20,11 +20,11 @@ set format y "%g"
 set xrange [0:60]
 set yrange [3:300]
 set xlabel "step"
-set ylabel "linear systems in it"
+set ylabel "linear systems in the step"
 unset key
 set label 1 "always: ".total("always")." in all" at 30, 110 tc ls 4 offset 1.5, 1
 set label 2 "on demand: ".total("on demand")." in all" at 33, 8 tc ls 3
-set label 3 "never: fails behind its last point" at 1, 4 tc ls 2
+set label 3 "never: fails after its last point" at 1, 4 tc ls 2
 plot data index "steps" using "k":"always" with linespoints ls 4, \
      data index "steps" using "k":"demand" with linespoints ls 3, \
      data index "steps" using "k":"never" with linespoints ls 2

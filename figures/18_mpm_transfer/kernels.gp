@@ -29,9 +29,9 @@ plot data index "kernels" using "t":"dN_1" with lines ls 1, \
      "" index "kernels" using "t":"dN_2" with lines ls 2, \
      "" index "kernels" using "t":"dN_3" with lines ls 3
 unset arrow 1
-set label 1 "a negative weight" at -0.75, -0.22 font ",11"
-set label 2 "first node floor(x/h),\nwrong: jumps at nodes" at 0.2, 1.12 left font ",11" tc ls 4
-set label 3 "first node\nfloor(x/h - 1/2)" at -0.55, 0.72 right font ",11" tc ls 2
+set label 1 "a negative weight" at -0.75, -0.22 font ",11" tc ls 4
+set label 2 "first node\nfloor(x/h): wrong,\nit jumps" at -0.1, 1.14 right font ",11" tc ls 4
+set label 3 "first node\nfloor(x/h - 1/2)" at -0.62, 0.66 right font ",11" tc ls 2
 set ylabel "weight, quadratic" offset 1
 set yrange [-0.3:1.2]
 set ytics 0.2

@@ -17,8 +17,8 @@ set xrange [3:6000]
 set xlabel "squares per side n"
 set ylabel "flops to factor K"
 set yrange [1e3:1e15]
-set label 1 "n^6, all of it" at 290,7.5e14 left font ",12" tc ls 2
-set label 2 "n^4, its band" at 290,3.4e10 left font ",12" tc ls 1
+set label 1 "n^6, full matrix" at 290,7.5e14 left font ",12" tc ls 2
+set label 2 "n^4, band" at 290,3.4e10 left font ",12" tc ls 1
 set label 3 "n^3, dissection" at 290,1.7e9 left font ",12" tc ls 3
 set arrow 1 from F_max, 1e3 to F_max, 1.6e6 nohead ls 8
 set label 4 sprintf("%d", F_max) at F_max * 1.08, 3e3 left font ",12"
@@ -27,10 +27,10 @@ plot data index "growth" using (of("full")):"flops" with linespoints ls 2, \
      data index "growth" using (of("band")):"flops" with linespoints ls 1, \
      data index "growth" using (of("dissection")):"flops" \
          with linespoints ls 3
-set ylabel "numbers stored of L"
+set ylabel "numbers stored for L"
 set yrange [1e2:1e11]
-set label 1 "n^4, all of it" at 290,1.7e10
-set label 2 "n^3, its band" at 290,6.7e7
+set label 1 "n^4, full matrix" at 290,1.7e10
+set label 2 "n^3, band" at 290,6.7e7
 set label 3 "n^2 log n, dissection" at 290,0.9e7
 set arrow 1 from E_max, 1e2 to E_max, 3e4 nohead ls 8
 set label 4 sprintf("%d", E_max) at E_max * 1.08, 2.5e2 left font ",12"

@@ -44,9 +44,9 @@ static const struct {
     const char *what;
 } RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
             {TROUBLE, LOG, BACKWARD_EULER, 7, "frames unfinished"},
-            {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand stands"},
+            {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand waits"},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
-            {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand stands"},
+            {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand waits"},
             {BOUND, CUBIC, BACKWARD_EULER, 25, "energy (J)"},
             {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
 

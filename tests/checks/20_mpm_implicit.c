@@ -766,8 +766,8 @@ static const struct lesson lesson = {
     "20_mpm_implicit", claims, COUNT(claims), runs, COUNT(runs), rules,
     COUNT(rules),
     "The step does not care how little mass a node has: where explicit steps "
-    "with the linear kernel would have to shrink to nothing, four systems of "
-    "equations are enough. It does care whether particles hold the nodes: "
+    "with the linear kernel would have to shrink to nothing, four linear "
+    "systems are enough. It does care whether particles hold the nodes: "
     "with one per cell the second load is NOT_SPD.",
     "Take the guess u = dt v in newton() and run --scene strained --law log "
     "with ever longer steps. When does a status other than OK come?",

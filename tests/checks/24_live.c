@@ -487,9 +487,11 @@ static const struct lesson lesson = {
     .n_run = COUNT(runs),
     .rules = rules,
     .n_rule = COUNT(rules),
-    .notice = "In the table `frames` of --input hard, how many systems a frame "
-              "takes, and where `part` is not 1.",
-    .break_it = "make live, then p, and pull.",
+    .notice = "The table `frames` of --input hard shows how many linear "
+              "systems a frame takes, and where `part` is not 1: there the "
+              "hand was held back.",
+    .break_it = "Run make live, press p, which takes the second rung away, and "
+                "pull.",
     what_was_predicted};
 
 int main(int argc, char *argv[]) { return judge(&lesson, argc, argv); }

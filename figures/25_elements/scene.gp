@@ -1,0 +1,35 @@
+# scene.gp - a square that hangs from its left side at nu = 0.4999: linear
+# triangles on two meshes, over where it ought to hang.
+# Reads   data  tables lines, missing
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 900,430
+set output out
+array Body[2] = ["coarse", "fine"]
+array Cells[2] = ["8 x 8", "32 x 32"]
+lost(b) = system("awk -F'\t' '$0 == \"# missing\" { on = 1 } \
+    on && $1 == \"".b."\" { printf \"%.0f\", 100 * $3 }' '".data."'")
+times = 45
+of(b, l, v) = strcol("body") eq b && column("line") == l ? v : NaN
+px(b, l) = of(b, l, column("X") + times * column("u_x"))
+py(b, l) = of(b, l, column("Y") + times * column("u_y"))
+set multiplot layout 1,2 margins 0.02,0.98,0.03,0.9 spacing 0.03,0
+unset key
+unset border
+unset tics
+unset grid
+set size ratio -1
+set xrange [-1.12:1.2]
+set yrange [-1.78:1.05]
+set arrow 1 from -1, -1 to -1, 1 nohead lw 4 lc rgb "#333333" front
+set label 2 "held" at -1.06, 0 center rotate by 90
+do for [k = 1:2] {
+    set label 1 Cells[k]." cells: ".lost(Body[k])." % of the sag is missing" \
+        at 0, 1.13 center
+    set label 3 "where it ought to hang" at 0.1, -1.7 center tc rgb "#777777"
+    plot for [l = 0:9] data index "lines" using (px("limit", l)):(py("limit", l)) \
+             with lines lw (l % 5 % 4 == 0 ? 3 : 1) lc rgb "#BBBBBB", \
+         for [l = 0:9] "" index "lines" using (px(Body[k], l)):(py(Body[k], l)) \
+             with lines lw (l % 5 % 4 == 0 ? 2 : 1) lc rgb "#D55E00"
+}
+unset multiplot
