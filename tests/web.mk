@@ -53,8 +53,10 @@ $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge 
 	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
 	    $(MOVED)
 WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js
-$(WASM)/book/index.html: $(BOOK) $(wildcard figures/*.svg figures/*/*.svg) \
-        tests/tools/book.sh
+# of the pictures as they are: a newer one is copied, none is drawn
+NEWER = $(shell find figures -name '*.[sg][vi][gf]' -newer $(WASM)/book/index.html \
+            2>/dev/null)
+$(WASM)/book/index.html: $(BOOK) tests/tools/book.sh $(if $(NEWER),always)
 	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
 $(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
         $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
