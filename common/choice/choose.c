@@ -3,10 +3,11 @@
  * of one's own, each with its reason and the lesson that it rests on.
  *
  * The ladder of ladder.h is climbed from the bar up, as lesson 23 does; what is
- * printed is the last rung.  Seconds are measured on the machine at hand, for
- * half a second at most.
+ * printed is the last rung.  Seconds are those of price.h, which calibrates for
+ * a second at most.
  */
 #include "choice/estimate.h"
+#include "choice/price.h"
 #include "choice/scene_file.h"
 #include "base/clock.h"
 #include "base/options.h"
@@ -169,17 +170,42 @@ static void say_model(const struct scene_file *file,
                "demand (lesson 15)\n");
 }
 
+static const char *const of[] = {
+    [LADDER_LARGEST] = "of the largest displacement",
+    [LADDER_RMS] = "of the displacement in the root mean square",
+    [LADDER_HAND] = "of the force in the hand"};
+
+/* What is expected of every quantity that can be asked for. */
+static void say_quantities(struct ladder_state *s)
+{
+    const struct ladder_scene *scene = s->scene;
+    struct ladder_scene other = *scene;
+    const int n = ladder_has_hand(scene) ? LADDER_HAND : LADDER_RMS;
+    s->scene = &other;
+    for (int k = 0; k <= n; k++) {
+        double part[N_PART], estimate;
+        enum part add;
+        other.quantity = (enum ladder_quantity)k;
+        estimate_parts(s, part);
+        estimate_verdict(s->model, scene->time, 1, 1.0, part, &estimate, &add);
+        if (other.quantity != scene->quantity)
+            printf("  and %.2g %% %s\n", 100.0 * estimate, of[k]);
+    }
+    s->scene = scene;
+}
+
 /* The parts of the error, and what no part sees. */
-static void say_error(const struct ladder_state *s, const struct tried *t)
+static void say_error(struct ladder_state *s, const struct tried *t)
 {
     if (t->doubt != GIVES_WAY) {
-        printf("Expected error %.2g %% of the largest displacement, the root "
-               "of the sum of the\nsquares of its parts (lesson 23)\n",
-               100.0 * t->estimate);
+        printf("Expected error %.2g %% %s:\nthe root of the sum of the squares "
+               "of its parts (lesson 23)\n", 100.0 * t->estimate,
+               of[s->scene->quantity]);
         for (int k = 0; k < N_PART; k++)
             if (t->part[k] > 0.0)
                 printf("  %-9s %8.2g %%  %s\n", ladder_part((enum part)k),
                        100.0 * t->part[k], says[k]);
+        say_quantities(s);
     } else
         printf("Expected error: not known, for the body gives way "
                "(lesson 23)\n");
@@ -199,8 +225,9 @@ static void say_error(const struct ladder_state *s, const struct tried *t)
     if (s->model.moving)
         printf("  whether K stays positive definite, which is not asked in "
                "motion\n");
-    printf("  the force in a hand: the load is given here, and no hand holds "
-           "the body\n");
+    if (s->scene->quantity == LADDER_HAND)
+        printf("  the force in the hand where u is: it is that of a hand which "
+               "moves its side as\n  far as the model says\n");
     if (largest_turn(s) > 1.57)
         printf("  contact: the body turns by more than a right angle, and may "
                "meet itself\n");
@@ -208,46 +235,29 @@ static void say_error(const struct ladder_state *s, const struct tried *t)
         printf("  the mesh: linear triangles lock where nu is near 1/2\n");
 }
 
-/* Seconds of one run, the least of those that half a second has time for; each
- * time so many that the clock of a browser, with steps of 0.1 ms, can tell. */
-static double seconds_of(const struct ladder_scene *scene,
-                         struct ladder_model model)
-{
-    double best = INFINITY;
-    const double start = clock_seconds();
-    do {
-        const double before = clock_seconds();
-        double took = 0.0;
-        int runs = 0;
-        for (; took < 2e-3; runs++) {
-            ladder_free(ladder_solve(scene, model));
-            took = clock_seconds() - before;
-        }
-        best = fmin(best, took / runs);
-    } while (clock_seconds() - start < 0.5);
-    return best;
-}
-
 static void say_price(const struct ladder_state *s, double within,
                       double choosing)
 {
     const struct ladder_scene *scene = s->scene;
-    const double frames =
-        s->model.moving ? floor(scene->end / scene->dt + 0.5) : 1.0;
-    const double run = seconds_of(scene, s->model);
+    const double frames = price_frames(s);
+    struct price price[FINEST + 1];
+    for (int k = 0; k <= FINEST; k++) {
+        struct ladder_model model = s->model;
+        model.level = k;
+        price[k] = price_calibrate(model);
+    }
+    const double run = price_seconds(s, price[s->model.level]);
     struct ladder_state *richest = ladder_alloc(
         scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
     const int p = richest->body->K->p, n = richest->body->n_equation;
     ladder_free(richest);
-    printf("Price\n");
-    printf("  %.2g flops per %s, %.3g ms on this machine: %s %g ms\n",
-           s->flops / frames, s->model.moving ? "step" : "solve",
-           1e3 * run / frames, run / frames <= within ? "within" : "NOT within",
-           1e3 * within);
-    if (s->model.rung != BAR) /* the band: n p^2, h^-4 */
+    printf("Price, by a calibration of this machine on another body\n");
+    printf("  %.2g flops per %s, %.3g ms: %s %g ms\n", s->flops / frames,
+           s->model.moving ? "step" : "solve", 1e3 * run / frames,
+           run / frames <= within ? "within" : "NOT within", 1e3 * within);
+    if (s->model.rung != BAR)
         printf("  about %d cells along the body would fit into %g ms\n",
-               (int)(s->mesh->n * pow(within * frames / run, 0.25)),
-               1e3 * within);
+               price_columns(s, price, FINEST + 1, within), 1e3 * within);
     /* of the logarithmic law: some six factorisations at rest, two per step */
     const double rich = matrix_cost(BANDED, n, p).flops *
                         (s->model.moving ? 2.0 * frames : 6.0);
@@ -262,6 +272,25 @@ static void say_price(const struct ladder_state *s, double within,
                "does not pay here\n");
 }
 
+static void say_true(const struct ladder_state *s, struct ladder_state *truth)
+{
+    const struct ladder_scene *scene = truth->scene;
+    struct ladder_scene other = *scene;
+    const int n = ladder_has_hand(scene) ? LADDER_HAND : LADDER_RMS;
+    printf("Verified: from that of the logarithmic law%s on one mesh finer the "
+           "answer differs\nby %.2g %% %s\n",
+           truth->model.moving ? " in motion" : "",
+           100.0 * ladder_error(s, truth), of[scene->quantity]);
+    truth->scene = &other;
+    for (int k = 0; k <= n; k++) {
+        other.quantity = (enum ladder_quantity)k;
+        if (other.quantity != scene->quantity)
+            printf("  and by %.2g %% %s\n", 100.0 * ladder_error(s, truth),
+                   of[k]);
+    }
+    truth->scene = scene;
+}
+
 static void verify(const struct ladder_state *s, enum doubt doubt)
 {
     struct ladder_scene finer = *s->scene;
@@ -273,10 +302,7 @@ static void verify(const struct ladder_state *s, enum doubt doubt)
     else if (doubt == GIVES_WAY || !ladder_stable(truth))
         printf("Verified: no, for a body that gives way may go elsewhere\n");
     else
-        printf("Verified: the answer differs by %.2g %% of the largest "
-               "displacement from that of\nthe logarithmic law%s on one mesh "
-               "finer\n", 100.0 * ladder_error(s, truth),
-               truth->model.moving ? " in motion" : "");
+        say_true(s, truth);
     ladder_free(truth);
 }
 

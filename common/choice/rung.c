@@ -44,6 +44,7 @@ static enum status bar(struct ladder_state *s)
         }
     }
     s->flops = 5.0 * n;
+    s->systems = 1;
     free(slope);
     return OK;
 }
@@ -82,6 +83,7 @@ static void linear_solve(struct ladder_state *s, const struct linear *l,
     matrix_solve(l->A, l->some);
     body_scatter(s->body, l->some, u);
     s->flops += matrix_cost(BANDED, s->body->n_equation, s->body->K->p).solve;
+    s->systems++;
     if (s->model.moving) s->flops += 20.0 * s->mesh->n_triangle;
 }
 
@@ -106,6 +108,7 @@ static enum status newton(struct ladder_state *s, double d, const double w[],
     for (size_t r = 0; r < size; r++) f[r] = share * s->f[r];
     const struct incremental Phi = {d, w, f};
     const struct step_report report = step_solve(s->body, &control, Phi, u);
+    s->systems += report.iterations;
     s->flops += report.factorisations * (cost.flops + sweep(s, 1)) +
                 report.iterations * (cost.solve + sweep(s, 0));
     free(f);

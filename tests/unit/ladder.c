@@ -1,5 +1,6 @@
 /* ladder.c - laws of common/choice/ladder.h and common/choice/estimate.h. */
 #include "choice/estimate.h"
+#include "choice/price.h"
 
 #include "unit.h"
 
@@ -523,6 +524,117 @@ static void triangles_know_what_is_beyond_their_edges(void)
     mesh_free(mesh);
 }
 
+/* Root mean squares and works, from their definitions; a hand is what is
+ * pulled, bent or pushed, and in motion is alone. */
+static void quantities_are_measured(void)
+{
+    struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .pull = {0.1, -0.02}, .weight = {0.0, -0.01}};
+    struct ladder_state *s =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    const int n = s->mesh->n, columns = n / 2 + 1;
+    double squares = 0.0, work = 0.0, half = 0.0;
+    for (int j = 0; j < 5; j++)
+        for (int i = 0; i < columns; i++)
+            for (int k = 0; k < 2; k++)
+                squares += pow(s->u[2 * (2 * j * (n + 1) + 2 * i) + k], 2);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        const int end = r / 2 % (n + 1) == n;
+        ck_assert(end || s->hand[r] == 0.0);
+        half += r % 2 ? 0.0 : s->hand[r];
+        work += s->hand[r] * s->u[r];
+    }
+    close_to(half, 0.1 * 0.5, 1e-14);
+    scene.quantity = LADDER_RMS;
+    close_to(ladder_measure(s, s->u), sqrt(squares / (5 * columns)), 1e-14);
+    scene.quantity = LADDER_HAND;
+    close_to(ladder_measure(s, s->u), fabs(work), 1e-14);
+    scene.quantity = LADDER_LARGEST;
+    close_to(ladder_measure(s, s->u), ladder_size(s, s->u), 1e-16);
+    ck_assert(ladder_has_hand(&scene));
+    scene.time = RISES;
+    ck_assert(!ladder_has_hand(&scene));
+    scene.weight[1] = 0.0;
+    ck_assert(ladder_has_hand(&scene));
+    scene.pull[0] = scene.pull[1] = 0.0;
+    ck_assert(!ladder_has_hand(&scene));
+    scene.push[1] = 1.0;
+    ck_assert(ladder_has_hand(&scene));
+    ladder_free(s);
+}
+
+/* The force in the hand: by a hand alone that moves a linear body, hand.u is
+ * hand.K^-1 hand, and an answer off by a fiftieth is off by that; what the mesh
+ * changes meets the error, which is an energy's.  Beside a weight that bends,
+ * pressed or pulled, the part of a linear law is what the cubic one changes. */
+static void the_hand_has_a_force(void)
+{
+    const struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .pull = {0.0, -0.02}, .quantity = LADDER_HAND};
+    struct ladder_state *s =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    struct ladder_state *t =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 3});
+    const double yields = ladder_measure(s, s->u);
+    const double part = moved(s, estimate_mesh);
+    close_to(relax_yields(s), yields, 1e-10 * yields);
+    close_to(part / ladder_error(s, t), 1.0, 0.3);
+    for (int r = 0; r < 2 * t->mesh->n_vertex; r++) t->u[r] *= 1.02;
+    close_to(ladder_error(t, t), 0.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] *= 1.02;
+    struct ladder_state *once =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    close_to(ladder_error(s, once), 0.02, 1e-9);
+    ladder_free(s);
+    ladder_free(t);
+    ladder_free(once);
+    static const double pull[] = {-5.0, -3.0, 2.0};
+    for (int k = 0; k < 3; k++) {
+        const struct ladder_scene two = {.slender = 4, .nu = 0.3,
+            .pull = {pull[k], 0.0}, .weight = {0.0, -0.4},
+            .quantity = LADDER_HAND};
+        double got[N_PART];
+        s = ladder_solve(&two, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        t = ladder_solve(&two, (struct ladder_model){CUBIC_PLANE, 0, 1});
+        estimate_parts(s, got);
+        const double want = ladder_error(s, t);
+        ck_assert_msg(got[STRESS] > 0.9 * want && got[STRESS] < 1.5 * want,
+                      "pulled by %g: %g, the error %g", pull[k], got[STRESS],
+                      want);
+        ladder_free(s);
+        ladder_free(t);
+    }
+}
+
+/* Systems times columns, and once; a price that is 16 times as much for twice
+ * the columns grows with their fourth power, within the levels and beyond. */
+static void prices_go_with_columns(void)
+{
+    struct ladder_state *s = solved(FAST, LINEAR_PLANE, 1, 1);
+    const double frames = price_frames(s), unit = 1e-6 / s->systems * frames;
+    const struct price price[] = {{0.0, unit}, {0.0, 8.0 * unit},
+                                  {0.0, 64.0 * unit}};
+    close_to(frames, 36.0, 1e-12);
+    ck_assert_int_eq(s->systems, 36);
+    close_to(price_seconds(s, (struct price){2.0, 0.5}), 32.0 * 20.0, 1e-9);
+    for (int n = 12; n < 300; n *= 2) /* 16 columns at level 0: 16e-6 s */
+        ck_assert_int_eq(price_columns(s, price, 3, 16e-6 *
+                                       pow((n + 0.5) / 16.0, 4)),
+                         n < 16 ? (int)(16.0 * pow((n + 0.5) / 16.0, 4)) : n);
+    ladder_free(s);
+    s = solved(FAST, BAR, 0, 0);
+    ck_assert_int_eq(s->systems, 1);
+    const struct price bar = price_calibrate(s->model);
+    const struct price plane =
+        price_calibrate((struct ladder_model){CUBIC_PLANE, 0, 1});
+    ck_assert(bar.begin == 0.0 && bar.system > 0.0);
+    ck_assert_double_gt(plane.system, 10.0 * bar.system);
+    const struct price moving =
+        price_calibrate((struct ladder_model){LINEAR_PLANE, 1, 2});
+    ck_assert_double_gt(moving.begin, moving.system);
+    ladder_free(s);
+}
+
 static void what_nobody_may_rely_on_is_named(void)
 {
     struct ladder_scene scene = ladder_scene[FAST];
@@ -634,6 +746,9 @@ static const struct unit_law laws[] = {
     {"triangles_know_what_is_beyond_their_edges",
      triangles_know_what_is_beyond_their_edges},
     {"a_swing_has_a_rival", a_swing_has_a_rival},
+    {"prices_go_with_columns", prices_go_with_columns},
+    {"quantities_are_measured", quantities_are_measured},
+    {"the_hand_has_a_force", the_hand_has_a_force},
     {"what_nobody_may_rely_on_is_named", what_nobody_may_rely_on_is_named},
 };
 
