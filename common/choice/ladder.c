@@ -3,6 +3,7 @@
 
 #include "choice/relax.h"
 #include "choice/rung.h"
+#include "plane/quadratic.h"
 #include "plane/step.h"
 
 #include <math.h>
@@ -133,12 +134,58 @@ static void load(struct ladder_state *s)
     for (int k = 0; k < n; k++)              /* half of an edge to each end */
         for (int a = corner + k; a <= corner + k + 1; a++)
             for (int i = 0; i < 2; i++)
-                hand[2 * a + i] += s->scene->push[i] / n;
+                hand[2 * a + i] +=
+                    s->scene->push[i] *
+                    (mesh->X[2 * (corner + k + 1)] -
+                     mesh->X[2 * (corner + k)]) / 2.0;
     for (int r = 0; r < 2 * mesh->n_vertex; r++) s->f[r] += hand[r];
+}
+
+/* The same for quadratic triangles, two cells of the mesh to an edge: of what
+ * is linear on it a sixth of the value at each end, two thirds in the middle.
+ */
+static void load_quadratic(struct ladder_state *s)
+{
+    const struct mesh *mesh = s->mesh;
+    const int n = mesh->n, corner = mesh->rows * (n + 1);
+    static const double share[] = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
+    quadratic_load(mesh, s->scene->weight, s->f);
+    for (int j = 0; j < mesh->rows; j += 2)
+        for (int k = 0; k < 3; k++) {
+            const int low = j * (n + 1) + n, a = low + k * (n + 1);
+            const double l = mesh->X[2 * (low + 2 * (n + 1)) + 1] -
+                             mesh->X[2 * low + 1];
+            const double turns = s->scene->couple * mesh->X[2 * a + 1];
+            s->hand[2 * a] += l * share[k] * (s->scene->pull[0] + turns);
+            s->hand[2 * a + 1] += l * share[k] * s->scene->pull[1];
+        }
+    for (int i = corner; i < corner + n; i += 2)
+        for (int k = 0; k < 3; k++)
+            for (int c = 0; c < 2; c++)
+                s->hand[2 * (i + k) + c] +=
+                    share[k] * s->scene->push[c] *
+                    (mesh->X[2 * (i + 2)] - mesh->X[2 * i]);
+    for (int r = 0; r < 2 * mesh->n_vertex; r++) s->f[r] += s->hand[r];
 }
 
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
                                   struct ladder_model model)
+{
+    return ladder_alloc_of(LINEAR_TRIANGLE, 1.0, scene, model);
+}
+
+/* Graded towards the held ends and the sides that nothing holds. */
+static void grade_mesh(struct mesh *mesh, double grade,
+                       const struct ladder_scene *scene)
+{
+    const int right = scene->held == LADDER_ENDS ? MESH_RIGHT : 0;
+    if (grade > 1.0)
+        mesh_grade(mesh, grade, MESH_LEFT | MESH_BOTTOM | MESH_TOP | right);
+}
+
+struct ladder_state *ladder_alloc_of(enum element element, double grade,
+                                     const struct ladder_scene *scene,
+                                     struct ladder_model model)
 {
     struct ladder_state *s = allocate(1, sizeof *s);
     const int n = coarsest(scene) << model.level;
@@ -147,15 +194,18 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     s->model = model;
     s->mesh =
         mesh_rectangle(n, ROWS << model.level, 1.0, 1.0 / scene->slender);
-    mirror(s->mesh);
+    grade_mesh(s->mesh, grade, scene);
+    if (element == LINEAR_TRIANGLE) mirror(s->mesh);
+    else quadratic_straighten(s->mesh);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     int *held = allocate((size_t)s->mesh->n_vertex, sizeof *held);
     for (int a = 0; a < s->mesh->n_vertex; a += n + 1) {
         held[a] = 1;
         held[a + n] = scene->held == LADDER_ENDS;
     }
-    s->body = body_alloc(s->mesh, material_make(law, 1000.0, scene->nu),
-                         model.moving ? 1.0 : 0.0, CONSISTENT, held);
+    s->body = body_alloc_of(element, s->mesh,
+                            material_make(law, 1000.0, scene->nu),
+                            model.moving ? 1.0 : 0.0, CONSISTENT, held);
     free(held);
     if (s->body->K->storage != BANDED) body_store(s->body, BANDED);
     s->f = allocate(size, sizeof *s->f);
@@ -163,7 +213,8 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     s->u = allocate(size, sizeof *s->u);
     s->v = allocate(size, sizeof *s->v);
     s->across = mesh_across(s->mesh);
-    load(s);
+    if (element == LINEAR_TRIANGLE) load(s);
+    else load_quadratic(s);
     return s;
 }
 
@@ -235,6 +286,13 @@ static int common(const struct ladder_state *s, int i, int j)
     return fine * (j * (s->mesh->n + 1) + i);
 }
 
+/* Whether that is where it was before mesh_grade(). */
+static int stays(const struct ladder_state *s, int i)
+{
+    const double X = -1.0 + 2.0 * i / coarsest(s->scene);
+    return fabs(s->mesh->X[2 * common(s, i, 0)] - X) < 1e-9;
+}
+
 /* The largest |u - v| at these vertices, or the root mean square; v NULL: 0,
  * else that of `other`. */
 static double apart(const struct ladder_state *s, const double u[],
@@ -243,17 +301,19 @@ static double apart(const struct ladder_state *s, const double u[],
 {
     const int n = coarsest(s->scene);
     double most = 0.0, squares = 0.0;
+    int count = 0;
     for (int j = 0; j <= ROWS; j++)
         for (int i = 0; i <= n; i++) {
+            if (!stays(s, i) || (v && !stays(other, i))) continue;
             const double *a = &u[2 * common(s, i, j)];
             const double *b = v ? &v[2 * common(other, i, j)] : NULL;
             const double off = b ? hypot(a[0] - b[0], a[1] - b[1])
                                  : hypot(a[0], a[1]);
             most = fmax(most, off);
             squares += off * off;
+            count++;
         }
-    return quantity == LADDER_RMS ? sqrt(squares / ((ROWS + 1) * (n + 1)))
-                                  : most;
+    return quantity == LADDER_RMS ? sqrt(squares / count) : most;
 }
 
 static double work_of_hand(const struct ladder_state *s, const double u[])

@@ -115,6 +115,13 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
                                   struct ladder_model model);
 void ladder_free(struct ladder_state *state);
 
+/* The same on the same vertices with other triangles, quadratic ones, or graded
+ * towards what is held and the free sides by mesh_grade(): what the estimates
+ * of relax.h say of such a mesh means nothing. */
+struct ladder_state *ladder_alloc_of(enum element element, double grade,
+                                     const struct ladder_scene *scene,
+                                     struct ladder_model model);
+
 /* ... and solved by the model. */
 struct ladder_state *ladder_solve(const struct ladder_scene *scene,
                                   struct ladder_model model);
@@ -144,8 +151,9 @@ double *ladder_momentum(const struct ladder_state *state);
 struct ladder_model ladder_truth(const struct ladder_scene *scene);
 double ladder_step(const struct ladder_state *state);
 
-/* max |u| over the vertices of the coarsest mesh (m), and what the error is one
- * of: that, the root mean square over them (m), or |hand.u| (J). */
+/* max |u| over the vertices of the coarsest mesh (m), where mesh_grade() has
+ * not moved them, and what the error is one of: that, the root mean square over
+ * them (m), or |hand.u| (J). */
 double ladder_size(const struct ladder_state *state, const double u[]);
 double ladder_measure(const struct ladder_state *state, const double u[]);
 

@@ -10,11 +10,13 @@
 enum { CAP = 400 }; /* linear systems of one solve */
 
 /* Flops of one pass over the triangles: 60 for F, P and the forces, 40 more for
- * a logarithm, 150 for the tangent. */
+ * a logarithm, 150 for the tangent; of quadratic ones 400, and 1300. */
 static double sweep(const struct ladder_state *s, int tangent)
 {
     const double each = s->model.rung == LINEAR_PLANE ? 60.0
                         : s->model.rung == CUBIC_PLANE ? 80.0 : 120.0;
+    if (s->body->element == QUADRATIC_TRIANGLE)
+        return s->body->n_element * (tangent ? 1700.0 : 400.0);
     return s->mesh->n_triangle * (each + (tangent ? 150.0 : 0.0));
 }
 

@@ -23,7 +23,7 @@ static const char *const name[] = {
     "arch", "buckled", "flap", "guyed", "harder", "leaning", "plunge",
     "pressed", "probe", "section", "stout", "straight", "stretch", "strip",
     "thread", "tremor"};
-enum { SCENES = sizeof name / sizeof *name, FINEST = 2 };
+enum { ALL = sizeof name / sizeof *name, FINEST = 2 };
 static const double tolerance = 0.1;
 
 /* The least seconds of the solve; what allocates is left out, as in price.h. */
@@ -72,14 +72,14 @@ int main(void)
     study_machine();
     table_begin("choose", "scene model state mesh systems predicted_ms "
                           "measured_ms over");
-    for (int k = 0; k < SCENES; k++) {
+    for (int k = 0; k < ALL; k++) {
         const double off = print_scene(name[k]);
         within += off <= 1.5;
         worst = fmax(worst, off);
     }
     table_end();
     table_begin("within", "line scenes within worst");
-    table_row("all", (int)SCENES, within, worst);
+    table_row("all", (int)ALL, within, worst);
     table_end();
     return table_finish();
 }

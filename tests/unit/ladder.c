@@ -1,6 +1,8 @@
 /* ladder.c - laws of common/choice/ladder.h and common/choice/estimate.h. */
+#include "choice/cells.h"
 #include "choice/estimate.h"
 #include "choice/price.h"
+#include "choice/rung.h"
 
 #include "unit.h"
 
@@ -635,6 +637,73 @@ static void prices_go_with_columns(void)
     ladder_free(s);
 }
 
+/* Loads of quadratic and graded triangles are those of the linear ones; they
+ * bend as a body does whose mesh is twice as fine, or more. */
+static void other_triangles_have_the_same_load(void)
+{
+    struct ladder_scene scene = {.slender = 2, .nu = 0.3, .couple = 7.0,
+        .pull = {0.4, -0.2}, .push = {0.3, -0.1}, .weight = {0.5, -0.6}};
+    struct ladder_state *one = ladder_alloc(
+        &scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    for (int k = 0; k < 3; k++) {
+        struct ladder_state *s = ladder_alloc_of(
+            k ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE, k < 2 ? 2.0 : 1.0,
+            &scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        double sum[2][3] = {{0.0}}; /* along, across, and turning */
+        for (int w = 0; w < 2; w++) {
+            const struct ladder_state *of = w ? one : s;
+            for (int r = 0; r < 2 * of->mesh->n_vertex; r += 2) {
+                const double *X = &of->mesh->X[r], *f = &of->f[r];
+                sum[w][0] += f[0] + 3.0 * of->hand[r];
+                sum[w][1] += f[1] + 3.0 * of->hand[r + 1];
+                sum[w][2] += X[0] * f[1] - X[1] * f[0];
+            }
+        }
+        for (int i = 0; i < 3; i++) close_to(sum[0][i], sum[1][i], 1e-12);
+        ck_assert_int_eq(s->body->element == QUADRATIC_TRIANGLE, k > 0);
+        ladder_free(s);
+    }
+    ladder_free(one);
+}
+
+/* What they say of each mesh's error is what a finer one says. */
+static void cells_say_what_a_finer_mesh_says(void)
+{
+    const struct ladder_scene scene = {.slender = 2, .nu = 0.4,
+        .weight = {0.0, -2.0}};
+    struct cells cells[CELLS_KINDS * CELLS_LEVELS];
+    ck_assert(cells_compare(&scene, CUBIC_PLANE, cells));
+    struct ladder_state *fine = ladder_alloc_of(
+        QUADRATIC_TRIANGLE, 1.0, &scene,
+        (struct ladder_model){CUBIC_PLANE, 0, CELLS_LEVELS});
+    fine->status = rung_solve(fine);
+    for (int k = 0; k < CELLS_KINDS * CELLS_LEVELS; k++) {
+        const struct cells *c = &cells[k];
+        struct ladder_state *s = ladder_alloc_of(
+            c->element, c->grade, &scene,
+            (struct ladder_model){CUBIC_PLANE, 0, c->level});
+        s->status = rung_solve(s);
+        const double error = ladder_error(s, fine);
+        ck_assert(c->solved && c->flops == s->flops);
+        ck_assert_msg(c->error > error && c->error < 1.3 * error + 1e-2,
+                      "kind %d: %g, the error %g", k, c->error, error);
+        ladder_free(s);
+    }
+    ladder_free(fine);
+    for (int k = 0; k < 3; k++) {
+        const double room = 0.1 / pow(3.0, k);
+        const struct cells *best = cells_cheapest(cells, room);
+        ck_assert(best && best->error <= room);
+        for (int i = 0; i < CELLS_KINDS * CELLS_LEVELS; i++)
+            ck_assert(cells[i].error > room || cells[i].flops >= best->flops);
+    }
+    ck_assert(!cells_cheapest(cells, 1e-6));
+    const struct ladder_scene column = {.slender = 4, .nu = 0.3,
+        .pull = {-20.0, 0.0}};
+    ck_assert(!cells_compare(&column, LINEAR_PLANE, cells)); /* it buckles */
+    ck_assert(!cells_cheapest(cells, 10.0));
+}
+
 static void what_nobody_may_rely_on_is_named(void)
 {
     struct ladder_scene scene = ladder_scene[FAST];
@@ -746,6 +815,9 @@ static const struct unit_law laws[] = {
     {"triangles_know_what_is_beyond_their_edges",
      triangles_know_what_is_beyond_their_edges},
     {"a_swing_has_a_rival", a_swing_has_a_rival},
+    {"other_triangles_have_the_same_load",
+     other_triangles_have_the_same_load},
+    {"cells_say_what_a_finer_mesh_says", cells_say_what_a_finer_mesh_says},
     {"prices_go_with_columns", prices_go_with_columns},
     {"quantities_are_measured", quantities_are_measured},
     {"the_hand_has_a_force", the_hand_has_a_force},
