@@ -11,7 +11,7 @@
  * PREDICT 2 part that is inertia, of the shaken block at rest (rung 2): ...
  * Plot: ladder rung estimate
  */
-#include "choice/relax.h"
+#include "choice/estimate.h"
 #include "choice/scene_file.h"
 #include "base/options.h"
 #include "base/table.h"
@@ -23,29 +23,20 @@
 /*
  * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
  * all triangles [eq:left-geometry]; 0 where u = 0.
- *
- * part[LAW] = |P_cubic - P_log| / |P_log| in uniaxial strain, F = J, at the
- * least and at the largest J of all triangles and of 1, the larger of the two
- * [eq:left-law]; at most 1, and 1 where a J is not > 0.  J = 1 counts 0.
  */
-static void shape_parts(const struct ladder_state *s, double part[N_PART])
+static void shape_part(const struct ladder_state *s, double part[N_PART])
 {
-    struct material cubic = s->body->material, logarithm = cubic;
-    cubic.law = CUBIC;
-    logarithm.law = LOG;
-    /* SLOT 23a(s, part, &cubic, &logarithm): one loop over s->mesh->n_triangle
-     * triangles for both. F is body_deformation(s->body, s->u, e), |H| is
-     * mat2_norm(H), and a stress is material1_pk1(&cubic, J). */
-    todo("23a", s, part, &cubic, &logarithm);
+    /* SLOT 23a(s, part): one loop over s->mesh->n_triangle triangles. F is
+     * body_deformation(s->body, s->u, e), and |H| is mat2_norm(H). */
+    todo("23a", s, part);
     /* END 23a */
 }
 
 /*
  * The forces that a mesh leaves out [eq:left-mesh]: g += int (P + p I - what is
  * recovered) grad N.  Of P that is the mean of the triangle's three edges, each
- * the mean of the two triangles that meet there, weighted with their areas; of
- * p the mean of its three vertices, each the mean of all triangles around, so
- * too.
+ * the mean of the two triangles there, of p the mean of its vertices, each that
+ * of all triangles around; the areas are the weights of what is averaged.
  */
 static void mesh_forces(const struct ladder_state *s,
                         const struct relax_field *of, double g[])
@@ -137,7 +128,8 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         double part[N_PART], estimate, *Mu = ladder_momentum(s);
         enum part add;
         const int stable = ladder_stable(s);
-        shape_parts(s, part);
+        part[LAW] = estimate_law(s); /* [eq:left-law], as in lesson 02 */
+        shape_part(s, part);
         relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,

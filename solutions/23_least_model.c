@@ -11,7 +11,7 @@
  * PREDICT 2 part that is inertia, of the shaken block at rest (rung 2): ...
  * Plot: ladder rung estimate
  */
-#include "choice/relax.h"
+#include "choice/estimate.h"
 #include "choice/scene_file.h"
 #include "base/options.h"
 #include "base/table.h"
@@ -23,20 +23,12 @@
 /*
  * part[GEOMETRY] = max |H^T H| / 2 over max |H|, H = F - I, each maximum over
  * all triangles [eq:left-geometry]; 0 where u = 0.
- *
- * part[LAW] = |P_cubic - P_log| / |P_log| in uniaxial strain, F = J, at the
- * least and at the largest J of all triangles and of 1, the larger of the two
- * [eq:left-law]; at most 1, and 1 where a J is not > 0.  J = 1 counts 0.
  */
-static void shape_parts(const struct ladder_state *s, double part[N_PART])
+static void shape_part(const struct ladder_state *s, double part[N_PART])
 {
-    struct material cubic = s->body->material, logarithm = cubic;
-    cubic.law = CUBIC;
-    logarithm.law = LOG;
-    /* SLOT 23a(s, part, &cubic, &logarithm): one loop over s->mesh->n_triangle
-     * triangles for both. F is body_deformation(s->body, s->u, e), |H| is
-     * mat2_norm(H), and a stress is material1_pk1(&cubic, J). */
-    double forgotten = 0.0, most = 0.0, J[2] = {1.0, 1.0};
+    /* SLOT 23a(s, part): one loop over s->mesh->n_triangle triangles. F is
+     * body_deformation(s->body, s->u, e), and |H| is mat2_norm(H). */
+    double forgotten = 0.0, most = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
         const mat2 H = mat2_subtract(F, mat2_identity());
@@ -44,27 +36,16 @@ static void shape_parts(const struct ladder_state *s, double part[N_PART])
         const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
         forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
         most = fmax(most, mat2_norm(H));
-        J[0] = fmin(J[0], mat2_det(F));
-        J[1] = fmax(J[1], mat2_det(F));
     }
     part[GEOMETRY] = most > 0.0 ? forgotten / most : 0.0;
-    part[LAW] = J[0] > 0.0 ? 0.0 : 1.0;
-    if (!(J[0] > 0.0)) return; /* the log law has no stress there */
-    for (int k = 0; k < 2; k++) {
-        const double P = material1_pk1(&logarithm, J[k]);
-        const double off = fabs(material1_pk1(&cubic, J[k]) - P);
-        /* at J = 1 it would be 0 / 0 */
-        if (J[k] != 1.0) part[LAW] = fmax(part[LAW], fmin(1.0, off / fabs(P)));
-    }
     /* END 23a */
 }
 
 /*
  * The forces that a mesh leaves out [eq:left-mesh]: g += int (P + p I - what is
  * recovered) grad N.  Of P that is the mean of the triangle's three edges, each
- * the mean of the two triangles that meet there, weighted with their areas; of
- * p the mean of its three vertices, each the mean of all triangles around, so
- * too.
+ * the mean of the two triangles there, of p the mean of its vertices, each that
+ * of all triangles around; the areas are the weights of what is averaged.
  */
 static void mesh_forces(const struct ladder_state *s,
                         const struct relax_field *of, double g[])
@@ -214,7 +195,8 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         double part[N_PART], estimate, *Mu = ladder_momentum(s);
         enum part add;
         const int stable = ladder_stable(s);
-        shape_parts(s, part);
+        part[LAW] = estimate_law(s); /* [eq:left-law], as in lesson 02 */
+        shape_part(s, part);
         relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,

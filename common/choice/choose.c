@@ -3,14 +3,15 @@
  * of one's own, each with its reason and the lesson that it rests on.
  *
  * The ladder of ladder.h is climbed from the bar up, as lesson 23 does; what is
- * printed is the last rung.  Seconds are measured on the machine at hand, for
- * half a second at most.
+ * printed is the last rung.  Seconds are those of price.h, which calibrates for
+ * a second at most.
  */
-#include "choice/estimate.h"
-#include "choice/scene_file.h"
+#include "choice/cells.h"
+#include "choice/chosen.h"
+#include "choice/price.h"
+#include "choice/rung.h"
 #include "base/clock.h"
 #include "base/options.h"
-#include "linear/sparse.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -19,235 +20,29 @@
 
 enum { FINEST = 2 };
 
-/* The largest angle (rad) of the rotation in F. */
-static double largest_turn(const struct ladder_state *s)
-{
-    double turn = 0.0;
-    for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const mat2 F = body_deformation(s->body, s->u, e);
-        turn = fmax(turn, fabs(atan2(F.m[1][0] - F.m[0][1],
-                                     F.m[0][0] + F.m[1][1])));
-    }
-    return turn;
-}
-
-/* Why nobody may rely on what the parts say. */
-static const char *const doubts[] = {
-    [TORN] = "the load is more than a body of this E can bear",
-    [LONG_STEPS] = "the steps are too long for a body that swings so fast: "
-                   "make 'end' shorter",
-    [GIVES_WAY] = "the body gives way under this load: K is not positive "
-                  "definite (lesson 15)"};
-
-/* What a part of the error comes from. */
-static const char *const says[N_PART] = {
-    [GEOMETRY] = "the linear law knows no turn and no square of the strain",
-    [LAW] = "the cubic law stands in place of the logarithm",
-    [DIMENSION] = "a bar neither bends nor is held wide",
-    [INERTIA] = "at rest nothing swings",
-    [MESH] = "the cells have a size",
-    [STRESS] = "in the linear law stress does not turn with the body"};
-
-/* The models that were tried, what is said of them, and what is added next. */
-struct tried {
-    struct ladder_model model;
-    double part[N_PART], estimate;
-    enum part add;
-    enum doubt doubt;
-};
-
-static void say_climb(const struct tried tried[], int n)
-{
-    printf("Tried, from the least model on (lesson 23)\n");
-    for (int k = 0; k < n; k++) {
-        const char *end = k < n - 1 ? "," : "";
-        printf("  %s %s, mesh %d: ", ladder_rung(tried[k].model.rung),
-               tried[k].model.moving ? "in motion" : "at rest",
-               tried[k].model.level);
-        if (tried[k].doubt == GIVES_WAY) {
-            printf("gives way, for K is not positive definite\n");
-            continue;
-        }
-        if (tried[k].estimate < 1.0)
-            printf("expected error %.2g %%%s\n", 100.0 * tried[k].estimate,
-                   end);
-        else
-            printf("expected error 100 %% or more%s\n", end);
-        if (k < n - 1) printf("    most of all since %s\n", says[tried[k].add]);
-    }
-}
-
-static void say_numbers(const struct scene_file *file,
-                        const struct ladder_state *s)
-{
-    const struct ladder_scene *scene = s->scene;
-    const double strain = estimate_strain(s), turn = largest_turn(s);
-    double N = 0.0;
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2) N += s->f[r];
-    N /= ladder_buckles(scene);
-    printf("Scene %s, %g m long, in numbers without dimension\n", file->name,
-           2.0 * file->metre);
-    printf("  largest strain %.2g, largest turn %.2g rad: where they are 0.1, "
-           "linear\n  elasticity errs by 5 to 10 %% (lesson 9)\n", strain,
-           turn);
-    printf("  length over height %.3g, Poisson's ratio %g%s (lesson 12)\n",
-           scene->slender, scene->nu,
-           scene->nu >= 0.45 ? ": linear triangles lock, quadratic ones do not"
-                             : "");
-    if (scene->held == LADDER_LEFT && fabs(N) < 5e-3)
-        printf("  hardly loaded along its axis (lesson 23)\n");
-    else if (scene->held == LADDER_LEFT)
-        printf("  %s along its axis by %.2g times the load at which it buckles "
-               "(lesson 23)\n", N < 0.0 ? "pressed" : "pulled", fabs(N));
-    if (scene->time != STANDS)
-        printf("  1 / (omega T) %.2g: inertia counts where it is not small "
-               "(lesson 23)\n", estimate_inertia(s));
-    if (s->model.moving) {
-        const double sound = sqrt(material_modulus(&s->body->material));
-        printf("  fastest motion over speed of sound %.2g, its jump per step "
-               "over a cell %.2g:\n  beyond 1 triangles may turn inside out "
-               "(lesson 14)\n", s->fastest / sound,
-               s->fastest * scene->dt * s->mesh->n / 2.0);
-    }
-}
-
-/* What one factorisation costs by each solver, and which one to take. */
-static void say_solver(const struct ladder_state *s)
-{
-    if (s->model.rung == BAR) {
-        printf("  solver: a sum along the bar, %d unknowns (lesson 9)\n",
-               s->mesh->n);
-        return;
-    }
-    struct ladder_state *other = ladder_alloc(s->scene, s->model);
-    const int n = other->body->n_equation, p = other->body->K->p;
-    const int by_dissection = s->mesh->rows >= BODY_SPARSE_FROM;
-    body_store(other->body, SPARSE);
-    printf("  solver: Cholesky factors %s, %d unknowns (lesson 21):\n    a "
-           "factorisation has %.2g flops in a band, %.2g by dissection, %.2g "
-           "dense;\n    the band is the faster one below %d cells across\n",
-           by_dissection ? "by dissection" : "of a band", n,
-           matrix_cost(BANDED, n, p).flops, other->body->pattern->flops,
-           matrix_cost(DENSE, n, 0).flops, BODY_SPARSE_FROM);
-    ladder_free(other);
-}
-
-static void say_model(const struct scene_file *file,
-                      const struct ladder_state *s, double tolerance,
-                      int enough)
-{
-    static const char *const model[] = {
-        "a bar (lesson 9)", "linear triangles, linear law (lesson 12)",
-        "linear triangles, cubic Neo-Hookean law (lesson 12)",
-        "linear triangles, logarithmic Neo-Hookean law (lesson 12)"};
-    static const char *const why[] = {
-        "it hardly bends", "turn, strain and stress are small enough",
-        ("it turns or strains too much for the linear law, or is under stress "
-         "that turns"),
-        "J is far from 1, where the cubic law departs from it"};
-    const struct ladder_scene *scene = s->scene;
-    if (enough)
-        printf("The least model for an error of %g %%\n", 100.0 * tolerance);
-    else
-        printf("NOT SURE: no model here is known to be enough for an error of "
-               "%g %%.\nThe last one tried is\n", 100.0 * tolerance);
-    printf("  %s:\n    %s\n", model[s->model.rung], why[s->model.rung]);
-    printf("  %s\n", s->model.moving ?
-           "in motion: the load moves as fast as the body swings (lesson 14)" :
-           scene->time == STANDS ? "at rest: the load stands (lesson 12)"
-                                 : "at rest: the load is slow (lesson 14)");
-    printf("  mesh %d, of %d x %d cells (lesson 12; with quadratic "
-           "triangles or graded,\n  fewer may do: lesson 25)\n",
-           s->model.level, s->mesh->n, s->mesh->rows);
-    if (s->model.moving)
-        printf("  implicit midpoint rule, %.0f steps of %.3g s, omega dt %.2g "
-               "(lesson 14)\n", scene->end / scene->dt,
-               scene->dt * file->second, estimate_frequency(s) * scene->dt);
-    say_solver(s);
-    if (s->model.rung > LINEAR_PLANE)
-        printf("  cures to switch on: line search (lesson 11), projection on "
-               "demand (lesson 15)\n");
-}
-
-/* The parts of the error, and what no part sees. */
-static void say_error(const struct ladder_state *s, const struct tried *t)
-{
-    if (t->doubt != GIVES_WAY) {
-        printf("Expected error %.2g %% of the largest displacement, the root "
-               "of the sum of the\nsquares of its parts (lesson 23)\n",
-               100.0 * t->estimate);
-        for (int k = 0; k < N_PART; k++)
-            if (t->part[k] > 0.0)
-                printf("  %-9s %8.2g %%  %s\n", ladder_part((enum part)k),
-                       100.0 * t->part[k], says[k]);
-    } else
-        printf("Expected error: not known, for the body gives way "
-               "(lesson 23)\n");
-    printf("Not sure of\n");
-    if (t->doubt == TORN)
-        printf("  the answer as a whole:\n    the strain is beyond %g: %s\n",
-               ESTIMATE_STRAIN, doubts[TORN]);
-    else if (t->doubt != NO_DOUBT)
-        printf("  the answer as a whole:\n    %s\n", doubts[t->doubt]);
-    printf("  the estimate: the error was up to 1.9 times as large in "
-           "the twelve scenes of\n  lesson 23, and seldom far more in random "
-           "ones\n");
-    if (s->model.moving && s->rival > 0.9)
-        printf("  the moment: another peak of the load's work is %.0f %% as "
-               "high, and there u\n  differs by %.2g %%\n", 100.0 * s->rival,
-               100.0 * s->apart / ladder_size(s, s->u));
-    if (s->model.moving)
-        printf("  whether K stays positive definite, which is not asked in "
-               "motion\n");
-    printf("  the force in a hand: the load is given here, and no hand holds "
-           "the body\n");
-    if (largest_turn(s) > 1.57)
-        printf("  contact: the body turns by more than a right angle, and may "
-               "meet itself\n");
-    if (s->scene->nu >= 0.45)
-        printf("  the mesh: linear triangles lock where nu is near 1/2\n");
-}
-
-/* Seconds of one run, the least of those that half a second has time for; each
- * time so many that the clock of a browser, with steps of 0.1 ms, can tell. */
-static double seconds_of(const struct ladder_scene *scene,
-                         struct ladder_model model)
-{
-    double best = INFINITY;
-    const double start = clock_seconds();
-    do {
-        const double before = clock_seconds();
-        double took = 0.0;
-        int runs = 0;
-        for (; took < 2e-3; runs++) {
-            ladder_free(ladder_solve(scene, model));
-            took = clock_seconds() - before;
-        }
-        best = fmin(best, took / runs);
-    } while (clock_seconds() - start < 0.5);
-    return best;
-}
-
 static void say_price(const struct ladder_state *s, double within,
                       double choosing)
 {
     const struct ladder_scene *scene = s->scene;
-    const double frames =
-        s->model.moving ? floor(scene->end / scene->dt + 0.5) : 1.0;
-    const double run = seconds_of(scene, s->model);
+    const double frames = price_frames(s);
+    struct price price[FINEST + 1];
+    for (int k = 0; k <= FINEST; k++) {
+        struct ladder_model model = s->model;
+        model.level = k;
+        price[k] = price_calibrate(model);
+    }
+    const double run = price_seconds(s, price[s->model.level]);
     struct ladder_state *richest = ladder_alloc(
         scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
     const int p = richest->body->K->p, n = richest->body->n_equation;
     ladder_free(richest);
-    printf("Price\n");
-    printf("  %.2g flops per %s, %.3g ms on this machine: %s %g ms\n",
-           s->flops / frames, s->model.moving ? "step" : "solve",
-           1e3 * run / frames, run / frames <= within ? "within" : "NOT within",
-           1e3 * within);
-    if (s->model.rung != BAR) /* the band: n p^2, h^-4 */
+    printf("Price, by a calibration of this machine on another body\n");
+    printf("  %.2g flops per %s, %.3g ms: %s %g ms\n", s->flops / frames,
+           s->model.moving ? "step" : "solve", 1e3 * run / frames,
+           run / frames <= within ? "within" : "NOT within", 1e3 * within);
+    if (s->model.rung != BAR)
         printf("  about %d cells along the body would fit into %g ms\n",
-               (int)(s->mesh->n * pow(within * frames / run, 0.25)),
-               1e3 * within);
+               price_columns(s, price, FINEST + 1, within), 1e3 * within);
     /* of the logarithmic law: some six factorisations at rest, two per step */
     const double rich = matrix_cost(BANDED, n, p).flops *
                         (s->model.moving ? 2.0 * frames : 6.0);
@@ -262,7 +57,67 @@ static void say_price(const struct ladder_state *s, double within,
                "does not pay here\n");
 }
 
-static void verify(const struct ladder_state *s, enum doubt doubt)
+/* The scene at rest with other triangles. */
+static struct ladder_state *solved(const struct ladder_scene *scene,
+                                   enum rung rung, enum element element,
+                                   double grade, int level)
+{
+    struct ladder_state *s = ladder_alloc_of(
+        element, grade, scene, (struct ladder_model){rung, 0, level});
+    s->status = rung_solve(s);
+    return s;
+}
+
+/* The triangles that need the fewest flops for what is left of the tolerance
+ * beside the other parts; NULL: none, or nobody knows. */
+static const struct cells *other_triangles(const struct ladder_state *s,
+                                           const struct chosen_tried *t,
+                                           double tolerance)
+{
+    static struct cells cells[CELLS_KINDS * CELLS_LEVELS];
+    const double others =
+        sqrt(fmax(0.0, pow(t->estimate, 2) - pow(t->part[MESH], 2)));
+    if (s->model.rung == BAR || t->doubt != NO_DOUBT || others >= tolerance ||
+        !cells_compare(s->scene, s->model.rung, cells))
+        return NULL;
+    return cells_cheapest(cells, sqrt(pow(tolerance, 2) - pow(others, 2)));
+}
+
+static void say_triangles(const struct ladder_state *s, const struct cells *c)
+{
+    printf("Element%s (lesson 25)\n",
+           s->model.moving ? ", judged at rest under the full load" : "");
+    if (!c) {
+        printf("  no triangles here are known to be fine enough\n");
+        return;
+    }
+    printf("  the cheapest that are fine enough: %s triangles, mesh %d, %s:\n"
+           "  the mesh's part is %.2g %%, for %.2g flops at rest\n",
+           cells_name(c->element), c->level, c->grade > 1.0 ?
+           "graded to the corners" : "even", 100.0 * c->error, c->flops);
+}
+
+static void say_true(const struct ladder_state *s, struct ladder_state *truth)
+{
+    const struct ladder_scene *scene = truth->scene;
+    struct ladder_scene other = *scene;
+    const int n = ladder_has_hand(scene) ? LADDER_HAND : LADDER_RMS;
+    printf("Verified: from that of the logarithmic law%s on one mesh finer the "
+           "answer differs\nby %.2g %% %s\n",
+           truth->model.moving ? " in motion" : "",
+           100.0 * ladder_error(s, truth), chosen_quantity(scene->quantity));
+    truth->scene = &other;
+    for (int k = 0; k <= n; k++) {
+        other.quantity = (enum ladder_quantity)k;
+        if (other.quantity != scene->quantity)
+            printf("  and by %.2g %% %s\n", 100.0 * ladder_error(s, truth),
+                   chosen_quantity(other.quantity));
+    }
+    truth->scene = scene;
+}
+
+static void verify(const struct ladder_state *s, enum doubt doubt,
+                   const struct cells *other)
 {
     struct ladder_scene finer = *s->scene;
     finer.finest = s->model.level;
@@ -273,17 +128,24 @@ static void verify(const struct ladder_state *s, enum doubt doubt)
     else if (doubt == GIVES_WAY || !ladder_stable(truth))
         printf("Verified: no, for a body that gives way may go elsewhere\n");
     else
-        printf("Verified: the answer differs by %.2g %% of the largest "
-               "displacement from that of\nthe logarithmic law%s on one mesh "
-               "finer\n", 100.0 * ladder_error(s, truth),
-               truth->model.moving ? " in motion" : "");
+        say_true(s, truth);
+    ladder_free(truth);
+    if (!other || s->model.moving || doubt != NO_DOUBT) return;
+    struct ladder_state *q = solved(s->scene, s->model.rung, other->element,
+                                    other->grade, other->level);
+    truth = solved(s->scene, LOG_PLANE, QUADRATIC_TRIANGLE, 1.0, CELLS_LEVELS);
+    if (truth->status == OK && ladder_stable(truth))
+        printf("  the %s triangles of mesh %d by %.2g %%, from quadratic ones "
+               "on one finer still\n", cells_name(other->element),
+               other->level, 100.0 * ladder_error(q, truth));
+    ladder_free(q);
     ladder_free(truth);
 }
 
 /* For figures/scene.gp: the parts of the error (%), and the triangles (m). */
 static void write_picture(const char *path, const struct scene_file *file,
-                          const struct ladder_state *s, const struct tried *t,
-                          double tolerance)
+                          const struct ladder_state *s,
+                          const struct chosen_tried *t, double tolerance)
 {
     FILE *out = fopen(path, "w");
     if (!out) die("%s: cannot be written", path);
@@ -305,6 +167,36 @@ static void write_picture(const char *path, const struct scene_file *file,
     if (fclose(out) != 0) die("%s: cannot be written", path);
 }
 
+/* What is asked for: the error and the seconds that may be. */
+struct asked {
+    double error, within;
+    int check;
+    const char *picture;
+};
+
+/* The climb has ended with s, tried[n - 1], and everything is said.  Whether it
+ * is enough, or the same law with other triangles. */
+static int end(const struct scene_file *file, const struct asked *asked,
+               struct ladder_state *s, const struct chosen_tried tried[], int n,
+               int enough, double start)
+{
+    const struct chosen_tried *t = &tried[n - 1];
+    const struct cells *c = other_triangles(s, t, asked->error);
+    const double choosing = clock_seconds() - start;
+    const int others = !enough && c && !s->model.moving;
+    chosen_say_numbers(file, s);
+    chosen_say_climb(tried, n);
+    chosen_say_model(file, s, asked->error, enough ? CHOSEN_LAST : others
+                     ? CHOSEN_WITH_OTHERS : CHOSEN_NOTHING);
+    if (s->model.rung != BAR && t->doubt == NO_DOUBT) say_triangles(s, c);
+    chosen_say_error(s, t);
+    say_price(s, asked->within, choosing);
+    if (asked->check) verify(s, t->doubt, c);
+    if (asked->picture && t->doubt != GIVES_WAY)
+        write_picture(asked->picture, file, s, t, asked->error);
+    return enough || others;
+}
+
 int main(int argc, char *argv[])
 {
     const char *path = NULL, *picture = NULL;
@@ -322,6 +214,7 @@ int main(int argc, char *argv[])
          .help = "what figures/scene.gp draws"},
     };
     struct scene_file file;
+    struct asked asked;
     options_parse("choose", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
     if (!path) options_refuse("choose", "--scene is missing; -h lists them");
@@ -329,9 +222,10 @@ int main(int argc, char *argv[])
 
     const struct ladder_scene *scene = &file.scene;
     struct ladder_model model = ladder_first(scene);
+    asked = (struct asked){error / 100.0, within / 1e3, check, picture};
     const double start = clock_seconds();
     int enough = 0, n = 0;
-    struct tried tried[16]; /* each adds a rung, motion or one of FINEST */
+    struct chosen_tried tried[16]; /* each adds a rung, motion or a level */
     for (int more = 1; more;) {
         struct ladder_state *s = ladder_solve(scene, model);
         if (s->status != OK)
@@ -339,26 +233,16 @@ int main(int argc, char *argv[])
                 "every equilibrium%s", path, ladder_rung(model.rung),
                 status_name(s->status), model.moving ? ", or the steps too "
                 "long: make 'end' shorter" : "");
-        struct tried *t = &tried[n++];
+        struct chosen_tried *t = &tried[n++];
         t->model = model;
         t->doubt = estimate_doubt(s);
         estimate_parts(s, t->part);
         enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
-                                  error / 100.0, t->part, &t->estimate,
+                                  asked.error, t->part, &t->estimate,
                                   &t->add);
         more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried) &&
                ladder_add(scene, t->add, &model);
-        if (!more) {
-            const double choosing = clock_seconds() - start;
-            say_numbers(&file, s);
-            say_climb(tried, n);
-            say_model(&file, s, error / 100.0, enough);
-            say_error(s, t);
-            say_price(s, within / 1e3, choosing);
-            if (check) verify(s, t->doubt);
-            if (picture && t->doubt != GIVES_WAY)
-                write_picture(picture, &file, s, t, error / 100.0);
-        }
+        if (!more) enough = end(&file, &asked, s, tried, n, enough, start);
         ladder_free(s);
     }
     return enough ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,7 +1,9 @@
 /* ladder.c - see ladder.h. */
 #include "choice/ladder.h"
 
+#include "choice/relax.h"
 #include "choice/rung.h"
+#include "plane/quadratic.h"
 #include "plane/step.h"
 
 #include <math.h>
@@ -31,6 +33,15 @@ const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS] = {
     {"leaning", 4, 0.3, .pull = {-8.0, -0.08}, .finest = 2},
     {"arch", 8, 0.3, .weight = {0.0, -0.4}, .pull = {6.0, 0.0}, .finest = 2},
 };
+
+int ladder_has_hand(const struct ladder_scene *s)
+{
+    const int weighs = s->weight[0] != 0.0 || s->weight[1] != 0.0;
+    const int pulls = s->pull[0] != 0.0 || s->pull[1] != 0.0 ||
+                      s->couple != 0.0 || s->push[0] != 0.0 ||
+                      s->push[1] != 0.0;
+    return pulls && (s->time == STANDS || !weighs);
+}
 
 struct ladder_scene ladder_loaded(const struct ladder_scene *of, double load)
 {
@@ -96,8 +107,8 @@ static void mirror(struct mesh *mesh)
         }
 }
 
-/* f := int (weight) N_a + int (pull, couple) N_a on the right end + int (push)
- * N_a on the upper side. */
+/* hand := int (pull, couple) N_a on the right end + int (push) N_a on the upper
+ * side, f := hand + int (weight) N_a. */
 static void load(struct ladder_state *s)
 {
     const struct mesh *mesh = s->mesh;
@@ -107,6 +118,7 @@ static void load(struct ladder_state *s)
             for (int i = 0; i < 2; i++)
                 s->f[2 * mesh->triangle[3 * e + a] + i] +=
                     s->body->area[e] / 3.0 * s->scene->weight[i];
+    double *hand = s->hand;
     for (int j = 0; j < mesh->rows; j++) {
         const int a = 2 * (j * (n + 1) + n), b = a + 2 * (n + 1);
         const double Y[2] = {mesh->X[a + 1], mesh->X[b + 1]}, l = Y[1] - Y[0];
@@ -114,19 +126,66 @@ static void load(struct ladder_state *s)
             const double c = i ? 0.0 : s->scene->couple;
             const double t[2] = {s->scene->pull[i] + c * Y[0],
                                  s->scene->pull[i] + c * Y[1]};
-            s->f[a + i] += l * (2.0 * t[0] + t[1]) / 6.0;
-            s->f[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
+            hand[a + i] += l * (2.0 * t[0] + t[1]) / 6.0;
+            hand[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
         }
     }
     const int corner = mesh->rows * (n + 1); /* the upper left one */
     for (int k = 0; k < n; k++)              /* half of an edge to each end */
         for (int a = corner + k; a <= corner + k + 1; a++)
             for (int i = 0; i < 2; i++)
-                s->f[2 * a + i] += s->scene->push[i] / n;
+                hand[2 * a + i] +=
+                    s->scene->push[i] *
+                    (mesh->X[2 * (corner + k + 1)] -
+                     mesh->X[2 * (corner + k)]) / 2.0;
+    for (int r = 0; r < 2 * mesh->n_vertex; r++) s->f[r] += hand[r];
+}
+
+/* The same for quadratic triangles, two cells of the mesh to an edge: of what
+ * is linear on it a sixth of the value at each end, two thirds in the middle.
+ */
+static void load_quadratic(struct ladder_state *s)
+{
+    const struct mesh *mesh = s->mesh;
+    const int n = mesh->n, corner = mesh->rows * (n + 1);
+    static const double share[] = {1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0};
+    quadratic_load(mesh, s->scene->weight, s->f);
+    for (int j = 0; j < mesh->rows; j += 2)
+        for (int k = 0; k < 3; k++) {
+            const int low = j * (n + 1) + n, a = low + k * (n + 1);
+            const double l = mesh->X[2 * (low + 2 * (n + 1)) + 1] -
+                             mesh->X[2 * low + 1];
+            const double turns = s->scene->couple * mesh->X[2 * a + 1];
+            s->hand[2 * a] += l * share[k] * (s->scene->pull[0] + turns);
+            s->hand[2 * a + 1] += l * share[k] * s->scene->pull[1];
+        }
+    for (int i = corner; i < corner + n; i += 2)
+        for (int k = 0; k < 3; k++)
+            for (int c = 0; c < 2; c++)
+                s->hand[2 * (i + k) + c] +=
+                    share[k] * s->scene->push[c] *
+                    (mesh->X[2 * (i + 2)] - mesh->X[2 * i]);
+    for (int r = 0; r < 2 * mesh->n_vertex; r++) s->f[r] += s->hand[r];
 }
 
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
                                   struct ladder_model model)
+{
+    return ladder_alloc_of(LINEAR_TRIANGLE, 1.0, scene, model);
+}
+
+/* Graded towards the held ends and the sides that nothing holds. */
+static void grade_mesh(struct mesh *mesh, double grade,
+                       const struct ladder_scene *scene)
+{
+    const int right = scene->held == LADDER_ENDS ? MESH_RIGHT : 0;
+    if (grade > 1.0)
+        mesh_grade(mesh, grade, MESH_LEFT | MESH_BOTTOM | MESH_TOP | right);
+}
+
+struct ladder_state *ladder_alloc_of(enum element element, double grade,
+                                     const struct ladder_scene *scene,
+                                     struct ladder_model model)
 {
     struct ladder_state *s = allocate(1, sizeof *s);
     const int n = coarsest(scene) << model.level;
@@ -135,22 +194,27 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     s->model = model;
     s->mesh =
         mesh_rectangle(n, ROWS << model.level, 1.0, 1.0 / scene->slender);
-    mirror(s->mesh);
+    grade_mesh(s->mesh, grade, scene);
+    if (element == LINEAR_TRIANGLE) mirror(s->mesh);
+    else quadratic_straighten(s->mesh);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
     int *held = allocate((size_t)s->mesh->n_vertex, sizeof *held);
     for (int a = 0; a < s->mesh->n_vertex; a += n + 1) {
         held[a] = 1;
         held[a + n] = scene->held == LADDER_ENDS;
     }
-    s->body = body_alloc(s->mesh, material_make(law, 1000.0, scene->nu),
-                         model.moving ? 1.0 : 0.0, CONSISTENT, held);
+    s->body = body_alloc_of(element, s->mesh,
+                            material_make(law, 1000.0, scene->nu),
+                            model.moving ? 1.0 : 0.0, CONSISTENT, held);
     free(held);
     if (s->body->K->storage != BANDED) body_store(s->body, BANDED);
     s->f = allocate(size, sizeof *s->f);
+    s->hand = allocate(size, sizeof *s->hand);
     s->u = allocate(size, sizeof *s->u);
     s->v = allocate(size, sizeof *s->v);
     s->across = mesh_across(s->mesh);
-    load(s);
+    if (element == LINEAR_TRIANGLE) load(s);
+    else load_quadratic(s);
     return s;
 }
 
@@ -160,6 +224,7 @@ void ladder_free(struct ladder_state *s)
     body_free(s->body);
     mesh_free(s->mesh);
     free(s->f);
+    free(s->hand);
     free(s->u);
     free(s->v);
     free(s->across);
@@ -214,32 +279,70 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
            model->level != old.level;
 }
 
-double ladder_size(const struct ladder_state *s, const double u[])
+/* The state's vertex that is vertex (i, j) of the coarsest mesh. */
+static int common(const struct ladder_state *s, int i, int j)
 {
-    const int n = coarsest(s->scene), a = s->mesh->n / n;
-    double size = 0.0;
+    const int fine = s->mesh->n / coarsest(s->scene);
+    return fine * (j * (s->mesh->n + 1) + i);
+}
+
+/* Whether that is where it was before mesh_grade(). */
+static int stays(const struct ladder_state *s, int i)
+{
+    const double X = -1.0 + 2.0 * i / coarsest(s->scene);
+    return fabs(s->mesh->X[2 * common(s, i, 0)] - X) < 1e-9;
+}
+
+/* The largest |u - v| at these vertices, or the root mean square; v NULL: 0,
+ * else that of `other`. */
+static double apart(const struct ladder_state *s, const double u[],
+                    const struct ladder_state *other, const double v[],
+                    enum ladder_quantity quantity)
+{
+    const int n = coarsest(s->scene);
+    double most = 0.0, squares = 0.0;
+    int count = 0;
     for (int j = 0; j <= ROWS; j++)
         for (int i = 0; i <= n; i++) {
-            const double *here =
-                &u[2 * (a * j * (s->mesh->n + 1) + a * i)];
-            size = fmax(size, hypot(here[0], here[1]));
+            if (!stays(s, i) || (v && !stays(other, i))) continue;
+            const double *a = &u[2 * common(s, i, j)];
+            const double *b = v ? &v[2 * common(other, i, j)] : NULL;
+            const double off = b ? hypot(a[0] - b[0], a[1] - b[1])
+                                 : hypot(a[0], a[1]);
+            most = fmax(most, off);
+            squares += off * off;
+            count++;
         }
-    return size;
+    return quantity == LADDER_RMS ? sqrt(squares / count) : most;
+}
+
+static double work_of_hand(const struct ladder_state *s, const double u[])
+{
+    double work = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) work += s->hand[r] * u[r];
+    return work;
+}
+
+double ladder_size(const struct ladder_state *s, const double u[])
+{
+    return apart(s, u, NULL, NULL, LADDER_LARGEST);
+}
+
+double ladder_measure(const struct ladder_state *s, const double u[])
+{
+    const enum ladder_quantity quantity = s->scene->quantity;
+    return quantity == LADDER_HAND ? fabs(work_of_hand(s, u))
+                                   : apart(s, u, NULL, NULL, quantity);
 }
 
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth)
 {
-    const int n = coarsest(state->scene);
-    const int a = state->mesh->n / n, b = truth->mesh->n / n;
-    double off = 0.0;
-    for (int j = 0; j <= ROWS; j++)
-        for (int i = 0; i <= n; i++) {
-            const double *u =
-                &state->u[2 * (a * j * (state->mesh->n + 1) + a * i)];
-            const double *v =
-                &truth->u[2 * (b * j * (truth->mesh->n + 1) + b * i)];
-            off = fmax(off, hypot(u[0] - v[0], u[1] - v[1]));
-        }
-    return off / ladder_size(truth, truth->u);
+    if (truth->scene->quantity == LADDER_HAND)
+        return fabs(work_of_hand(state, state->u) -
+                    work_of_hand(truth, truth->u)) /
+               (truth->model.moving ? ladder_measure(truth, truth->u)
+                                    : relax_yields(truth));
+    return apart(state, state->u, truth, truth->u, truth->scene->quantity) /
+           ladder_measure(truth, truth->u);
 }

@@ -26,6 +26,9 @@
 
 enum ladder_time { STANDS, RISES, SWINGS };
 enum ladder_held { LADDER_LEFT, LADDER_ENDS }; /* the left end, or both */
+/* What the error is one of, ladder_error(): the displacement, at its largest or
+ * in the root mean square, or the force in the hand. */
+enum ladder_quantity { LADDER_LARGEST, LADDER_RMS, LADDER_HAND };
 struct ladder_scene {
     const char *name; /* a word */
     double slender;   /* length over height */
@@ -40,6 +43,7 @@ struct ladder_scene {
     double dt;        /* of all models in motion but the truth (s) */
     double end;       /* the motion is followed so long (s) */
     int finest;       /* level of the finest mesh that a model may have */
+    enum ladder_quantity quantity;
 };
 enum { LADDER_SCENES = 12 };
 extern const struct ladder_scene ladder_scene[LADDER_SCENES];
@@ -53,6 +57,10 @@ extern const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS];
     "hanging cantilever small-twist large-twist below-buckling "             \
     "above-buckling slow-pull fast-pull incompressible slender-column "      \
     "stout-column shaken"
+
+/* Whether there is a hand whose force can be asked for: something is pulled,
+ * bent or pushed, and where that moves, nothing has a weight beside it. */
+int ladder_has_hand(const struct ladder_scene *scene);
 
 /* A scene, its load multiplied. */
 struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
@@ -88,6 +96,7 @@ struct ladder_state {
     struct mesh *mesh;
     struct body *body;
     double *f;          /* [2 n_vertex] nodal forces of the full load (N) */
+    double *hand;       /* [2 n_vertex] of these, those of pull, couple, push */
     double *u;          /* [2 n_vertex] the displacement asked for (m) */
     double *v;          /* [2 n_vertex] its velocity, 0 at rest (m/s) */
     double t;           /* the moment of it (s) */
@@ -98,12 +107,20 @@ struct ladder_state {
     int *across; /* [3 n_triangle] of mesh_across() */
     enum status status; /* OK, or how it was not solved */
     double flops;       /* counted: assembly, factors, solves */
+    int systems;        /* linear systems solved, 1 for the sum of a bar */
 };
 
 /* The scene at rest, u = 0, not solved. */
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
                                   struct ladder_model model);
 void ladder_free(struct ladder_state *state);
+
+/* The same on the same vertices with other triangles, quadratic ones, or graded
+ * towards what is held and the free sides by mesh_grade(): what the estimates
+ * of relax.h say of such a mesh means nothing. */
+struct ladder_state *ladder_alloc_of(enum element element, double grade,
+                                     const struct ladder_scene *scene,
+                                     struct ladder_model model);
 
 /* ... and solved by the model. */
 struct ladder_state *ladder_solve(const struct ladder_scene *scene,
@@ -134,10 +151,20 @@ double *ladder_momentum(const struct ladder_state *state);
 struct ladder_model ladder_truth(const struct ladder_scene *scene);
 double ladder_step(const struct ladder_state *state);
 
-/* max |u| over the vertices of the coarsest mesh (m). */
+/* max |u| over the vertices of the coarsest mesh (m), where mesh_grade() has
+ * not moved them, and what the error is one of: that, the root mean square over
+ * them (m), or |hand.u| (J). */
 double ladder_size(const struct ladder_state *state, const double u[]);
+double ladder_measure(const struct ladder_state *state, const double u[]);
 
-/* max |u - u_truth| / max |u_truth| over these vertices. */
+/*
+ * Of u - u_truth, over that of u_truth, at these vertices; the scene of `truth`
+ * says which quantity.  Of the force in the hand: a hand that moves its sides
+ * as far as the model says, along its forces and in their mean, must pull
+ * harder or less by |hand.(u - u_truth)| / hand.K^-1 hand, K of the truth, to
+ * first order [eq:left-hand]; in motion, where a force brings all of the work,
+ * over |hand.u_truth|.
+ */
 double ladder_error(const struct ladder_state *state,
                     const struct ladder_state *truth);
 

@@ -93,8 +93,9 @@ static double dot(const struct ladder_state *s, const double a[],
     return sum;
 }
 
-int relax_follow(const struct ladder_state *s, const struct matrix *factors,
-                 relax_forces *forces, int steps, double e[])
+/* e := of (K - D) e = D w, w = u or any other. */
+static int follow(const struct ladder_state *s, const struct matrix *factors,
+                  relax_forces *forces, const double w[], int steps, double e[])
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
     double *r = allocate(n, sizeof *r), *z = allocate(n, sizeof *z);
@@ -102,7 +103,7 @@ int relax_follow(const struct ladder_state *s, const struct matrix *factors,
     double *Dp = allocate(n, sizeof *Dp), first = 0.0, before = 1.0;
     int stands = 1;
     for (size_t i = 0; i < n; i++) e[i] = 0.0;
-    product(s, forces, s->u, r);
+    product(s, forces, w, r);
     for (int k = 0; k < steps; k++) {
         solve(s, factors, r, z);
         const double rz = dot(s, r, z), beta = rz / before;
@@ -131,18 +132,21 @@ int relax_follow(const struct ladder_state *s, const struct matrix *factors,
     return stands;
 }
 
-double relax_part(const struct ladder_state *s, const struct matrix *factors,
-                  relax_forces *forces)
+int relax_follow(const struct ladder_state *s, const struct matrix *factors,
+                 relax_forces *forces, int steps, double e[])
 {
-    const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *e = allocate(n, sizeof *e), part = 1.0;
-    if (factors && relax_follow(s, factors, forces, STEPS, e)) {
-        const double off = ladder_size(s, e);
-        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
-        part = off > 0.0 ? off / ladder_size(s, e) : 0.0;
-    }
-    free(e);
-    return part;
+    return follow(s, factors, forces, s->u, steps, e);
+}
+
+double relax_yields(const struct ladder_state *s)
+{
+    double *z = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *z);
+    struct matrix *K = relax_factors(s);
+    if (K) solve(s, K, s->hand, z);
+    const double yields = K ? dot(s, s->hand, z) : (double)NAN;
+    matrix_free(K);
+    free(z);
+    return yields;
 }
 
 /* K w: int (P + p I) grad N. */
@@ -152,6 +156,64 @@ static void stiffness(const struct ladder_state *s,
     for (int e = 0; e < s->mesh->n_triangle; e++)
         relax_push(s, e, mat2_add(of->P[e], mat2_scale(of->p[e],
                                                        mat2_identity())), g);
+}
+
+/* The forces of the strain H^T H / 2 that a linear law forgets. */
+static void squares(const struct ladder_state *s, const struct relax_field *of,
+                    double g[])
+{
+    const struct material *m = &s->body->material;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 HtH = mat2_multiply(mat2_transpose(of->H[e]), of->H[e]);
+        const double p = 0.5 * m->lambda * mat2_trace(HtH);
+        relax_push(s, e, mat2_scale(-1.0, mat2_add(
+            mat2_scale(m->mu, HtH), mat2_scale(p, mat2_identity()))), g);
+    }
+}
+
+/* What the forces change of the force in the hand; of a linear law, `squares`
+ * at u + e besides [eq:left-hand]. */
+static double hand_part(const struct ladder_state *s,
+                        const struct matrix *factors, relax_forces *forces,
+                        relax_forces *besides)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    double *z = allocate(n, sizeof *z), *e = allocate(n, sizeof *e);
+    double *g = allocate(n, sizeof *g), part = 1.0;
+    solve(s, factors, s->hand, z);
+    int stands = follow(s, factors, forces, z, STEPS, e);
+    for (size_t r = 0; r < n; r++) z[r] += e[r];
+    product(s, forces, s->u, g);
+    double off = dot(s, z, g);
+    if (besides && stands) {
+        stands = relax_follow(s, factors, forces, STEPS, e);
+        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
+        product(s, besides, e, g);
+        off += dot(s, z, g);
+    }
+    const double whole = s->model.moving ? dot(s, s->hand, s->u) + off
+                                         : dot(s, s->hand, z);
+    if (stands) part = off != 0.0 ? fabs(off / whole) : 0.0;
+    free(z);
+    free(e);
+    free(g);
+    return part;
+}
+
+double relax_part(const struct ladder_state *s, const struct matrix *factors,
+                  relax_forces *forces)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    if (factors && s->scene->quantity == LADDER_HAND)
+        return hand_part(s, factors, forces, NULL);
+    double *e = allocate(n, sizeof *e), part = 1.0;
+    if (factors && relax_follow(s, factors, forces, STEPS, e)) {
+        const double off = ladder_measure(s, e);
+        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
+        part = off > 0.0 ? off / ladder_measure(s, e) : 0.0;
+    }
+    free(e);
+    return part;
 }
 
 /* How far the answer is off, for it is late [eq:left-phase]. */
@@ -187,6 +249,7 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
     double part = relax_part(s, factors, mesh);
     if (!s->model.moving || !factors) return part;
     part = hypot(part, late(s, factors, mesh));
+    if (s->scene->quantity == LADDER_HAND) return part; /* alike in it */
     /* works are off by as much as u each, so that either may be the higher */
     if (s->rival > 1.0 - 2.0 * part)
         part = hypot(part, s->apart / ladder_size(s, s->u));
@@ -199,5 +262,8 @@ void relax_parts(const struct ladder_state *s, relax_forces *mesh,
     struct matrix *K = relax_factors(s);
     part[MESH] = relax_mesh(s, K, mesh);
     part[STRESS] = relax_part(s, K, stress);
+    const int hand = s->scene->quantity == LADDER_HAND;
+    if (K && hand && s->model.rung == LINEAR_PLANE)
+        part[STRESS] = hand_part(s, K, stress, squares);
     matrix_free(K);
 }

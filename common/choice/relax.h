@@ -54,10 +54,23 @@ int relax_follow(const struct ladder_state *state,
                  const struct matrix *factors, relax_forces *forces, int steps,
                  double e[]);
 
-/* |e| / |u + e| after two steps; 0 for u = 0, 1 where relax_follow() is false
- * or there are no factors (NULL). */
+/*
+ * |e| / |u + e| after two steps, |.| of ladder_measure(); 0 for u = 0, 1 where
+ * relax_follow() is false or there are no factors (NULL).
+ *
+ * Of the force in the hand it is |hand.e| / hand.z [eq:left-hand], where
+ * (K - D) z = hand, also by two steps: K and D are symmetric, so hand.e is
+ * z.D u, and one more solve is all that it takes.  In motion |hand.e| is over
+ * |hand.(u + e)|.  What another load bends is shorter by the square of its
+ * turn, and a hand along the axis feels it: in relax_parts() a linear law has
+ * the work of int C (H^T H / 2) : grad z, H of u + e, in its part of stress.
+ */
 double relax_part(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *forces);
+
+/* hand.K^-1 hand (J): what a hand of the full force would move by itself, times
+ * that; NAN where there are no factors. */
+double relax_yields(const struct ladder_state *state);
 
 /*
  * The part of the mesh: relax_part() of its forces, and in motion what these
@@ -65,7 +78,8 @@ double relax_part(const struct ladder_state *state,
  * higher one.  The stiffness that they add to the velocity, |D v| over |K v|,
  * makes half of that the frequency too high, and the midpoint rule (omega dt)^2
  * / 12 too low; after the time t the displacement is off by the angle of it, at
- * most 2, times the amplitude |v| / omega [eq:left-phase].
+ * most 2, times the amplitude |v| / omega [eq:left-phase].  Two peaks that are
+ * alike have one force in the hand, for which no rival counts.
  */
 double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);

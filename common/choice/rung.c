@@ -10,11 +10,13 @@
 enum { CAP = 400 }; /* linear systems of one solve */
 
 /* Flops of one pass over the triangles: 60 for F, P and the forces, 40 more for
- * a logarithm, 150 for the tangent. */
+ * a logarithm, 150 for the tangent; of quadratic ones 400, and 1300. */
 static double sweep(const struct ladder_state *s, int tangent)
 {
     const double each = s->model.rung == LINEAR_PLANE ? 60.0
                         : s->model.rung == CUBIC_PLANE ? 80.0 : 120.0;
+    if (s->body->element == QUADRATIC_TRIANGLE)
+        return s->body->n_element * (tangent ? 1700.0 : 400.0);
     return s->mesh->n_triangle * (each + (tangent ? 150.0 : 0.0));
 }
 
@@ -44,6 +46,7 @@ static enum status bar(struct ladder_state *s)
         }
     }
     s->flops = 5.0 * n;
+    s->systems = 1;
     free(slope);
     return OK;
 }
@@ -82,6 +85,7 @@ static void linear_solve(struct ladder_state *s, const struct linear *l,
     matrix_solve(l->A, l->some);
     body_scatter(s->body, l->some, u);
     s->flops += matrix_cost(BANDED, s->body->n_equation, s->body->K->p).solve;
+    s->systems++;
     if (s->model.moving) s->flops += 20.0 * s->mesh->n_triangle;
 }
 
@@ -106,6 +110,7 @@ static enum status newton(struct ladder_state *s, double d, const double w[],
     for (size_t r = 0; r < size; r++) f[r] = share * s->f[r];
     const struct incremental Phi = {d, w, f};
     const struct step_report report = step_solve(s->body, &control, Phi, u);
+    s->systems += report.iterations;
     s->flops += report.factorisations * (cost.flops + sweep(s, 1)) +
                 report.iterations * (cost.solve + sweep(s, 0));
     free(f);

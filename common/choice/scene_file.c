@@ -33,11 +33,13 @@ static const struct line {
     {"pushed", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
     {"load", 0, 0, 0, " stands rises swings ", 0, ""},
     {"time", 1, 1e-9, 1e6, NULL, 0, " s"},
+    {"period", 1, 1e-9, 1e6, NULL, 0, " s"},
     {"end", 1, 1e-9, 1e6, NULL, 0, " s"},
+    {"quantity", 0, 0, 0, " displacement rms force ", 0, ""},
 };
 enum {
     WIDTH, HEIGHT, YOUNG, POISSON, DENSITY, GRAVITY, HELD, PULLED, PUSHED, LOAD,
-    TIME, END
+    TIME, PERIOD, END, QUANTITY
 };
 
 struct said {
@@ -81,7 +83,8 @@ static void read_line(const char *program, const char *path, int at, char *text,
     while (k < COUNT(lines) && strcmp(lines[k].word, word) != 0) k++;
     if (k == COUNT(lines))
         refuse(program, path, at, "'%.40s' is no word of a scene: width height "
-               "E nu rho gravity held pulled pushed load time end", word);
+               "E nu rho gravity held pulled pushed load time period end "
+               "quantity", word);
     if (said->at[k])
         refuse(program, path, at, "'%s' was said in line %d", word,
                said->at[k]);
@@ -152,6 +155,41 @@ static double time_step(const struct ladder_scene *scene)
                                        16.0 * scene->end / shortest)));
 }
 
+/* What belongs to a load that moves, and to none that stands. */
+static void ask_time(const char *program, const char *path,
+                     const struct said *said, enum ladder_time time)
+{
+    static const char *const how[] = {"stands", "rises", "swings"};
+    const int belongs[COUNT(lines)] = {[TIME] = time == RISES,
+                                       [PERIOD] = time == SWINGS,
+                                       [END] = time != STANDS};
+    for (int k = TIME; k <= END; k++)
+        if (belongs[k] && !said->at[k])
+            refuse(program, path, said->at[LOAD], "a load that %s needs '%s'",
+                   how[time], lines[k].word);
+        else if (!belongs[k] && said->at[k])
+            refuse(program, path, said->at[k], "a load that %s has no '%s': "
+                   "load must be one of:%s", how[time], lines[k].word,
+                   k == TIME ? " rises" : k == PERIOD ? " swings"
+                                                      : " rises swings");
+}
+
+/* The force in the hand: there must be one, and in motion nothing else. */
+static void ask_quantity(const char *program, const char *path,
+                         const struct said *said,
+                         const struct ladder_scene *scene)
+{
+    if (scene->quantity != LADDER_HAND || ladder_has_hand(scene)) return;
+    struct ladder_scene rest = *scene;
+    rest.time = STANDS;
+    if (!ladder_has_hand(&rest))
+        refuse(program, path, said->at[QUANTITY], "quantity 'force' is that of "
+               "a hand, and none pulls or pushes: quantity must be one of: "
+               "displacement rms");
+    refuse(program, path, said->at[QUANTITY], "quantity 'force' in motion is "
+           "not known apart from the weight: gravity must be 0 0");
+}
+
 static void scene_of(const char *program, const char *path, int finest,
                      const struct said *said, struct scene_file *file)
 {
@@ -166,7 +204,8 @@ static void scene_of(const char *program, const char *path, int finest,
         .nu = said->value[POISSON][0],
         .held = (enum ladder_held)said->value[HELD][0],
         .time = (enum ladder_time)said->value[LOAD][0],
-        .finest = finest};
+        .finest = finest,
+        .quantity = (enum ladder_quantity)said->value[QUANTITY][0]};
     if (!(scene->slender >= 0.5 && scene->slender <= 16.0))
         refuse(program, path, said->at[HEIGHT], "width over height is %g: must "
                "be from 0.5 to 16", scene->slender);
@@ -185,20 +224,16 @@ static void scene_of(const char *program, const char *path, int finest,
     if (!loaded)
         refuse(program, path, 0, "nothing is loaded: gravity, pulled or pushed "
                "must not be 0");
-    for (int k = TIME; k <= END; k++)
-        if (scene->time != STANDS && !said->at[k])
-            refuse(program, path, said->at[LOAD], "a load that %s needs '%s'",
-                   scene->time == RISES ? "rises" : "swings", lines[k].word);
-        else if (scene->time == STANDS && said->at[k])
-            refuse(program, path, said->at[k], "a load that stands has no '%s':"
-                   " load must be one of: rises swings", lines[k].word);
+    ask_time(program, path, said, scene->time);
+    ask_quantity(program, path, said, scene);
     if (scene->time == STANDS) return;
-    const double full = said->value[TIME][0] *
-                        (scene->time == SWINGS ? acos(-1.0) / 2.0 : 1.0);
+    const int swings = scene->time == SWINGS;
+    const double full =
+        swings ? said->value[PERIOD][0] / 4.0 : said->value[TIME][0];
     if (said->value[END][0] < full)
         refuse(program, path, said->at[END], "end '%g': must be at least %g s, "
                "when the load is full", said->value[END][0], full);
-    scene->T = said->value[TIME][0] / file->second;
+    scene->T = (swings ? full * 2.0 / acos(-1.0) : full) / file->second;
     scene->end = said->value[END][0] / file->second;
     scene->dt = time_step(scene);
 }

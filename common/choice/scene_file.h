@@ -12,12 +12,19 @@
  *     pulled   0 0                N/m^2 on the right end
  *     pushed   0 0                N/m^2 on the upper side
  *     load     rises              or stands, swings
- *     time     0.1                s, in which it rises; of sin(t / time)
+ *     time     0.1                s, in which it rises
+ *     period   0.4                s, instead of time, in which it swings once
  *     end      0.5                s, so long it is followed: until it is full
+ *     quantity displacement       or rms, force
  *
  * A line is a word and its values; from a # on it is a comment.  width, height,
- * E, nu, rho and held must be there, time and end where the load does not stand
- * and only there, and a load; the rest is 0.  Plane strain, per metre of depth.
+ * E, nu, rho and held must be there, end where the load does not stand, time
+ * where it rises, period where it swings, and only there, and a load; the rest
+ * is 0.  Plane strain, per metre of depth.
+ *
+ * The quantity is what the error is one of: the displacement, at its largest or
+ * in the root mean square, or the force in the hand that pulls or pushes.  Such
+ * a hand there must be, and in motion no gravity beside it.
  *
  * The scene of ladder.h has the length 2, E = 1000 and rho = 1: lengths are in
  * units of width / 2, stresses of E / 1000, times of the root of

@@ -204,7 +204,7 @@ says 'Verified: ' 'and make choose verifies it' \
 says 'Drawn: build/mine/choose.svg' 'and draws its parts and the body' \
     "$MAKE" choose SCENE=lessons/scenes/buckled.scene
 says 'NOT SURE' 'make choose says what it cannot do' \
-    "$MAKE" choose SCENE=lessons/scenes/leaning.scene ERROR=0.1%
+    "$MAKE" choose SCENE=lessons/scenes/stout.scene ERROR=0.5%
 says "line 2: 'heigth' is no word" 'make choose names a bad line' \
     sh -c 'printf "width 1\nheigth 2\n" >bad.scene; "$0" choose SCENE=bad.scene' \
     "$MAKE"
@@ -229,6 +229,10 @@ says 'fastest motion over speed of sound' 'make choose has the Mach number' \
     "$MAKE" choose SCENE=lessons/scenes/plunge.scene
 says 'by dissection, .* dense' 'and what each solver costs' \
     "$MAKE" choose SCENE=lessons/scenes/flap.scene
+says 'fine enough: quadratic triangles' 'and which triangles are the cheapest' \
+    "$MAKE" choose SCENE=lessons/scenes/strip.scene ERROR=1%
+says 'of the force in the hand:' 'make choose has the force in the hand' \
+    "$MAKE" choose SCENE=lessons/scenes/probe.scene
 says 'SCENE=FILE' 'make choose needs a scene' "$MAKE" choose
 says 'make live ignores ERROR; that is for make choose' \
     'what make choose takes is for it alone' \

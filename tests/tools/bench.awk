@@ -77,6 +77,8 @@ END {
         of("assembly", "assembly", "32", "both"))
     line("bar, a million unknowns: ns per unknown and iteration", -6, \
         of("newton_1d", "bar", "1000000 fused_both", "ns_per_unknown"))
+    line("make choose: predicted ms within a factor 1.5, of 16 scenes", 16, \
+        of("choose", "within", "all", "within"))
     line("in time (1/30 s, 99 of 100) while stretched: largest n", 128, \
         of("realtime", "realtime", "dissection", "n"))
     line("in time, every step of the swing, 8 systems: largest n", 64, \

@@ -76,9 +76,9 @@ rule 'solutions include libc, GSL and common/; studies also their own folder' \
     done)"
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
-rule 'only options, pointer, study, table, status and choose print in common/' \
+rule 'only options, pointer, study, table, status, choose and chosen print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*/*.c |
-        grep -vE '/(options|pointer|study|table|status|choose)\.c')"
+        grep -vE '/(options|pointer|study|table|status|choose|chosen)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \

@@ -1,5 +1,8 @@
 /* ladder.c - laws of common/choice/ladder.h and common/choice/estimate.h. */
+#include "choice/cells.h"
 #include "choice/estimate.h"
+#include "choice/price.h"
+#include "choice/rung.h"
 
 #include "unit.h"
 
@@ -523,6 +526,184 @@ static void triangles_know_what_is_beyond_their_edges(void)
     mesh_free(mesh);
 }
 
+/* Root mean squares and works, from their definitions; a hand is what is
+ * pulled, bent or pushed, and in motion is alone. */
+static void quantities_are_measured(void)
+{
+    struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .pull = {0.1, -0.02}, .weight = {0.0, -0.01}};
+    struct ladder_state *s =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    const int n = s->mesh->n, columns = n / 2 + 1;
+    double squares = 0.0, work = 0.0, half = 0.0;
+    for (int j = 0; j < 5; j++)
+        for (int i = 0; i < columns; i++)
+            for (int k = 0; k < 2; k++)
+                squares += pow(s->u[2 * (2 * j * (n + 1) + 2 * i) + k], 2);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        const int end = r / 2 % (n + 1) == n;
+        ck_assert(end || s->hand[r] == 0.0);
+        half += r % 2 ? 0.0 : s->hand[r];
+        work += s->hand[r] * s->u[r];
+    }
+    close_to(half, 0.1 * 0.5, 1e-14);
+    scene.quantity = LADDER_RMS;
+    close_to(ladder_measure(s, s->u), sqrt(squares / (5 * columns)), 1e-14);
+    scene.quantity = LADDER_HAND;
+    close_to(ladder_measure(s, s->u), fabs(work), 1e-14);
+    scene.quantity = LADDER_LARGEST;
+    close_to(ladder_measure(s, s->u), ladder_size(s, s->u), 1e-16);
+    ck_assert(ladder_has_hand(&scene));
+    scene.time = RISES;
+    ck_assert(!ladder_has_hand(&scene));
+    scene.weight[1] = 0.0;
+    ck_assert(ladder_has_hand(&scene));
+    scene.pull[0] = scene.pull[1] = 0.0;
+    ck_assert(!ladder_has_hand(&scene));
+    scene.push[1] = 1.0;
+    ck_assert(ladder_has_hand(&scene));
+    ladder_free(s);
+}
+
+/* The force in the hand: by a hand alone that moves a linear body, hand.u is
+ * hand.K^-1 hand, and an answer off by a fiftieth is off by that; what the mesh
+ * changes meets the error, which is an energy's.  Beside a weight that bends,
+ * pressed or pulled, the part of a linear law is what the cubic one changes. */
+static void the_hand_has_a_force(void)
+{
+    const struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .pull = {0.0, -0.02}, .quantity = LADDER_HAND};
+    struct ladder_state *s =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    struct ladder_state *t =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 3});
+    const double yields = ladder_measure(s, s->u);
+    const double part = moved(s, estimate_mesh);
+    close_to(relax_yields(s), yields, 1e-10 * yields);
+    close_to(part / ladder_error(s, t), 1.0, 0.3);
+    for (int r = 0; r < 2 * t->mesh->n_vertex; r++) t->u[r] *= 1.02;
+    close_to(ladder_error(t, t), 0.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] *= 1.02;
+    struct ladder_state *once =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    close_to(ladder_error(s, once), 0.02, 1e-9);
+    ladder_free(s);
+    ladder_free(t);
+    ladder_free(once);
+    static const double pull[] = {-5.0, -3.0, 2.0};
+    for (int k = 0; k < 3; k++) {
+        const struct ladder_scene two = {.slender = 4, .nu = 0.3,
+            .pull = {pull[k], 0.0}, .weight = {0.0, -0.4},
+            .quantity = LADDER_HAND};
+        double got[N_PART];
+        s = ladder_solve(&two, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        t = ladder_solve(&two, (struct ladder_model){CUBIC_PLANE, 0, 1});
+        estimate_parts(s, got);
+        const double want = ladder_error(s, t);
+        ck_assert_msg(got[STRESS] > 0.9 * want && got[STRESS] < 1.5 * want,
+                      "pulled by %g: %g, the error %g", pull[k], got[STRESS],
+                      want);
+        ladder_free(s);
+        ladder_free(t);
+    }
+}
+
+/* Systems times columns, and once; a price that is 16 times as much for twice
+ * the columns grows with their fourth power, within the levels and beyond. */
+static void prices_go_with_columns(void)
+{
+    struct ladder_state *s = solved(FAST, LINEAR_PLANE, 1, 1);
+    const double frames = price_frames(s), unit = 1e-6 / s->systems * frames;
+    const struct price price[] = {{0.0, unit}, {0.0, 8.0 * unit},
+                                  {0.0, 64.0 * unit}};
+    close_to(frames, 36.0, 1e-12);
+    ck_assert_int_eq(s->systems, 36);
+    close_to(price_seconds(s, (struct price){2.0, 0.5}), 32.0 * 20.0, 1e-9);
+    for (int n = 12; n < 300; n *= 2) /* 16 columns at level 0: 16e-6 s */
+        ck_assert_int_eq(price_columns(s, price, 3, 16e-6 *
+                                       pow((n + 0.5) / 16.0, 4)),
+                         n < 16 ? (int)(16.0 * pow((n + 0.5) / 16.0, 4)) : n);
+    ladder_free(s);
+    s = solved(FAST, BAR, 0, 0);
+    ck_assert_int_eq(s->systems, 1);
+    const struct price bar = price_calibrate(s->model);
+    const struct price plane =
+        price_calibrate((struct ladder_model){CUBIC_PLANE, 0, 1});
+    ck_assert(bar.begin == 0.0 && bar.system > 0.0);
+    ck_assert_double_gt(plane.system, 10.0 * bar.system);
+    const struct price moving =
+        price_calibrate((struct ladder_model){LINEAR_PLANE, 1, 2});
+    ck_assert_double_gt(moving.begin, moving.system);
+    ladder_free(s);
+}
+
+/* Loads of quadratic and graded triangles are those of the linear ones; they
+ * bend as a body does whose mesh is twice as fine, or more. */
+static void other_triangles_have_the_same_load(void)
+{
+    struct ladder_scene scene = {.slender = 2, .nu = 0.3, .couple = 7.0,
+        .pull = {0.4, -0.2}, .push = {0.3, -0.1}, .weight = {0.5, -0.6}};
+    struct ladder_state *one = ladder_alloc(
+        &scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    for (int k = 0; k < 3; k++) {
+        struct ladder_state *s = ladder_alloc_of(
+            k ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE, k < 2 ? 2.0 : 1.0,
+            &scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        double sum[2][3] = {{0.0}}; /* along, across, and turning */
+        for (int w = 0; w < 2; w++) {
+            const struct ladder_state *of = w ? one : s;
+            for (int r = 0; r < 2 * of->mesh->n_vertex; r += 2) {
+                const double *X = &of->mesh->X[r], *f = &of->f[r];
+                sum[w][0] += f[0] + 3.0 * of->hand[r];
+                sum[w][1] += f[1] + 3.0 * of->hand[r + 1];
+                sum[w][2] += X[0] * f[1] - X[1] * f[0];
+            }
+        }
+        for (int i = 0; i < 3; i++) close_to(sum[0][i], sum[1][i], 1e-12);
+        ck_assert_int_eq(s->body->element == QUADRATIC_TRIANGLE, k > 0);
+        ladder_free(s);
+    }
+    ladder_free(one);
+}
+
+/* What they say of each mesh's error is what a finer one says. */
+static void cells_say_what_a_finer_mesh_says(void)
+{
+    const struct ladder_scene scene = {.slender = 2, .nu = 0.4,
+        .weight = {0.0, -2.0}};
+    struct cells cells[CELLS_KINDS * CELLS_LEVELS];
+    ck_assert(cells_compare(&scene, CUBIC_PLANE, cells));
+    struct ladder_state *fine = ladder_alloc_of(
+        QUADRATIC_TRIANGLE, 1.0, &scene,
+        (struct ladder_model){CUBIC_PLANE, 0, CELLS_LEVELS});
+    fine->status = rung_solve(fine);
+    for (int k = 0; k < CELLS_KINDS * CELLS_LEVELS; k++) {
+        const struct cells *c = &cells[k];
+        struct ladder_state *s = ladder_alloc_of(
+            c->element, c->grade, &scene,
+            (struct ladder_model){CUBIC_PLANE, 0, c->level});
+        s->status = rung_solve(s);
+        const double error = ladder_error(s, fine);
+        ck_assert(c->solved && c->flops == s->flops);
+        ck_assert_msg(c->error > error && c->error < 1.3 * error + 1e-2,
+                      "kind %d: %g, the error %g", k, c->error, error);
+        ladder_free(s);
+    }
+    ladder_free(fine);
+    for (int k = 0; k < 3; k++) {
+        const double room = 0.1 / pow(3.0, k);
+        const struct cells *best = cells_cheapest(cells, room);
+        ck_assert(best && best->error <= room);
+        for (int i = 0; i < CELLS_KINDS * CELLS_LEVELS; i++)
+            ck_assert(cells[i].error > room || cells[i].flops >= best->flops);
+    }
+    ck_assert(!cells_cheapest(cells, 1e-6));
+    const struct ladder_scene column = {.slender = 4, .nu = 0.3,
+        .pull = {-20.0, 0.0}};
+    ck_assert(!cells_compare(&column, LINEAR_PLANE, cells)); /* it buckles */
+    ck_assert(!cells_cheapest(cells, 10.0));
+}
+
 static void what_nobody_may_rely_on_is_named(void)
 {
     struct ladder_scene scene = ladder_scene[FAST];
@@ -634,6 +815,12 @@ static const struct unit_law laws[] = {
     {"triangles_know_what_is_beyond_their_edges",
      triangles_know_what_is_beyond_their_edges},
     {"a_swing_has_a_rival", a_swing_has_a_rival},
+    {"other_triangles_have_the_same_load",
+     other_triangles_have_the_same_load},
+    {"cells_say_what_a_finer_mesh_says", cells_say_what_a_finer_mesh_says},
+    {"prices_go_with_columns", prices_go_with_columns},
+    {"quantities_are_measured", quantities_are_measured},
+    {"the_hand_has_a_force", the_hand_has_a_force},
     {"what_nobody_may_rely_on_is_named", what_nobody_may_rely_on_is_named},
 };
 

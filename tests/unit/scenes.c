@@ -30,7 +30,8 @@ static void a_file_is_scaled(void)
 {
     write_file("# all words\n\n  width 0.04 # m\nheight\t0.01\r\nE 2e4\n"
                "nu 0.45\nrho 1000\ngravity 1 -9.81\nheld left\npulled 30 -7\n"
-               "pushed 0.5 -0.25\nload swings\ntime 0.3\nend 2");
+               "pushed 0.5 -0.25\nload swings\nperiod 0.3\nend 2\n"
+               "quantity rms");
     read_file();
     const struct ladder_scene *s = &file.scene;
     const double second = 0.02 * sqrt(50.0);
@@ -42,7 +43,8 @@ static void a_file_is_scaled(void)
     close_to(s->pull[1], -0.35, 1e-14);
     close_to(s->push[0], 0.025, 1e-14);
     close_to(s->push[1], -0.0125, 1e-14);
-    close_to(s->T, 0.3 / second, 1e-12);
+    close_to(s->T, 0.3 / (2.0 * acos(-1.0)) / second, 1e-12);
+    ck_assert_int_eq(s->quantity, LADDER_RMS);
     close_to(s->end, 2.0 / second, 1e-12);
     ck_assert(s->time == SWINGS && s->held == LADDER_LEFT && s->finest == 3);
     const double steps = s->end / s->dt;
@@ -102,7 +104,20 @@ static void what_is_wrong_is_named(void)
         {GOOD, "nothing is loaded"},
         {GOOD "gravity 0 1\nload rises\nend 2\n", "line 8: a load that rises "
                                                   "needs 'time'"},
-        {GOOD "gravity 0 1\nload swings\ntime 2\n", "swings needs 'end'"},
+        {GOOD "gravity 0 1\nload swings\nperiod 2\n", "swings needs 'end'"},
+        {GOOD "gravity 0 1\nload swings\nend 2\n", "swings needs 'period'"},
+        {GOOD "gravity 0 1\nload swings\nperiod 2\nend 2\ntime 1\n",
+         "line 11: a load that swings has no 'time': load must be one of: "
+         "rises"},
+        {GOOD "gravity 0 1\nload rises\ntime 2\nend 2\nperiod 1\n",
+         "line 11: a load that rises has no 'period': load must be one of: "
+         "swings"},
+        {GOOD "gravity 0 1\nquantity stress\n", "line 8: quantity 'stress': "
+         "must be one of: displacement rms force"},
+        {GOOD "gravity 0 1\nquantity force\n",
+         "line 8: quantity 'force' is that of a hand, and none pulls"},
+        {GOOD "gravity 0 1\npulled 1 0\nquantity force\nload rises\n"
+         "time 1\nend 1\n", "line 9: quantity 'force' in motion is not"},
         {"width 9\nheight 0.5\nE 1\nnu 0\nrho 1\nheld left\n",
          "line 2: width over height is 18"},
         {"width 1\nheight 1\nE 1\nnu 0\nrho 1\nheld ends\npulled 1 0\n",
@@ -114,8 +129,8 @@ static void what_is_wrong_is_named(void)
                                        "'time'"},
         {GOOD "gravity 0 1\nload rises\ntime 3\nend 1\n",
          "line 10: end '1': must be at least 3 s"},
-        {GOOD "gravity 0 1\nload swings\ntime 1\nend 1.5\n",
-         "line 10: end '1.5': must be at least 1.5708 s"},
+        {GOOD "gravity 0 1\nload swings\nperiod 6\nend 1.4\n",
+         "line 10: end '1.4': must be at least 1.5 s"},
     };
     for (int k = 0; k < COUNT(is); k++) {
         write_file(is[k].text);

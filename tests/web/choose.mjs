@@ -22,7 +22,7 @@ function say(good, what, why) {
 const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scene'));
 /* What is measured in seconds, and what follows from it. */
 const timeless = out => out
-    .replace(/[^ ]+ ms on this machine: (NOT )?within/, 'MS')
+    .replace(/[^ ]+ ms: (NOT )?within/, 'MS')
     .replace(/about -?\d+ cells along/, 'about N cells along')
     .replace(/choosing took .*/, 'choosing took MS')
     .replace(/(choosing\s+pays) from run \d+ on/, '$1')

@@ -1,0 +1,75 @@
+/* price.c - see price.h. */
+#include "choice/price.h"
+
+#include "base/clock.h"
+#include "choice/rung.h"
+
+#include <math.h>
+
+static const double enough = 0.1; /* s */
+static const double a_while = 2e-3; /* twenty ticks of a browser's clock (s) */
+
+/* The least time of the scene's solve, over its columns (s): the mean of as
+ * many as take a while. */
+static double timed(const struct ladder_scene *scene, struct ladder_model model,
+                    int *systems)
+{
+    double best = INFINITY;
+    const double start = clock_seconds();
+    do {
+        double took = 0.0;
+        int columns = 0;
+        while (took < a_while) {
+            struct ladder_state *s = ladder_alloc(scene, model);
+            const double before = clock_seconds();
+            rung_solve(s);
+            took += clock_seconds() - before;
+            columns += s->mesh->n;
+            *systems = s->systems;
+            ladder_free(s);
+        }
+        best = fmin(best, took / columns);
+    } while (clock_seconds() - start < enough);
+    return best;
+}
+
+struct price price_calibrate(struct ladder_model model)
+{
+    struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .weight = {0.0, -0.5}, .time = model.moving ? RISES : STANDS,
+        .T = 1.0, .dt = 0.02, .end = 0.2, .finest = model.level};
+    int few, more;
+    const double once = timed(&scene, model, &few);
+    if (!model.moving || model.rung != LINEAR_PLANE)
+        return (struct price){0.0, once / few};
+    scene.end = 1.0; /* one factorisation for more steps */
+    const double system = (timed(&scene, model, &more) - once) / (more - few);
+    return (struct price){fmax(0.0, once - few * system), system};
+}
+
+double price_seconds(const struct ladder_state *s, struct price price)
+{
+    return s->mesh->n * (price.begin + s->systems * price.system);
+}
+
+double price_frames(const struct ladder_state *s)
+{
+    return s->model.moving ? floor(s->scene->end / ladder_step(s) + 0.5) : 1.0;
+}
+
+int price_columns(const struct ladder_state *s, const struct price price[],
+                  int n, double seconds)
+{
+    const double frames = price_frames(s), coarsest =
+        (double)s->mesh->n / (1 << s->model.level);
+    double t[2] = {0.0, 0.0}, power = 1.0;
+    int level = 0;
+    for (; level < n && t[1] <= seconds; level++) {
+        t[0] = t[1];
+        t[1] = coarsest * (1 << level) / frames *
+               (price[level].begin + s->systems * price[level].system);
+    }
+    if (level > 1) power = log2(t[1] / t[0]);
+    return (int)(coarsest * (1 << (level - 1)) *
+                 pow(seconds / t[1], 1.0 / power));
+}

@@ -1,0 +1,35 @@
+/*
+ * price.h - how long a model of ladder.h takes on this machine.
+ *
+ * Nothing of the scene is timed.  A body four times as long as high, bent by
+ * its weight, is solved by a model of the same rung, at rest or in motion, on
+ * the same level of the mesh: its half bandwidth is that of all bodies that are
+ * longer than high, so that seconds are in proportion to the columns of cells
+ * and to the linear systems, of which the scene's own run knows the number.
+ */
+#ifndef COMMON_PRICE_H
+#define COMMON_PRICE_H
+
+#include "choice/ladder.h"
+
+struct price {
+    double begin, system; /* seconds of a column of cells: once, and for each
+                           * linear system */
+};
+
+/* The least of what a tenth of a second has time for. */
+struct price price_calibrate(struct ladder_model model);
+
+/* Of the solve, without what ladder_alloc() does (s). */
+double price_seconds(const struct ladder_state *state, struct price price);
+
+/* What a frame is: a step of a motion, or the solve at rest. */
+double price_frames(const struct ladder_state *state);
+
+/* The columns of cells that fit into so many seconds per frame, with as many
+ * systems: between the prices of n levels, the first of level 0, a power of the
+ * columns, and beyond them the power of the last two. */
+int price_columns(const struct ladder_state *state, const struct price price[],
+                  int n, double seconds);
+
+#endif
