@@ -130,8 +130,8 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         const int stable = ladder_stable(s);
         part[LAW] = estimate_law(s); /* [eq:left-law], as in lesson 02 */
         shape_part(s, part);
-        relax_parts(s, mesh_forces, stress_forces, part);
         load_parts(s, Mu, part);
+        relax_parts(s, mesh_forces, stress_forces, part);
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
         more = !enough && ladder_add(scene, add, &model);

@@ -205,7 +205,7 @@ int main(int argc, char *argv[])
     const struct option options[] = {
         {"scene", .text = &path, .unit = "a file's name", .help = "the scene"},
         {"error", .real = &error, .min = 0.01, .max = 100, .unit = "%",
-         .help = "that may be made, of the largest displacement"},
+         .help = "that may be made, of the quantity of the scene"},
         {"within", .real = &within, .min = 1e-3, .max = 1e6, .unit = "ms",
          .help = "that a frame may take"},
         {"verify", .choice = &check, .choices = "no yes",

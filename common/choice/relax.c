@@ -256,6 +256,34 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
     return part;
 }
 
+double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    double *Mu = ladder_momentum(s), *w = allocate(n, sizeof *w);
+    solve(s, factors, Mu, w);
+    const double moves = dot(s, Mu, w), size = dot(s, Mu, s->u);
+    free(Mu);
+    free(w);
+    if (!(size > 0.0)) return 1.0;
+    return fmin(1.0, sqrt(moves / size) / s->scene->T);
+}
+
+/* Where the body is pressed along its axis by P < P_cr, P / P_cr of what bends:
+ * of `dimension` without what a held end keeps wide [eq:left-dimension].  For
+ * more no beam has a share to name, and ladder_stable() must tell. */
+static double pressed(const struct ladder_state *s, double dimension)
+{
+    const struct material *m = &s->body->material;
+    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double missed = lateral * lateral / (2.0 * s->scene->slender);
+    double N = 0.0;
+    if (s->scene->held == LADDER_ENDS) return 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2) N += s->f[r];
+    const double share = -N / ladder_buckles(s->scene);
+    if (!(share > 0.0 && share < 1.0)) return 0.0;
+    return share * fmax(0.0, (dimension - missed) / (1.0 - missed));
+}
+
 void relax_parts(const struct ladder_state *s, relax_forces *mesh,
                  relax_forces *stress, double part[N_PART])
 {
@@ -263,7 +291,12 @@ void relax_parts(const struct ladder_state *s, relax_forces *mesh,
     part[MESH] = relax_mesh(s, K, mesh);
     part[STRESS] = relax_part(s, K, stress);
     const int hand = s->scene->quantity == LADDER_HAND;
-    if (K && hand && s->model.rung == LINEAR_PLANE)
+    if (s->model.rung == LINEAR_PLANE && hand && K)
         part[STRESS] = hand_part(s, K, stress, squares);
+    else if (s->model.rung == LINEAR_PLANE && !hand)
+        part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
+    if (K && s->model.rung != BAR && !s->model.moving &&
+        s->scene->time != STANDS)
+        part[INERTIA] = fmax(part[INERTIA], relax_inertia(s, K));
     matrix_free(K);
 }

@@ -84,7 +84,22 @@ double relax_yields(const struct ladder_state *state);
 double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);
 
-/* part[MESH] and part[STRESS], K factored for both. */
+/*
+ * min(1, 1 / (omega T)) with omega^2 = u.Mu / u.M K^-1 Mu [eq:left-slowest],
+ * and 1 for u = 0: of many modes Rayleigh's quotient has the mean omega^2, but
+ * a load that rises in T makes each swing by 1 / (omega T) of its own, of which
+ * this is the mean.  It is never less than estimate_inertia().
+ */
+double relax_inertia(const struct ladder_state *state,
+                     const struct matrix *factors);
+
+/*
+ * part[MESH] and part[STRESS], K factored for both; of a plane model at rest
+ * part[INERTIA] becomes relax_inertia(), if that is more.  A coarse mesh may be
+ * so stiff that it hides how near the load is to buckling: pressed by P < P_cr
+ * of ladder_buckles() a body has a STRESS of at least P / P_cr of what bends in
+ * part[DIMENSION], but for the force in the hand.  These two parts are read.
+ */
 void relax_parts(const struct ladder_state *state, relax_forces *mesh,
                  relax_forces *stress, double part[N_PART]);
 

@@ -19,7 +19,8 @@ static double estimates(const struct ladder_state *s)
     return 130.0 * s->mesh->n_triangle +
            parts * (3.0 * 170.0 * s->mesh->n_triangle +
                     2.0 * (cost.solve + 30.0 * n)) +
-           (s->model.moving ? 250.0 * s->mesh->n_triangle + cost.flops : 0.0);
+           (s->model.moving ? 250.0 * s->mesh->n_triangle + cost.flops
+            : s->scene->time != STANDS ? cost.solve : 0.0); /* inertia */
 }
 
 static struct price price_of(const struct ladder_state *s,
