@@ -499,11 +499,10 @@ static const struct column_rule rules[] = {
 static const struct lesson lesson = {
     "08_element_assembly", claims, COUNT(claims), runs, COUNT(runs), rules,
     COUNT(rules),
-    "Both storages give the same error, but with 256 elements the dense one "
-    "takes 2272 times the flops. Ten times the accuracy costs 3 times the work "
-    "with a band and 32 times with a dense matrix "
-    "(figures/08_element_assembly/chart.svg). And from some n on more work "
-    "makes the answer worse.",
+    "Both storages give one error, but with 256 elements dense storage takes "
+    "2272 times the flops. Ten times the accuracy costs 3 times the work with "
+    "a band and 32 times without (figures/08_element_assembly/chart.svg). And "
+    "from some n on more work makes the answer worse.",
     "Fix the right end by its row only, leave the column, and let measure() "
     "judge by the status alone: the run that is wrong by 0.8 then has a fine "
     "time (figures/08_element_assembly/validity.c). Which other rule of a "
