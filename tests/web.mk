@@ -45,7 +45,7 @@ $(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
 endef
 $(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
 .PHONY: wasm web-pages
-wasm: $(LESSONS:%=$(WASM)/%.js)
+wasm: $(LESSONS:%=$(WASM)/%.js) ; @:
 
 # What was measured of each prediction.
 $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
@@ -62,7 +62,7 @@ $(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
         $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
 	$(call say,web,$(@D))
 	$(Q)node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
-web-pages: $(BUILD)/web/index.html
+web-pages: $(BUILD)/web/index.html ; @:
 web:
 	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
 	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \
