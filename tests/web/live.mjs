@@ -1,6 +1,6 @@
 /*
  * live.mjs SITE SQUARE CHOOSE [PART [FRAMES]] - the live pages in a headless Chromium:
- * all parts, or log, cubic, losses, tissue or touch.
+ * all parts, or log, cubic, losses, tissue, touch or pages.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
  * none is lost, and the native program SQUARE has the same rungs, systems and
@@ -218,6 +218,22 @@ async function touch(browser) {
     await page.close();
 }
 
+/* The front leads to the pages, and the chapter begins the square when it is asked. */
+async function pages(browser) {
+    const front = await browser.page(url('index.html'));
+    const leads = await front.evaluate("['tissue', 'live', 'choose'].filter(name => " +
+        "document.querySelector(`a[href='web/${name}.html']`)).length");
+    say(leads === 3, 'the front leads to the three pages', leads);
+    await front.close();
+    const page = await browser.page(url('lessons/24_live.html'));
+    const before = await page.evaluate("!('square' in (self.programs || {}))");
+    await page.evaluate("document.querySelector('.live .start').click()");
+    const begun = await page.until("document.querySelector('.live').live.state.frames > 5", 20);
+    say(before && begun && page.errors.length === 0, 'the chapter begins the square when ' +
+        'it is asked', `without a program ${before}, begun ${begun}, ${page.errors.join(' ')}`);
+    await page.close();
+}
+
 const folder = mkdtempSync(join(tmpdir(), 'live-'));
 const browser = await open();
 try {
@@ -228,6 +244,7 @@ try {
     if (asked('losses')) await losses(browser);
     if (asked('tissue')) await tissue(browser);
     if (asked('touch')) await touch(browser);
+    if (asked('pages')) await pages(browser);
 } finally {
     await browser.close();
     rmSync(folder, { recursive: true });
