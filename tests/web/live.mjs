@@ -1,6 +1,6 @@
 /*
  * live.mjs SITE SQUARE CHOOSE [PART [FRAMES]] - the live pages in a headless Chromium:
- * all parts, or log, cubic, losses, tissue or touch.
+ * all parts, or log, cubic, losses, tissue, touch or pages.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
  * none is lost, and the native program SQUARE has the same rungs, systems and
@@ -89,7 +89,7 @@ async function square(browser, folder, law, keys, seed) {
     const run = await page.evaluate(`(${drive})(${frames}, ${JSON.stringify(keys)}, ${seed})`);
     await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
-    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    await page.until("document.querySelector('.live').live.state.status !== null", 60);
     const { status, lines, input } = await page.evaluate("(({status, lines, input}) => " +
         "({status, lines, input}))(document.querySelector('.live').live.state)");
     const here = rows(lines, 'frames');
@@ -138,7 +138,7 @@ async function losses(browser) {
     await page.evaluate(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
     await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
-    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    await page.until("document.querySelector('.live').live.state.status !== null", 60);
     const { lines, lost } = await page.evaluate("(({lines, lost}) => " +
         "({lines, lost}))(document.querySelector('.live').live.state)");
     const really = rows(lines, 'frames').filter(row => row.rung === 'lost').length;
@@ -168,7 +168,7 @@ async function tissue(browser) {
         await frames(20);
         key('q');
     })()`);
-    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    await page.until("document.querySelector('.live').live.state.status !== null", 60);
     const { status, lines } = await page.evaluate("(({status, lines}) => ({status, lines}))" +
         "(document.querySelector('.live').live.state)");
     const frames = rows(lines, 'frames');
@@ -196,16 +196,18 @@ async function touch(browser) {
     const finger = (type, x, y) => page.send('Input.dispatchTouchEvent', { type, touchPoints:
         type === 'touchEnd' ? [] : [{ x: box.x + x * box.scale, y: box.y - y * box.scale }] });
     await finger('touchStart', 0.95, 0.5);
+    const begun = await page.evaluate("document.querySelector('.live').live.state.frames");
     for (let k = 1; k <= 20; k++) {
         await finger('touchMove', 0.95 + 0.03 * k, 0.5 - 0.06 * k);
         await new Promise(done => setTimeout(done, 40));
     }
+    await page.until(`document.querySelector('.live').live.state.frames > ${begun + 20}`);
     const { top, hand } = await page.evaluate("({ top: scrollY, " +
         "hand: document.querySelector('.live').live.hand })");
     await finger('touchEnd');
-    await page.until("!document.querySelector('.live').live.hand.down", 5);
+    await page.until("!document.querySelector('.live').live.hand.down");
     await page.evaluate("document.querySelector('.live').live.press('q')");
-    await page.until("document.querySelector('.live').live.state.status !== null", 10);
+    await page.until("document.querySelector('.live').live.state.status !== null", 60);
     const { lines } = await page.evaluate("(({lines}) => ({lines}))" +
         "(document.querySelector('.live').live.state)");
     const frames = rows(lines, 'frames'), end = frames[frames.length - 1] || {};
@@ -215,6 +217,22 @@ async function touch(browser) {
         'a finger drags the square, and not the page', JSON.stringify({ hand, top, box,
             strained, end }));
     say(page.errors.length === 0, 'no error under a finger', page.errors.join(' '));
+    await page.close();
+}
+
+/* The front leads to the pages, and the chapter begins the square when it is asked. */
+async function pages(browser) {
+    const front = await browser.page(url('index.html'));
+    const leads = await front.evaluate("['tissue', 'live', 'choose'].filter(name => " +
+        "document.querySelector(`a[href='web/${name}.html']`)).length");
+    say(leads === 3, 'the front leads to the three pages', leads);
+    await front.close();
+    const page = await browser.page(url('lessons/24_live.html'));
+    const before = await page.evaluate("!('square' in (self.programs || {}))");
+    await page.evaluate("document.querySelector('.live .start').click()");
+    const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
+    say(before && begun && page.errors.length === 0, 'the chapter begins the square when ' +
+        'it is asked', `without a program ${before}, begun ${begun}, ${page.errors.join(' ')}`);
     await page.close();
 }
 
@@ -228,6 +246,7 @@ try {
     if (asked('losses')) await losses(browser);
     if (asked('tissue')) await tissue(browser);
     if (asked('touch')) await touch(browser);
+    if (asked('pages')) await pages(browser);
 } finally {
     await browser.close();
     rmSync(folder, { recursive: true });

@@ -26,6 +26,9 @@ const MISTAKES = [
      'if (false) alert', LIVE('losses'), 'frames that are lost are said'],
     ['Enter does not grab', 'live.js', 'hand.down = hand.down ? 0 : 1', 'hand.down = 0',
      LIVE('tissue'), 'the tissue is pulled by the keyboard'],
+    ['the program is loaded before it is asked for', 'live.js',
+     "if (!('onDemand' in data)) return begin();", 'begin();', LIVE('pages'),
+     'the chapter begins the square'],
     ['what an example does not say is kept', 'choose.js',
      "for (const input of word.inputs) input.value = '';", '', CHOOSE,
      'the answers to'],
@@ -49,7 +52,7 @@ let failed = 0;
 for (const [name, script, from, to, [test, ...args], check] of MISTAKES) {
     const copy = mkdtempSync(join(tmpdir(), 'mistake-'));
     cpSync(join(site, 'web'), join(copy, 'web'), { recursive: true });
-    for (const folder of ['programs', 'book.css'])
+    for (const folder of ['programs', 'book.css', 'lessons', 'index.html', 'figures'])
         symlinkSync(join(site, folder), join(copy, folder));
     const path = join(copy, 'web', script), text = readFileSync(path, 'utf8');
     let why = text.split(from).length === 2 ? '' : 'does not fit ' + script;
