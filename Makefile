@@ -382,8 +382,8 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
 	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \
 	    $(filter %.o,$^) $(LDFLAGS) $(GSL_LIBS) $$rival $$lapack && $(MOVED)
 # One after the other, each time anew, their tables into build/data/, and the
-# pictures with seconds in them in their place in the tree.  At the end stands
-# what was wanted and what was measured; the share of a processor that the
+# pictures and tables with seconds in them in their place in the tree.  At the end
+# stands what was wanted and what was measured; the share of a processor that the
 # studies had says whether the machine was quiet.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
@@ -397,9 +397,16 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 	        $(BUILD)/figures/$$s \
 	        > $$part && mv $$part $$data || exit 1; \
 	done; end=$$(date +%s); times > $$part; \
-	awk -v processor="$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
+	processor=$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
 	    print (60 * $$1 + $$2 + 60 * $$3 + $$4) / (wall + (wall == 0)) }' \
-	    $$part)" -f tests/tools/bench.awk $(BUILD)/data/speed/*.tsv
+	    $$part); "$$MAKE" peer || exit 1; \
+	set -- $(BUILD)/data/speed/*.tsv $(BUILD)/data/25_elements/seconds.tsv \
+	    $(BUILD)/data/many/peer.tsv; \
+	awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$$@" \
+	    figures/speed/README.md > $$part && \
+	    cat $$part > figures/speed/README.md || exit 1; \
+	awk -v processor=$$processor -f tests/tools/bench.awk \
+	    -f tests/tools/closing.awk "$$@"
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
 	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$$f.tsv \
 	        figures/$$f.svg || exit 1; done

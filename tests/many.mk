@@ -16,9 +16,9 @@ no_many = no PETSc with MPI here; make deps-many installs it
 MANY_CC = OMPI_CC='$(CC)' mpicc $(STD) $(STRICT) $(CFLAGS) -Icommon \
           $(GSL_CFLAGS) $$(pkg-config --cflags petsc | sed 's/-I */-isystem /g')
 MANY_LIBS = $(LINK) $$(pkg-config --libs petsc)
-$(MANY)/many: $(MANY_FILES) $(LIB) Makefile tests/many.mk
-	$(call say,mpicc,figures/many/many.c)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $(MANY_CC) figures/many/many.c -o $(PART) \
+$(MANY)/many $(MANY)/peer: $(MANY)/%: $(MANY_FILES) $(LIB) Makefile tests/many.mk
+	$(call say,mpicc,figures/many/$*.c)
+	$(Q)mkdir -p $(@D) && $(WHOLE) $(MANY_CC) figures/many/$*.c -o $(PART) \
 	    $(MANY_LIBS) && $(MOVED)
 MANY_WRONG := $(shell $(VARIANT) -v list=mistake tests/many/mistakes.txt)
 $(MANY_WRONG:%=$(MANY)/%/many): $(MANY)/%/many: tests/many/mistakes.txt \
@@ -50,6 +50,18 @@ $(T)/many.result: $(shell grep -qs '^skip many: no' $(T)/many.result && \
 	    BUILD='$(BUILD)' sh tests/tools/many.sh test > $@ || \
 	    { echo 'FAIL many:'; cat $@.log; } > $@; \
 	else echo 'skip many: $(no_many)' > $@; fi
+
+# What a step takes beside PETSc: measured by `make bench`, where there is one;
+# else the numbers of the machine that they name.
+.PHONY: peer
+peer:
+	$(SHARED)@mkdir -p $(BUILD)/data/many; to=$(BUILD)/data/many/peer.tsv; \
+	if $(have_many); then "$$MAKE" $(MANY)/peer && \
+	    printf '  %-8s %s\n' bench many/peer >&2 && \
+	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
+	        $(MANY)/peer > $$to.part && mv $$to.part $$to && \
+	    cp $$to figures/many/peer.tsv; \
+	else cp figures/many/peer.tsv $$to; fi; cat $$to >> $(BUILD)/data/speed/step.tsv
 
 $(BUILD)/data/many/many.tsv: figures/many/many.tsv
 	$(Q)mkdir -p $(@D) && cp $< $@

@@ -251,6 +251,10 @@ $(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
         $(wildcard tests/tools/skeleton/*)
 	$(call say,test,the form of chapters)
 	$(Q)mkdir -p $(@D) && sh $< > $@
+$(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.awk \
+        tests/tools/seconds.awk figures/speed/README.md
+	$(call say,test,what make bench makes of its tables)
+	$(Q)mkdir -p $(@D) && sh $< > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
@@ -314,7 +318,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result \
-           $(T)/wide.result $(T)/form.result \
+           $(T)/wide.result $(T)/form.result $(T)/bench.result \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/new.result $(T)/diff.result \

@@ -131,6 +131,15 @@ static void measure(int s, struct measured *t)
 }
 
 /* Multiplications and additions to leading order [eq:band-cost]. */
+/* Of all measurements: what another program takes away is not missing there. */
+static double best_peak(const struct measured t[SIZES])
+{
+    double best = 0.0;
+    for (int s = 0; s < SIZES; s++)
+        best = fmax(best, times_quantile(&t[s].peak, 1.0));
+    return best;
+}
+
 static void print_solver(int k, const struct measured t[SIZES])
 {
     for (int s = 0; s < SIZES && t[s].all[k].runs > 0; s++) {
@@ -146,8 +155,7 @@ static void print_solver(int k, const struct measured t[SIZES])
                   cell_if(valid, times_spread(&t[s].all[k])),
                   cell_if(valid, 1e3 * alone),
                   cell_if(valid, 1e-9 * (factor + back) / seconds),
-                  cell_if(valid, 1e-7 * factor / alone /
-                                     times_median(&t[s].peak)),
+                  cell_if(valid, 1e-7 * factor / alone / best_peak(t)),
                   cell_if(valid, seconds / times_median(&t[s].all[OURS])));
     }
 }
@@ -165,9 +173,9 @@ int main(void)
     for (int k = 0; k < SOLVERS; k++) print_solver(k, t);
     table_end();
     table_begin_note("peak", "n gigaflop_per_second spread",
-                     "multiply-adds of one core");
+                     "multiply-adds of one core, the best of the run");
     for (int s = 0; s < SIZES; s++)
-        table_row(size[s], times_median(&t[s].peak), times_spread(&t[s].peak));
+        table_row(size[s], best_peak(t), times_spread(&t[s].peak));
     table_end();
     for (int s = 0; s < SIZES; s++)
         claim(t[s].wrong == 0, "all solvers give the same answer");

@@ -96,16 +96,16 @@ int main(void)
     table_begin("systems", "n input law fallback frames lost p50 p99 most "
                            "p50_ms p99_ms most_ms");
     for (int l = 0; l < 2; l++)
-        for (int n = 16; n <= 64; n *= 2) {
+        for (int n = 16; n <= 32; n *= 2) {
             compare(n, l ? CUBIC : LOG, 0);
-            if (n < 64) compare(n, l ? CUBIC : LOG, n == 16 ? 10 : 2);
+            compare(n, l ? CUBIC : LOG, n == 16 ? 3 : 1);
         }
     table_end();
 
     table_begin("frames", "n storage p50_ms p99_ms most_ms");
     for (int s = 0; s < 2; s++) {
         int below[2] = {1, 1};
-        for (int n = 8; n <= 96 && below[0]; n += 8) {
+        for (int n = 16; n <= 96 && below[0]; n += 16) {
             struct count *c = allocate(1, sizeof *c);
             double ms[3];
             play(n, LOG, pointers_hard(), (int)storage[s], 0, c);

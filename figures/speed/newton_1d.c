@@ -119,7 +119,7 @@ int main(void)
                      "per iteration, or per system from tridiagonal_p1 on");
     for (int n = 1000; n <= 1000000; n *= 1000) {
         static struct times t[LINES];
-        const int runs = n == 1000 ? 31 : 9;
+        const int runs = n == 1000 ? 31 : 5;
         memset(t, 0, sizeof t);
         for (int run = 0; run < runs; run++)
             for (int k = 0; k < LINES; k++)

@@ -3,11 +3,13 @@
  *
  * The stretch of step.c, on one thread.  Table realtime: its first ninety
  * steps, while it is stretched, with the jolt of the start; an n is in time
- * when 99 of 100 of them take at most 1/30 s.  Table swing: 190 steps, in which
- * it is pressed from t = pi on and let go again (dissection); in time when all
- * are.  There a step takes up to hundreds of systems, so that `capped` stops at
- * 8 and goes on from what the line search has reached [alg:line-search], which
- * has less Phi than the guess.  The largest n is found by halving an interval.
+ * when 99 of 100 of them take at most 1/30 s; `single` is dissection in single
+ * precision, `kept` the same with factors kept across steps [alg:kept].  Table
+ * swing: 190 steps, in which it is pressed from t = pi on and let go again
+ * (dissection); in time when all are.  There a step takes up to hundreds of
+ * systems, so that `capped` stops at 8 and goes on from what the line search
+ * has reached [alg:line-search], which has less Phi than the guess.  The
+ * largest n is found by halving an interval.
  */
 #include "base/clock.h"
 #include "plane/scene.h"
@@ -17,8 +19,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum solver { BAND, DISSECTION, SINGLE, SOLVERS };
-static const char *const name[] = {"band", "dissection", "single"};
+enum solver { BAND, DISSECTION, SINGLE, KEPT, SOLVERS };
+static const char *const name[] = {"band", "dissection", "single", "kept"};
 enum { FRAMES = 90, SWING = 190, STEP = 2, LEAST = 16, MOST = 400, CAP = 8 };
 
 /* Seconds that 99 of 100 steps do not exceed; INFINITY as soon as two of them
@@ -30,12 +32,13 @@ static double slowest(int k, int n)
     struct times t = {0};
     int late = 0;
     set.reach = 0.5;
-    control.chord = 1;
+    control.chord = k == KEPT ? KEPT_ACROSS : KEPT_IN_STEP;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, k == BAND ? BANDED : SPARSE);
-    if (k == SINGLE) matrix_keep_single(s->body->K, 1);
+    if (k >= SINGLE) matrix_keep_single(s->body->K, 1);
     scene_step(s, &control); /* memory is touched */
     scene_rest(s);
+    s->body->kept.usable = 0;
     for (int step = 0; step < FRAMES && late < 2; step++) {
         const double before = clock_seconds();
         if (scene_step(s, &control).status != OK) die("n = %d fails", n);
@@ -142,7 +145,7 @@ static int largest(int k, int single, double *seconds)
 int main(void)
 {
     int n[SOLVERS];
-    double p99[SOLVERS] = {NAN, NAN, NAN}, unused;
+    double p99[SOLVERS] = {NAN, NAN, NAN, NAN}, unused;
     study_machine();
     for (int k = 0; k < SOLVERS; k++) n[k] = largest(k, 0, &p99[k]);
     table_begin("realtime", "solver n p99_ms over_band");

@@ -5,8 +5,8 @@
  * by the same in single precision, refined, and by CHOLMOD, where there is one,
  * in the same order; and steps of the stretch, after the jolt of the start,
  * also with factors kept across steps.  They take turns, of steps after ten in
- * a row, before which one finds the caches full of others' numbers and does not
- * count.  A backward error above 1e-12 has no time.
+ * a row, before which one finds the caches full of others' numbers and counts
+ * as cold.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
 #include "rival.h"
@@ -31,7 +31,7 @@ enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9 };
 enum { ROUNDS = 3, IN_A_ROW = 10 };
 
 struct measured {
-    struct times analysis, factor, solve, step;
+    struct times analysis, factor, solve, step, cold;
     double mb; /* megabytes */
 };
 
@@ -110,9 +110,8 @@ static void measure(int n, struct measured m[SOLVERS])
                 const double before = clock_seconds();
                 const enum status status =
                     one_step(scene[k], solver[k].chord, c[k]);
-                if (step == 0 && status == OK) continue;
-                times_record(&m[k].step, clock_seconds() - before,
-                             status == OK);
+                times_record(step == 0 ? &m[k].cold : &m[k].step,
+                             clock_seconds() - before, status == OK);
             }
     for (int k = 0; k < present; k++)
         for (int r = 0; r < scene[k]->n_dof; r++)
@@ -134,12 +133,10 @@ static double gain(const struct measured m[SOLVERS], int k)
     return times_median(&m[k].step) / times_median(&m[DISSECTION].step);
 }
 
-/* Of a step from half of n to n. */
-static double exponent(const struct measured n[], const struct measured half[],
-                       int k)
+/* From half of n to n. */
+static double exponent(const struct times *n, const struct times *half)
 {
-    return study_order(times_median(&n[k].step), times_median(&half[k].step),
-                       2.0);
+    return study_order(times_median(n), times_median(half), 2.0);
 }
 
 int main(void)
@@ -164,10 +161,17 @@ int main(void)
     table_begin("crossover", "step_n chosen_n"); /* dissection is faster from */
     table_row(from, BODY_SPARSE_FROM);
     table_end();
-    table_begin("growth", "solver to_128 to_256"); /* from half of this n */
-    for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++)
-        table_row(solver[k].name, exponent(m[N_64 + 2], m[N_64], k),
-                  exponent(m[N_64 + 3], m[N_64 + 2], k));
+    table_begin("growth", "solver to_128 to_256 cold_to_128 cold_to_256");
+    const int at[] = {N_64, N_64 + 2, N_64 + 3}; /* 64, 128, 256 */
+    for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++) {
+        double order[4];
+        for (int i = 0; i < 2; i++) {
+            const struct measured *half = &m[at[i]][k], *n = &m[at[i + 1]][k];
+            order[i] = exponent(&n->step, &half->step);
+            order[2 + i] = exponent(&n->cold, &half->cold);
+        }
+        table_row(solver[k].name, order[0], order[1], order[2], order[3]);
+    }
     table_end();
     return table_finish();
 }

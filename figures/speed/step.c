@@ -99,7 +99,8 @@ static void measure(int n, int missed[METHODS], struct measured *m)
             if (k == LAPACK_BAND && !*MACHINE_LAPACK) continue;
             if (missed[k] < 2) run(k, s, 1, FRAMES, path, m);
             else if (k == BEST || (n & (n - 1)) == 0) /* a power of 2 */
-                run(k, s, 12, k == READABLE ? 13 : 19, path, m);
+                run(k, s, 12, k == READABLE ? 13 : k == LAPACK_BAND ? 14 : 19,
+                    path, m);
         }
     for (int k = 0; k < METHODS; k++)
         missed[k] += !(times_quantile(&m->t[k], 0.99) <= set.dt);

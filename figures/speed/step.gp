@@ -2,8 +2,8 @@
 # [eq:roofline], and what an accuracy costs.
 # Expected: slope 4 in n for large n, where factoring is everything.
 # Reads   data  tables steps (method n median_ms real_time), roofline
-#               (n predicted_ms), accuracy (n rms *_ms), machine; from
-#               `make bench`
+#               (n predicted_ms), accuracy (n rms *_ms), machine, and peer
+#               (method n step_ms) of figures/many/peer.c; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,430
@@ -21,8 +21,11 @@ of(k) = strcol("method") eq Method[int(k)] ? column("n") : NaN
 there = ""
 do for [k = 1:5] { if (has(k)) { there = there." ".k } }
 
+peer = system(sprintf("grep -c '^# peer' '%s'", data)) > 0
+rows = peer ? "notes method" : ""
+
 # where the name of a method stands, right of its last point
-array Height[5] = [2800, 850, 270, 90, 14]
+array Height[5] = [3200, 1150, 190, 88, 11]
 set multiplot
 unset key
 set tmargin at screen 0.95
@@ -38,7 +41,7 @@ set yrange [1e-3:8e3]
 set xlabel "squares per side n"
 set ylabel "median time per step (ms)"
 set label 10 "1/30 s" at 7.4,55 left font ",11"
-set label 11 "limits of the core for a band" at 150, 38 font ",11"
+set label 11 "limits of the core for a band" at 150, 24 font ",11"
 set label 12 "(in real time up to n)" at 150, 7500 font ",11"
 do for [k in there] {
     i = int(k)
@@ -46,8 +49,15 @@ do for [k in there] {
     set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] \
         font ",11" tc ls color
 }
+by(word) = strcol("method") eq word ? column("n") : NaN
+if (peer) {
+    set label 13 "PETSc, CHOLMOD" at 150, 470 font ",11" tc ls 5
+    set label 14 "PETSc, our method" at 150, 46 font ",11" tc ls 5
+}
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
+     for [word in rows] data index "peer" \
+         using (by(word)):"step_ms" with points ls 5, \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label

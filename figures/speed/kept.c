@@ -1,0 +1,76 @@
+/*
+ * kept.c - how many times faster is a step whose factors serve later steps?
+ *
+ * Four scenes of scene.h, cubic law, n = 128, forty steps of 1/30 s from rest
+ * by dissection: factors kept within a step, and across steps [alg:kept], in
+ * double and in single precision.  They take turns, of ten steps in a row.  The
+ * worst step is that of the start.  An answer that is off has no time.
+ */
+#include "plane/scene.h"
+
+#include "base/clock.h"
+#include "base/study.h"
+#include "base/table.h"
+
+#include <math.h>
+
+enum { CELLS = 128, STEPS = 40, IN_A_ROW = 10, SCENES_HERE = 4, WAYS = 4 };
+static const enum reading reading[SCENES_HERE] = {STRETCH, RIGID, TRACTION,
+                                                  SPIN};
+static const struct {
+    const char *name;
+    enum chord chord;
+    int single;
+} way[WAYS] = {{"within", KEPT_IN_STEP, 0}, {"within_single", KEPT_IN_STEP, 1},
+               {"across", KEPT_ACROSS, 0},  {"across_single", KEPT_ACROSS, 1}};
+
+static void measure(enum reading scene, struct times t[WAYS])
+{
+    struct scene_setting set = scene_notes(scene, CUBIC, CELLS);
+    struct scene *s[WAYS];
+    if (scene == STRETCH) set.reach = 0.5;
+    for (int k = 0; k < WAYS; k++) {
+        struct step_control control = step_method("lift");
+        s[k] = scene_alloc(&set);
+        matrix_keep_single(s[k]->body->K, way[k].single);
+        scene_step(s[k], &control); /* memory is touched */
+        scene_rest(s[k]);
+        s[k]->body->kept.usable = 0;
+    }
+    for (int turn = 0; turn < STEPS / IN_A_ROW; turn++)
+        for (int k = 0; k < WAYS; k++)
+            for (int step = 0; step < IN_A_ROW; step++) {
+                struct step_control control = step_method("lift");
+                control.chord = way[k].chord;
+                const double before = clock_seconds();
+                const enum status status = scene_step(s[k], &control).status;
+                times_record(&t[k], clock_seconds() - before, status == OK);
+            }
+    for (int k = 0; k < WAYS; k++)
+        for (int r = 0; r < s[0]->n_dof; r++)
+            if (!(fabs(s[k]->u[r] - s[0]->u[r]) <= 1e-8))
+                t[k].second[0] = NAN;
+    for (int k = 0; k < WAYS; k++) scene_free(s[k]);
+}
+
+int main(void)
+{
+    study_machine();
+    table_begin_note("kept", "scene factors median_ms p99_ms worst_ms faster "
+                     "worst_faster", "n = %d; faster: than `within`", CELLS);
+    for (int scene = 0; scene < SCENES_HERE; scene++) {
+        struct times t[WAYS] = {{0}};
+        measure(reading[scene], t);
+        for (int k = 0; k < WAYS; k++) {
+            const struct times *today = &t[0];
+            table_row(scene_name(reading[scene]), way[k].name,
+                      1e3 * times_median(&t[k]),
+                      1e3 * times_quantile(&t[k], 0.99),
+                      1e3 * times_quantile(&t[k], 1.0),
+                      times_median(today) / times_median(&t[k]),
+                      times_quantile(today, 1.0) / times_quantile(&t[k], 1.0));
+        }
+    }
+    table_end();
+    return table_finish();
+}
