@@ -387,7 +387,7 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
 # studies had says whether the machine was quiet.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
-	@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
+	$(SHARED)@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
 	trap 'exit 130' 1 2 15; \
 	begin=$$(date +%s); \
 	for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
