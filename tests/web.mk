@@ -45,7 +45,7 @@ $(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
 endef
 $(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
 .PHONY: wasm web-pages
-wasm: $(LESSONS:%=$(WASM)/%.js)
+wasm: $(LESSONS:%=$(WASM)/%.js) ; @:
 
 # What was measured of each prediction.
 $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
@@ -53,14 +53,16 @@ $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge 
 	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
 	    $(MOVED)
 WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js
-$(WASM)/book/index.html: $(BOOK) $(wildcard figures/*.svg figures/*/*.svg) \
-        tests/tools/book.sh
+# of the pictures as they are: a newer one is copied, none is drawn
+NEWER = $(shell find figures -name '*.[sg][vi][gf]' -newer $(WASM)/book/index.html \
+            2>/dev/null)
+$(WASM)/book/index.html: $(BOOK) tests/tools/book.sh $(if $(NEWER),always)
 	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
 $(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
         $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
 	$(call say,web,$(@D))
 	$(Q)node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
-web-pages: $(BUILD)/web/index.html
+web-pages: $(BUILD)/web/index.html ; @:
 web:
 	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
 	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \

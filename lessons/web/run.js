@@ -45,7 +45,8 @@ function work(program, args) {
 }
 
 /*
- * Run it: {finished, stop}.  finished is a promise of {status, out, err, ms, end}:
+ * Run it: {finished, stop, result}.  finished is a promise of the result, which is
+ * {status, out, err, ms, end}:
  * end is "exit" with a status, or "stopped" by stop(), "limit" after so many
  * seconds, "flood" when it has printed more than 16 MB, "crash" with its reason in
  * err.  What it had printed till then is in out.
@@ -78,7 +79,7 @@ function runProgram(program, args, seconds) {
             end("exit");
         };
     });
-    return {finished, stop};
+    return {finished, stop, result};
 }
 
 /* The tables of an output: {name, notes, columns, rows}; cells are text.  A table

@@ -58,6 +58,7 @@ const native = (lesson, args) => {
 /* ---- in the page ---------------------------------------------------------------- */
 
 let browser, page, workers = 0;
+let patience = 60; /* seconds of waiting, on a machine that may have much to do */
 const script = (f, ...args) => page.evaluate(`(${f})(${args.map((a) => JSON.stringify(a))})`);
 const chapter = (lesson, root = site) => page.go(`file://${root}/lessons/${lesson}.html`);
 
@@ -66,33 +67,30 @@ function expect(condition, words) {
 }
 
 /* Fill the fields, run, and wait for the end: {kind, said, result}. */
-async function run(fields = {}, press = "run", patience = 40) {
+async function run(fields = {}) {
     await script((fields) => {
         for (const field of document.querySelectorAll(".predict input"))
             if (!field.readOnly) field.value = "1/2";
         for (const name in fields) form.elements.namedItem(name).value = fields[name];
         form.dispatchEvent(new Event("input"));
     }, fields);
-    await script((name) => button(name).click(), press);
-    return settled(patience);
+    await script(() => button("run").click());
+    return settled();
 }
-async function settled(patience) {
-    for (let k = 0; k < 50 * patience; k++) {
-        const now = await script(() => {
-            const status = panel.querySelector("[role=status]");
-            return {kind: status.dataset.kind, said: status.textContent, result: panel.result};
-        });
-        if (now.kind && now.kind !== "running") return now;
+async function wait(what, condition) {
+    for (const end = Date.now() + 1e3 * patience; Date.now() < end;) {
+        const now = await condition();
+        if (now) return now;
         await new Promise((resolve) => setTimeout(resolve, 20));
     }
-    throw new Error(`after ${patience} s it still runs`);
+    throw new Error(`after ${patience} s: ${what}`);
 }
-/* Workers that have been ended take a moment to go. */
-async function noWorker() {
-    for (let k = 0; workers > 0 && k < 100; k++)
-        await new Promise((resolve) => setTimeout(resolve, 20));
-    expect(workers === 0, `${workers} workers still run`);
-}
+const settled = () => wait("it still runs", () => script(() => {
+    const status = panel.querySelector("[role=status]"), {kind} = status.dataset;
+    return kind && kind !== "running" &&
+           {kind, said: status.textContent, result: panel.result};
+}));
+const noWorker = () => wait("a worker still runs", () => workers === 0);
 const endless = (text) => script((text) => {
     programs[here.program] = eval(`(function (Module) { ${text} })`);
 }, text);
@@ -183,7 +181,7 @@ const tests = {
         await chapter("12_triangles", root);
         await endless("for (;;) {}");
         await script(() => { here.seconds = 0.5; });
-        const {kind} = await run({}, "run", 5);
+        const {kind} = await run();
         expect(kind === "limit", `an endless loop ends with ${kind}`);
         await noWorker();
     },
@@ -191,8 +189,10 @@ const tests = {
         await chapter("12_triangles", root);
         await endless('Module.print("# t"); for (let k = 0; k < 5000; k++) Module.print("x"); ' +
                       "for (;;) {}");
-        setTimeout(() => script(() => button("stop").click()), 500);
-        const {kind, result} = await run({}, "run", 5);
+        const end = run();
+        const pressed = wait("nothing is printed", () => script(() =>
+            running?.result?.out && (button("stop").click(), true)));
+        const [{kind, result}] = await Promise.all([end, pressed]);
         expect(kind === "stopped", `the button stop ends it with ${kind}`);
         expect(result.out.startsWith("# t\nx\n"), "what it had printed is lost");
         await noWorker();
@@ -202,7 +202,7 @@ const tests = {
     async crash(root) {
         await chapter("12_triangles", root);
         await endless('throw new Error("unreachable");');
-        const {kind, said} = await run({}, "run", 5);
+        const {kind, said} = await run();
         expect(kind === "crash" && said.includes("unreachable"), `${kind}: ${said}`);
         await noWorker();
     },
@@ -213,7 +213,7 @@ const tests = {
         const key = {key: "Enter", code: "Enter", windowsVirtualKeyCode: 13, text: "\r"};
         await page.send("Input.dispatchKeyEvent", {type: "keyDown", ...key});
         await page.send("Input.dispatchKeyEvent", {type: "keyUp", ...key});
-        const {kind} = await settled(5);
+        const {kind} = await settled();
         expect(kind === "ok", `Enter in a field: ${kind}`);
     },
 };
@@ -277,7 +277,9 @@ async function noticed([file, from, to, test]) {
     const text = fs.readFileSync(`${copy}/web/${file}`, "utf8");
     expect(text.includes(from), `${file} has no ${from}`);
     fs.writeFileSync(`${copy}/web/${file}`, text.replace(from, () => to));
+    patience = 5;
     const why = await tests[test](copy).then(() => null, (error) => error.message);
+    patience = 60;
     expect(why !== null, `${test} does not notice`);
     await page.go("about:blank");
     workers = 0;
