@@ -23,8 +23,8 @@
 #include <petscksp.h>
 #include <string.h>
 
-/* Where CHOLMOD's BLAS is OpenBLAS. */
-extern char *openblas_get_config(void) __attribute__((weak));
+/* The processor that OpenBLAS, if it is the BLAS, takes this one for. */
+extern char *openblas_get_corename(void) __attribute__((weak));
 
 enum method { NOTES, METHOD, OURS, KEPT, METHODS };
 static const char *const name[] = {"notes", "method", "ours", "kept"};
@@ -197,9 +197,10 @@ int main(int argc, char **argv)
     PetscCall(PetscInitialize(&argc, &argv, NULL, NULL));
     study_machine();
     table_begin_note("peer", "method n step_ms over_ours over_kept",
-                     "PETSc %d.%d with CHOLMOD on %s", PETSC_VERSION_MAJOR,
+                     "PETSc %d.%d with CHOLMOD on %s%s", PETSC_VERSION_MAJOR,
                      PETSC_VERSION_MINOR,
-                     openblas_get_config ? "OpenBLAS" : "another BLAS");
+                     openblas_get_corename ? "OpenBLAS for " : "another BLAS",
+                     openblas_get_corename ? openblas_get_corename() : "");
     for (int n = 8; n <= 128; n *= 2) {
         double ms[METHODS];
         PetscCall(measure(n, ms));
