@@ -51,7 +51,7 @@ set label 6 sprintf("symplectic\nEuler:\norder %.2f", Slope[1]) at 1e-4, 1e-2 ri
 set label 7 sprintf("backward Euler:\norder %.2f", Slope[2]) at 1.4e-3, 0.3 tc ls 1
 set label 8 sprintf("midpoint:\norder %.2f", Slope[3]) at 1e-3, 4e-4 right tc ls 3
 set label 10 sprintf("BDF2:\norder %.2f", Slope[4]) at 2.9e-3, 9e-3 tc ls 4
-set label 11 "ring: the cheapest\nbelow 1 %" at 9e-6, 3e-4
+set label 11 "ring: the\ncheapest\nbelow 1 %" at 9e-6, 6e-4
 plot for [m = 1:4] data index "chart" \
          using (ok(m - 1, "seconds")):(ok(m - 1, "error")) \
          with linespoints ls Style[m], \

@@ -27,7 +27,7 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\\tms\
         how = $3 == \"static\" ? \"static \" $4 : $3 \" \" $4 \"×\" $5; \
         print $1 \"\\t\" $8 \"\\t\" $7 \"\\t\" $2 \" \" how }' '%s'", data)
 set multiplot
-set label 20 machine(data) at screen 0.01,0.008 left font ",10"
+set label 20 machine(data) at screen 0.99,0.992 right font ",10"
 set logscale xy
 set format y "10^{%T}"
 set format x "10^{%T}"
