@@ -26,6 +26,7 @@ h1, h2, h3, th, .nav { font-family: "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.6rem; line-height: 1.25; }
 h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 a, summary { color: #0b5394; }
+summary { overflow-wrap: anywhere; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
 img { max-width: 100%; height: auto; }
