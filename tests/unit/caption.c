@@ -34,7 +34,7 @@ static void each_key_is_named(void)
 {
     char words[CAPTION];
     struct live *live = some_live();
-    for (const char *key = POINTER_KEYS + 1; *key; key++)
+    for (const char *key = &POINTER_KEYS[1]; *key; key++)
         says(live, *key, words);
     live_free(live);
 }
