@@ -80,7 +80,8 @@ web-again: ;
 $(T)/web.result: $(shell grep -qs '^skip web: ' $(T)/web.result && \
         echo web-again) $(BOOK) $(wildcard lessons/web/* common/*/* solutions/*.c \
         tests/checks/*.[ch] tests/tools/web_* tests/tools/b*.* tests/cli/web.js) \
-        tests/web.mk $(LESSONS:%=$(BUILD)/data/%.tsv)
+        tests/web.mk tests/web_live.mk $(wildcard lessons/scenes/*) \
+        $(LESSONS:%=$(BUILD)/data/%.tsv)
 	$(call say,test,the pages in a browser)
 	$(SHARED)$(Q)mkdir -p $(@D) && if $(WEB_TESTS); then \
 	    "$$MAKE" web-pages > $@.log 2>&1 && node tests/cli/web.js $(BUILD) > $@ || \
