@@ -35,7 +35,7 @@ $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 $(WASM)/libworkbook.a: $(filter $(WASM)/common/%,$(WASM_OBJECTS))
 	$(Q)rm -f $@ && emar rcs $@ $(filter-out %/choose.o,$^)
 
-# A program: its objects, the library, GSL; MORE: what its link needs besides.
+# A program: $1 its name, $2 its objects, $3 what its link needs besides.
 define wasm_program
 $(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
 	$$(call say,wasm,$$@)

@@ -162,6 +162,7 @@ void scene_rest(struct scene *scene)
     memset(scene->v, 0, size);
     memset(scene->v_before, 0, size);
     scene->steps = 0;
+    scene->body->kept.usable = 0;
 }
 
 void scene_press(struct scene *scene, double e, double push)

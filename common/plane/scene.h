@@ -75,7 +75,7 @@ void scene_free(struct scene *scene);
 /* g := the prescribed values at time t (0 where nothing is held). */
 void scene_hold(struct scene *scene, double t);
 
-/* u, v, v_before and steps := 0. */
+/* u, v, v_before and steps := 0; factors of earlier steps serve no more. */
 void scene_rest(struct scene *scene);
 
 /* The guess for a column whose ends have moved on to e inwards: the way there

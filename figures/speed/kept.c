@@ -35,7 +35,6 @@ static void measure(enum reading scene, struct times t[WAYS])
         matrix_keep_single(s[k]->body->K, way[k].single);
         scene_step(s[k], &control); /* memory is touched */
         scene_rest(s[k]);
-        s[k]->body->kept.usable = 0;
     }
     for (int turn = 0; turn < STEPS / IN_A_ROW; turn++)
         for (int k = 0; k < WAYS; k++)

@@ -38,7 +38,6 @@ static double slowest(int k, int n)
     if (k >= SINGLE) matrix_keep_single(s->body->K, 1);
     scene_step(s, &control); /* memory is touched */
     scene_rest(s);
-    s->body->kept.usable = 0;
     for (int step = 0; step < FRAMES && late < 2; step++) {
         const double before = clock_seconds();
         if (scene_step(s, &control).status != OK) die("n = %d fails", n);

@@ -36,7 +36,6 @@ function of(study, table, key, name,    cell) {
     return cell ~ /^-?[0-9.]/ ? cell + 0 : "-"
 }
 function least(a, b) { return a == "-" ? b : b == "-" ? a : a < b ? a : b }
-function most(a, b) { return a == "-" ? b : b == "-" ? a : a > b ? a : b }
 function over(a, b) { return a == "-" || b == "-" || b == 0 ? "-" : a / b }
 function gain(other, k, n) { # times that `k` takes longer than `other`
     return over(of("solvers", "solvers", k " " n, "step_ms"),
