@@ -293,6 +293,22 @@ static void an_infinite_increment_is_not_taken(void)
     scene_free(s);
 }
 
+/* The first step from rest is that of a new scene, digit by digit. */
+static void a_scene_at_rest_has_no_factors(void)
+{
+    const struct step_control kept = across();
+    struct scene *s = scene_of(RIGID, CUBIC), *other = scene_of(RIGID, CUBIC);
+    for (int step = 0; step < 5; step++) scene_step(s, &kept);
+    scene_rest(s);
+    const struct step_report r = scene_step(s, &kept);
+    ck_assert_int_eq(r.status, OK);
+    ck_assert_int_eq(r.factorisations,
+                     scene_step(other, &kept).factorisations);
+    ck_assert_mem_eq(s->u, other->u, (size_t)s->n_dof * sizeof *s->u);
+    scene_free(s);
+    scene_free(other);
+}
+
 static const struct unit_law laws[] = {
     {"old_factors_find_the_same_step", old_factors_find_the_same_step},
     {"factors_are_new_when_the_last_step_was_long",
@@ -302,6 +318,7 @@ static const struct unit_law laws[] = {
     {"a_body_knows_how_far_it_is_turned", a_body_knows_how_far_it_is_turned},
     {"old_factors_turn_with_the_body", old_factors_turn_with_the_body},
     {"factors_are_forgotten", factors_are_forgotten},
+    {"a_scene_at_rest_has_no_factors", a_scene_at_rest_has_no_factors},
     {"what_old_factors_spoil_is_done_again",
      what_old_factors_spoil_is_done_again},
     {"an_infinite_increment_is_not_taken", an_infinite_increment_is_not_taken},
