@@ -450,6 +450,19 @@ static void both_components_are_printed(void)
             rows++;
         }
     ck_assert_int_eq(rows, (grid->n_node + 2) / 3);
+    line = strchr(strstr(outcome.out, "# particles"), '\n');
+    for (int q = 0; q < printed.p->n; q++) { /* x, v, F by rows */
+        line = strchr(line + 1, '\n');
+        ck_assert_int_eq(sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf", &w[0],
+                                &w[1], &w[2], &w[3], &w[4], &w[5], &w[6],
+                                &w[7]), 8);
+        for (int i = 0; i < 2; i++) {
+            ck_assert(w[i] == printed.p->x[2 * q + i]);
+            ck_assert(w[2 + i] == printed.p->v[2 * q + i]);
+            for (int J = 0; J < 2; J++)
+                ck_assert(w[4 + 2 * i + J] == printed.p->F[q].m[i][J]);
+        }
+    }
     line = strstr(outcome.out, "# energies");
     ck_assert_ptr_nonnull(line);
     line = strchr(strchr(line, '\n') + 1, '\n');
