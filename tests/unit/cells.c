@@ -75,6 +75,7 @@ static void other_triangles_have_the_same_load(void)
         }
         for (int i = 0; i < 3; i++) close_to(sum[0][i], sum[1][i], 1e-12);
         ck_assert_int_eq(s->body->element == QUADRATIC_TRIANGLE, k > 0);
+        ck_assert_int_eq(s->mesh->graded, k < 2);
         ladder_free(s);
     }
     ladder_free(one);

@@ -64,6 +64,25 @@ static void scenes_end_where_they_say(void)
 }
 
 /* Pull, fast pull and push are one linear problem and a shift. */
+/* A hump of (0.1, 0.2) (1 - X1^2)^2 (1 - X2^2)^2. */
+static void a_hump_is_plucked(void)
+{
+    const struct work_setting set =
+        setting(SWING, LOG, 1, 4, 8, BACKWARD_EULER);
+    struct scene *s = work_alloc(&set);
+    double *u = allocate((size_t)s->n_dof, sizeof *u);
+    work_pluck(s, u);
+    for (int j = 0; j <= 4; j++)
+        for (int i = 0; i <= 4; i++) {
+            static const double of[] = {0.0, 0.5625, 1.0, 0.5625, 0.0};
+            for (int k = 0; k < 2; k++)
+                close_to(u[2 * (5 * j + i) + k], 0.1 * (k + 1) * of[i] * of[j],
+                         1e-15);
+        }
+    free(u);
+    scene_free(s);
+}
+
 static void linear_answers_scale(void)
 {
     const struct work slow = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
@@ -416,6 +435,7 @@ static void the_rule_pays_for_its_probes(void)
 
 static const struct unit_law laws[] = {
     {"scenes_end_where_they_say", scenes_end_where_they_say},
+    {"a_hump_is_plucked", a_hump_is_plucked},
     {"linear_answers_scale", linear_answers_scale},
     {"linear_answers_need_one_system", linear_answers_need_one_system},
     {"slow_is_static", slow_is_static},
