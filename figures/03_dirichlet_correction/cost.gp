@@ -30,7 +30,7 @@ plot data index "path" using "iteration":(drop("one")) with lines ls 2 lw 4, \
 unset arrow 1
 unset label 1
 set label 2 "1 on\nthe diagonal" at 90, 0.9 left
-set label 3 "the old entry, or 1\nand a start with u_0  = g" at 1e-4, 0.19 left
+set label 3 "the old entry,\nor 1 and a start\nwith u_0  = g" at 1e-4, 0.27 left
 set logscale x
 set format x "10^{%T}"
 set xrange [5e-5:2e6]

@@ -6,8 +6,8 @@
  * [eq:quadrature].  int |x - 1/3| dx over (0, 1) by rules on equal elements and
  * by GSL's adaptive quadrature, qag, which is not told where the kink is, and
  * qagp, which is.  Tables: both errors on n elements, where the midpoint rule
- * takes n samples and the others 2 n; GSL's evaluations and errors for a given
- * number of digits.
+ * takes n samples, the trapezoidal rule n + 1 and Gauss 2 n; GSL's evaluations
+ * and errors for a given number of digits.
  */
 #include "bar/poisson.h"
 #include "base/study.h"
