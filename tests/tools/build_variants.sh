@@ -119,8 +119,9 @@ long_for() {
     valgrind.sparse) echo solve_equals_dense_for_random_patterns \
         what_is_indefinite_is_solved_with_signs \
         a_body_in_either_storage_has_the_same_matrix \
-        the_order_takes_every_free_vertex_once \
+        the_order_takes_every_free_vertex_once rounded_factors_have_seven_digits \
         the_verbs_are_those_of_dense_storage ;;
+    valgrind.without) echo nothing_is_the_ladder_of_live ;;
     valgrind.work) echo limits_are_limits failures_have_no_answer ;;
     esac
 }
