@@ -42,7 +42,7 @@ static void scenes_end_where_they_say(void)
     static const double left[] = {-0.42, 0.0, 0.0, 0.0, 0.1, 0.0,
                                   -0.42073549240394825, 0.0};
     static const char *const name[] = {"slow_pull", "fast_pull", "shake",
-                                       "swing", "buckle", "push", "flagship",
+                                       "swing", "buckle", "push", "jolted_pull",
                                        "weight"};
     for (int s = 0; s < WORK_SCENES; s++) {
         const enum work_scene scene = (enum work_scene)s;
