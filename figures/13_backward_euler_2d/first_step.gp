@@ -50,7 +50,7 @@ set rmargin at screen 0.985
 set tmargin at screen 0.44
 set bmargin at screen 0.10
 set grid back ls 9
-set key at graph 0, graph 1.16 left top horizontal maxrows 1 samplen 1.5
+unset key
 set logscale y
 set xrange [-0.3:9.5]
 set yrange [2e-14:20]
@@ -60,12 +60,15 @@ seen(y) = y > 1e-13 ? y : 1e-13
 set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
-set ylabel "residual max|q| / max K_{ii}  (m)"
-set label 2 "then lost" at 5.2, 0.02
+set ylabel "residual max|q| / max A_{ii}  (m)"
+set label 2 "as in the notes, then lost" at 5.15, 0.02 tc rgb "#D55E00"
+set label 3 "projected on demand" at 6.1, 1e-4 tc rgb "#009E73"
+set label 4 "lifted" at 2.65, 1e-11 tc rgb "#0072B2"
+set label 5 "n = 56, cubic law" at graph 0, graph 1.08
 plot data index "history_notes" using "iteration":(seen(column("residual"))) \
-         with linespoints ls 2 title "as in the notes", \
+         with linespoints ls 2, \
      data index "history_demand" using "iteration":(seen(column("residual"))) \
-         with linespoints ls 3 title "projected on demand", \
+         with linespoints ls 3, \
      data index "history_lift" using "iteration":(seen(column("residual"))) \
-         with linespoints ls 1 title "lifted"
+         with linespoints ls 1
 unset multiplot

@@ -7,6 +7,8 @@ set output out
 table = "nodes"
 load "figures/square.gp"
 eval reach(1.5)
+set xlabel "x_1  (m)"
+set ylabel "x_2  (m)"
 set xtics 1
 set ytics 1
 plot @SQUARE

@@ -27,6 +27,8 @@ stats data index "frames" using "seconds" nooutput
 worst = STATS_max * 1e3
 stats data index "loop" using "n" nooutput
 n = STATS_max
+stats data index "loop" using "lost" nooutput
+lost_in_all = STATS_max
 by(a, b) = column("attempts") >= a && column("attempts") <= b \
            && stringcolumn("status") eq "OK" ? column("seconds") * 1e3 : 1/0
 lost(x) = stringcolumn("status") ne "OK" ? column("seconds") * 1e3 : 1/0
@@ -39,7 +41,7 @@ set yrange [0.4:1000]
 set xlabel "time in the script (s)"
 set ylabel "time for the frame (ms)"
 set label 21 sprintf("n = %d: median %.1f ms, 99 of 100 within %.0f ms, worst \
-%.0f ms", n, p50, p99, worst) at graph 0.01, first 300 left font ",12"
+%.0f ms", n, p50, p99, worst) at screen 0.01,0.025 left font ",12"
 plot 1000.0 / 30 with lines ls 8 lw 1.5 title "1/30 s", \
      data index "frames" using "t":(by(1, 1)) with points ls 1 \
          title "FAST", \
@@ -48,5 +50,5 @@ plot 1000.0 / 30 with lines ls 8 lw 1.5 title "1/30 s", \
      data index "frames" using "t":(by(3, 9)) with points ls 3 ps 0.9 \
          title "in sub-steps", \
      data index "frames" using "t":(lost(0)) with points ls 4 pt 2 ps 0.9 \
-         title "lost"
+         title lost_in_all > 0 ? "lost" : "lost: none"
 set output

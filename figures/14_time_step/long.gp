@@ -47,9 +47,13 @@ do for [m = 1:4] {
 unset label
 set lmargin at screen 0.60
 set rmargin at screen 0.985
-set tmargin at screen 0.80
+set tmargin at screen 0.93
 set bmargin at screen 0.14
-set key above left vertical maxrows 2 reverse Left samplen 2
+unset key
+set label 3 "symplectic Euler" at 1e3, 1.12 center front
+set label 4 "midpoint" at 7e4, 0.96 right tc ls 3 front
+set label 5 "BDF2" at 5e2, 0.36 left tc ls 4 front
+set label 6 "backward Euler" at 15, 0.28 left tc ls 1 front
 set size noratio
 set logscale x
 set format x "10^{%T}"
@@ -63,8 +67,8 @@ set ylabel "energy over energy at the start"
 only(m, y) = strcol("method") eq Key[m] ? column(y) : NaN
 plot for [m = 1:4] data index "long" \
          using "steps":(only(m, "least")):(only(m, "most")) \
-         with filledcurves ls Style[m] fs transparent solid 0.5 title Name[m], \
+         with filledcurves ls Style[m] fs transparent solid 0.5, \
      for [m = 1:4] data index "long" using "steps":(only(m, "most")) \
-         with lines ls Style[m] lw 1.5 notitle
+         with lines ls Style[m] lw 1.5
 unset multiplot
 set output
