@@ -6,7 +6,8 @@ load "figures/style.gp"
 set terminal svg size 900,300
 set output out
 factor(m) = system("awk -F'\t' '$1 == \"".m."\" { printf \"%.0f\", $2 }' '".data."'")
-stats data index "stretches" using "s1":"s2" nooutput
+stats data index "stretches" using "s1" name "ONE" nooutput
+stats data index "stretches" using "s2" name "TWO" nooutput
 set size ratio -1
 set xrange [-0.95:0.95]
 set yrange [-0.95:0.95]
@@ -15,7 +16,7 @@ unset border
 unset grid
 unset key
 set label 11 "■" at screen 0.11, 0.06 textcolor rgb "#CCCCCC"
-set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", STATS_max_x, STATS_max_y) \
+set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", ONE_max, TWO_max) \
     at screen 0.135, 0.06
 set arrow 1 from screen 0.42, 0.06 to screen 0.46, 0.06 nohead ls 1
 set label 13 "moved along the mode" at screen 0.47, 0.06
