@@ -323,6 +323,9 @@ $2: figures/$1.gp figures/style.gp $(call data_of,$1) \
 endef
 $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
     $f,$(TIMED)),$(BUILD)/)$(call picture,$f))))
+# What the study on many processes has counted is in the tree.
+$(BUILD)/data/many.tsv: figures/many/many.tsv
+	$(Q)mkdir -p $(@D) && cp $< $@
 # The map of the course is drawn from the heads of the chapters.
 figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md figures/*/README.md)
 	$(call say,map,$@)

@@ -30,7 +30,7 @@ const char *status_name(enum status status);
 
 /* Print "error: <message>" on stderr and exit with status 1. */
 _Noreturn void die(const char *format, ...)
-    __attribute__((format(printf, 1, 2)));
+    __attribute__((__format__(__printf__, 1, 2)));
 
 /* malloc() of n * size zeroed bytes; running out of memory is die(). */
 void *allocate(size_t n, size_t size);

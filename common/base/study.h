@@ -31,7 +31,7 @@ double study_order(double coarse, double fine, double ratio);
         if (!(condition)) study_claim_failed(__VA_ARGS__); \
     } while (0)
 _Noreturn void study_claim_failed(const char *format, ...)
-    __attribute__((format(printf, 1, 2)));
+    __attribute__((__format__(__printf__, 1, 2)));
 
 /* ---- rates of random runs ------------------------------------------------ */
 

@@ -53,7 +53,7 @@ void table_begin(const char *name, const char *columns);
 
 /* The same with one comment line between name and header. */
 void table_begin_note(const char *name, const char *columns, const char *note,
-                      ...) __attribute__((format(printf, 3, 4)));
+                      ...) __attribute__((__format__(__printf__, 3, 4)));
 
 /*
  * One row, a cell for each column, at most 24 of them:

@@ -138,15 +138,15 @@ static void name_of(const char *path, char name[64])
         if (!isgraph((unsigned char)*c)) *c = '_';
 }
 
-/* The time step: so many to the shortest of the load's time and the period of
- * the first swing, as a beam (3.52 of its modulus) or, held at both ends, 22.4;
- * for a long scene fewer. */
+/* The time step: 16 to the shortest of the load's time, half the period of the
+ * first swing as a beam (3.52 of its modulus) or, held at both ends, 22.4, and
+ * that of the first one along the axis; for a long scene fewer. */
 static double time_step(const struct ladder_scene *scene)
 {
     const double modulus = 1000.0 / (1.0 - scene->nu * scene->nu);
     const double root = scene->held == LADDER_ENDS ? 22.4 : 3.52;
     const double bends =
-        root / scene->slender * sqrt(modulus / 3.0) / 2.0; /* omega, L = 2 */
+        root / scene->slender * sqrt(modulus / 3.0) / 2.0; /* 2 omega, L = 2 */
     const double along = acos(-1.0) / 4.0 * sqrt(modulus);
     const double shortest =
         fmin(scene->T, 2.0 * acos(-1.0) / fmin(bends, along));

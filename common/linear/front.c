@@ -5,6 +5,9 @@
 
 #include <string.h>
 
+/* Bytes that come from memory at once; numbers that are fetched ahead. */
+enum { LINE = 64, AHEAD = 1024 };
+
 static int blocks(int n)
 {
     return (n + V - 1) / V;
@@ -174,6 +177,18 @@ enum status front_factor(const struct front *f, int n, const double diagonal[])
     return OK;
 }
 
+/* Have the block that is wanted `ahead` numbers later fetched from
+ * memory: what the processor fetches by itself ends with a page of 4 kB. */
+INLINE void fetch(const int single, const struct front *f, ptrdiff_t l,
+                  ptrdiff_t ahead)
+{
+    const uintptr_t begin = single ? (uintptr_t)f->rounded : (uintptr_t)f->l;
+    const ptrdiff_t size = single ? sizeof *f->rounded : sizeof *f->l;
+    UNROLL for (ptrdiff_t line = 0; line < V * W * size; line += LINE)
+        __builtin_prefetch(
+            (const void *)(begin + (uintptr_t)((l + ahead) * size + line)));
+}
+
 /* Numbers i .. i + V - 1 of what is kept. */
 INLINE vec numbers(const int single, const struct front *f, ptrdiff_t i)
 {
@@ -202,6 +217,7 @@ INLINE void forward(const int single, const struct front *f, double x[])
         add_up(part, y);
         for (int i = J / V + 1; i < all; i++, l += V * w) {
             vec t = VEC(x[i * V]);
+            fetch(single, f, l, AHEAD);
             if (w == W)
                 UNROLL for (int c = 0; c < W; c++)
                     t -= numbers(single, f, l + c * V) * y[c];
@@ -224,6 +240,7 @@ INLINE void backward(const int single, const struct front *f, double x[])
         vec part[W] = {{0.0}}, t = {0.0};
         for (int i = all - 1; i > K; i--) {
             l -= V * w;
+            fetch(single, f, l, -AHEAD);
             if (w == W)
                 UNROLL for (int c = 0; c < W; c++)
                     part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);

@@ -242,8 +242,10 @@ size_t matrix_bytes(const struct matrix *A)
 double matrix_max_diagonal(const struct matrix *A)
 {
     double largest = 0.0;
-    for (int r = 0; r < A->n; r++)
-        largest = fmax(largest, matrix_get(A, r, r));
+    for (int r = 0; r < A->n; r++) {
+        const double A_rr = *entry(A, r, r);
+        if (A_rr > largest) largest = A_rr;
+    }
     return largest;
 }
 

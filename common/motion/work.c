@@ -23,7 +23,7 @@ static const struct {
     {"swing", STRETCH, 1, 32, 4, 0.03},
     {"buckle", COMPRESS, 8, 64, 16, 2.0},
     {"push", STRETCH, 1, 32, 16, 0.08},
-    {"flagship", STRETCH, 1, 32, 4, 1.0},
+    {"jolted_pull", STRETCH, 1, 32, 4, 1.0},
     {"weight", GRAVITY, 1, 32, 4, 0.15},
 };
 
@@ -61,7 +61,7 @@ void work_hold(struct scene *s, enum work_scene scene, double t)
         double *at = &s->g[2 * a];
         at[0] = at[1] = 0.0;
         if (!s->held[a]) continue;
-        if (scene == FLAGSHIP) at[0] = 0.5 * X1 * sin(t);
+        if (scene == JOLTED_PULL) at[0] = 0.5 * X1 * sin(t);
         if (scene == SLOW_PULL) at[0] = 0.42 * X1 * ramp(t);
         if (scene == FAST_PULL) at[0] = 0.6 * right * ramp(t / 0.06);
         if (scene == SHAKE) at[1] = 0.15 * (1.0 - cos(2.0 * M_PI * t / 0.4));

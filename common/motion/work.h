@@ -10,7 +10,7 @@
  *                  each within 2 s, and turned a little
  *     push         right end 0.6 m inwards within 0.08 s, in the middle of it
  *                  with 0.4 of the speed of sound
- *     flagship     the ends apart by 0.5 sin t, for 1 s: a pull that begins
+ *     jolted pull  the ends apart by 0.5 sin t, for 1 s: a pull that begins
  *                  with a jolt; not one of the six
  *     weight       left end held, its weight of 50 N/m^2 let go; at 0.15 s;
  *                  not one of the six either
@@ -27,7 +27,7 @@
 #include "plane/scene.h"
 
 enum work_scene {
-    SLOW_PULL, FAST_PULL, SHAKE, SWING, BUCKLE, PUSH, FLAGSHIP, WEIGHT,
+    SLOW_PULL, FAST_PULL, SHAKE, SWING, BUCKLE, PUSH, JOLTED_PULL, WEIGHT,
     WORK_SCENES
 };
 const char *work_scene_name(enum work_scene scene); /* "slow_pull", ... */

@@ -121,11 +121,8 @@ struct cloud cloud_ringing(int order, int cells, double a,
 struct cloud cloud_outlying(int order, double eps)
 {
     const double h = 0.125, last = (9.0 + eps) * h;
-    struct cloud c = bar(order, h, last - 1.0 + 0.25 * h, 16, 1.5);
-    /* counted from the last one, so that eps h is not lost in round-off */
-    for (int q = 0; q < c.p->n; q++)
-        c.p->x[2 * q] = last - 0.5 * h * (c.p->n - 1 - q);
-    return c;
+    /* all places are multiples of the last digit of `last`, none is rounded */
+    return bar(order, h, last - 1.0 + 0.25 * h, 16, 1.5);
 }
 
 double particles_elastic(const struct particles *p,

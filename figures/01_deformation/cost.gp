@@ -10,7 +10,7 @@ set yrange [0.015:4]
 set format x "10^{%T}"
 set format y "%g"
 set xlabel "operations for all strains of the mesh"
-set ylabel "error of the strain, relative to it"
+set ylabel "relative error of the strain"
 of(lean, strain, y) = \
     column("lean") == lean && strcol("strain") eq strain ? column(y) : 1/0
 unset key

@@ -57,7 +57,7 @@ set lmargin at screen 0.05
 set rmargin at screen 0.345
 set xlabel "X (m)"
 set ylabel "Y (m)" offset 2
-set label 1 "at rest: where J < 0" at graph 0, graph 1.05
+set label 1 "undeformed: where J < 0" at graph 0, graph 1.05
 # J = 0 where (1 - Y^2)^2 = 1 / (4 s X (1 - X^2))
 height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
 edge(X) = X > 0 && X < 1 && height(X) >= 0 ? sqrt(height(X)) : NaN
@@ -79,7 +79,7 @@ set label 1 "pushed: inverted triangles" at graph 0, graph 1.05
 plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("square", 3, "$1 <= 0") using 1:2 with filledcurves closed \
-         fs transparent solid 0.6 fc rgb "#D55E00", \
+         fs solid fc rgb "#D55E00", \
      edges("square", 3) using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2"
 

@@ -11,6 +11,7 @@
 #include "base/table.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /* The points of all curves: F or J = -1 ... 3. */
 enum { POINTS = 160 };
@@ -79,10 +80,13 @@ int main(void)
 
     for (int law = LINEAR; law <= CUBIC; law++) print_curve((enum law)law);
     table_begin_note("difference", "F cubic linear", "100 (P / P_log - 1)");
-    for (int i = 0; i <= POINTS; i++)
-        if (point(i) > 0.0 && point(i) != 1.0)
-            table_row(point(i), 100.0 * difference(CUBIC, point(i)),
-                      100.0 * difference(LINEAR, point(i)));
+    for (int i = -POINTS; i <= POINTS; i++) { /* |F - 1| = 0.001 ... 2 */
+        const double d = 2.0 * pow(2000.0, abs(i) / (double)POINTS - 1.0);
+        const double F = i < 0 ? 1.0 - d : 1.0 + d;
+        if (i != 0 && F > 0.0)
+            table_row(F, 100.0 * difference(CUBIC, F),
+                      100.0 * difference(LINEAR, F));
+    }
     table_end();
     table_begin("passes", "percent cubic_tension cubic_compression "
                           "linear_tension linear_compression");

@@ -6,8 +6,7 @@ set terminal svg size 860,660
 set output out
 
 set multiplot
-set key at screen 0.09, screen 0.985 left top vertical maxrows 3 \
-    reverse Left samplen 3
+unset key
 array Path[4] = ["equibiaxial", "uniaxial", "shear", "rotation"]
 array Text[4] = ["F = diag(s, s)", "F = diag(s, 1)", "F = [1 s; 0 1]", \
                  "F = rotation by s"]
@@ -16,10 +15,10 @@ array Axis[4] = ["stretch s (-)", "stretch s (-)", "shear s (-)", \
 do for [p = 1:4] {
     set lmargin at screen (p % 2 ? 0.09 : 0.59)
     set rmargin at screen (p % 2 ? 0.48 : 0.98)
-    set tmargin at screen (p < 3 ? 0.885 : 0.43)
-    set bmargin at screen (p < 3 ? 0.58 : 0.10)
+    set tmargin at screen (p < 3 ? 0.96 : 0.46)
+    set bmargin at screen (p < 3 ? 0.61 : 0.10)
     set xlabel Axis[p]
-    set ylabel (p == 3 ? "P_{12} (N/m^2)" : "P_{11} (N/m^2)") offset 0.5
+    set ylabel (p == 3 ? "P_{12}  (N/m^2)" : "P_{11}  (N/m^2)") offset 0.5
     set label 1 Text[p] at graph 0.04, graph (p == 4 ? 0.07 : 0.93) font ",13"
     if (p == 1) { set xrange [-1.5:2.5]; set yrange [-8000:8000] }
     if (p == 2) { set xrange [-1:3]; set yrange [-8000:5000] }
@@ -30,15 +29,21 @@ do for [p = 1:4] {
         at graph (p == 1 ? 0.03 : p == 3 ? 0.55 : 0.5), \
         graph (p == 1 ? 0.78 : p == 3 ? 0.42 : 0.93) font ",12" \
         textcolor rgb "#555555"
+    set label 3 (p < 3 ? "log" : "") \
+        at (p == 1 ? 0.5 : 0.4), -6500 left textcolor ls 1
+    set label 4 (p < 3 ? "cubic" : "") \
+        at (p == 1 ? 1.5 : -0.3), (p == 1 ? 6000 : -6500) right textcolor ls 2
+    if (p == 1) { set label 5 "linear" at -0.9, -4800 left }
+    if (p == 2) { set label 5 "linear" at -0.95, -1200 left }
+    if (p == 3) { unset label 5 }
+    if (p == 4) { set label 5 "linear" at 80, -2300 right }
     if (p == 1) { set arrow 1 from -1.0, 2800 to -1.0, 350 ls 9 lw 1 }
     if (p > 1) { unset arrow 1 }
     plot data index Path[p]."_log" using "s":"P" with lines ls 1 \
-             lw (p > 2 ? 8 : 2) title "log", \
+             lw (p > 2 ? 8 : 2), \
          "" index Path[p]."_cubic" using "s":"P" with lines ls 2 \
-             lw (p > 2 ? 4 : 2) title "cubic", \
-         "" index Path[p]."_linear" using "s":"P" with lines ls 8 lw 1.5 \
-             title "linear", \
-         0 with lines ls 9 notitle
-    unset key
+             lw (p > 2 ? 4 : 2), \
+         "" index Path[p]."_linear" using "s":"P" with lines ls 8 lw 1.5, \
+         0 with lines ls 9
 }
 unset multiplot

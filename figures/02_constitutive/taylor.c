@@ -1,12 +1,12 @@
 /*
  * taylor.c - does a Taylor test tell a wrong stress from a wrong tangent?
  *
- * Remainders of Taylor's theorem along F + t H, and their slopes in t when P
+ * Remainders of Taylor's theorem along F + t D, and their slopes in t when P
  * and dP are the derivatives:
  *
- *     e[0] = |psi(t) - psi(0) - t P:H|                     2
- *     e[1] = |psi(t) - psi(0) - t P:H - t^2/2 H:dP(H)|     3
- *     e[2] = |P(t) - P(0) - t dP(H)|                       2
+ *     e[0] = |psi(t) - psi(0) - t P:D|                     2
+ *     e[1] = |psi(t) - psi(0) - t P:D - t^2/2 D:dP(D)|     3
+ *     e[2] = |P(t) - P(0) - t dP(D)|                       2
  *
  * for every law, and for the cubic law with a wrong stress (the adjugate where
  * the cofactor is due) and with a wrong tangent (that of rest).
@@ -19,7 +19,7 @@
 
 /* Without any symmetry. */
 static const mat2 F_state = {{{1.2385, 0.3714}, {-0.2613, 0.8731}}};
-static const mat2 H = {{{0.613, -0.731}, {0.512, 0.8247}}};
+static const mat2 direction = {{{0.613, -0.731}, {0.512, 0.8247}}};
 
 enum slip { NONE, WRONG_STRESS, WRONG_TANGENT, N_SLIP };
 #define COLUMNS "P dP pair wrongP_P wrongP_dP wrongP_pair " \
@@ -34,13 +34,14 @@ static struct triple evaluate(int dimension, const struct material *m,
                               enum slip slip, double t)
 {
     const double F1 = 0.7385 + t;
-    const mat2 F = mat2_add(F_state, mat2_scale(t, H));
+    const mat2 F = mat2_add(F_state, mat2_scale(t, direction));
     if (dimension == 1)
         return (struct triple){material1_psi(m, F1),
                                {{{material1_pk1(m, F1), 0}, {0, 0}}},
                                {{{material1_dpk1(m, F1), 0}, {0, 0}}}};
     struct triple out = {material2_psi(m, F), material2_pk1(m, F), F};
-    out.dP = material2_dpk1(m, slip == WRONG_TANGENT ? mat2_identity() : F, H);
+    out.dP = material2_dpk1(m, slip == WRONG_TANGENT ? mat2_identity() :
+                              F, direction);
     if (slip == WRONG_STRESS) { /* transpose all but mu F */
         const mat2 shear = mat2_scale(m->mu, F);
         out.P = mat2_add(shear, mat2_transpose(mat2_subtract(out.P, shear)));
@@ -51,7 +52,8 @@ static struct triple evaluate(int dimension, const struct material *m,
 static void remainders(int dimension, const struct material *m,
                        enum slip slip, double t, double e[3])
 {
-    const mat2 E = {{{1.0, 0.0}, {0.0, 0.0}}}, D = dimension == 1 ? E : H;
+    const mat2 E = {{{1.0, 0.0}, {0.0, 0.0}}};
+    const mat2 D = dimension == 1 ? E : direction;
     const struct triple here = evaluate(dimension, m, slip, 0.0);
     const struct triple there = evaluate(dimension, m, slip, t);
     const double first = there.psi - here.psi - t * mat2_dot(here.P, D);

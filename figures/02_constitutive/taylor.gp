@@ -4,7 +4,7 @@
 # Reads   data  tables taylor, taylor_slopes
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,400
+set terminal svg size 860,400 enhanced font "Helvetica,14"
 set output out
 
 slope(name) = real(system(sprintf( \
@@ -19,11 +19,10 @@ set xtics ("2^{-10}" 2**-10, "2^{-8}" 2**-8, "2^{-6}" 2**-6, "2^{-4}" 2**-4, \
 set xrange [7e-4:0.35]
 set yrange [1e-7:1e3]
 set xlabel "step t (-)"
-set key above left vertical maxrows 2 reverse Left samplen 2 width -1 font ",12"
+unset key
 array Pre[3] = ["", "wrongP_", "wrongdP_"]
-array Say[3] = ["all right", "wrong stress: adj F for cof F", \
-                "wrong tangent: that of rest"]
-set multiplot layout 1,3 margins 0.085,0.985,0.15,0.84 spacing 0.03,0
+array Say[3] = ["all right", "wrong stress", "wrong tangent"]
+set multiplot layout 1,3 margins 0.095,0.985,0.17,0.88 spacing 0.03,0
 do for [panel = 1:3] {
     P = Pre[panel]."P"
     dP = Pre[panel]."dP"
@@ -34,14 +33,17 @@ do for [panel = 1:3] {
         unset ylabel
         set format y ""
     }
-    set label 1 Say[panel] at graph 0.04, graph 0.95 font ",13"
+    set title Say[panel] offset 0,-0.5
     a = panel == 2 ? 1 : 2
     b = panel == 1 ? 3 : a
-    plot data index "taylor" using "t":P with linespoints ls 1 \
-             title sprintf("less tP:H, slope %.2f", slope(P)), \
-         "" index "taylor" using "t":dP with linespoints ls 2 \
-             title sprintf("and t^2H:dP/2, slope %.2f", slope(dP)), \
-         (panel == 2 ? 900 : 1800) * x**a with lines ls 8 notitle, \
-         (panel == 1 ? 30 : NaN) * x**b with lines ls 8 notitle
+    set label 1 sprintf(panel == 1 ? "first: slope %.2f" : \
+        "both: slope %.2f", slope(P)) at (panel == 2 ? 0.02 : 9e-4), \
+        (panel == 2 ? 5e-2 : 20) left textcolor ls 1
+    set label 2 panel == 1 ? sprintf("second: slope %.2f", slope(dP)) : "" \
+        at 0.3, 1e-6 right textcolor ls 2
+    plot data index "taylor" using "t":P with linespoints ls 1, \
+         "" index "taylor" using "t":dP with linespoints ls 2, \
+         (panel == 2 ? 900 : 1800) * x**a with lines ls 8, \
+         (panel == 1 ? 30 : NaN) * x**b with lines ls 8
 }
 unset multiplot

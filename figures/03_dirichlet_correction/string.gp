@@ -9,9 +9,9 @@ set output out
 unset key
 set xrange [-0.1:1.1]
 set offsets 0, 0, 0.1, 0.1
-set xlabel "x (m)"
-set ylabel "u (m)"
-f(r) = abs(r) > 1e-6 ? r / 10000 : NaN      # 1000 N: 0.1
+set xlabel "x"
+set ylabel "u"
+f(r) = abs(r) > 1e-6 ? r / 10000 : NaN      # 1000: 0.1
 plot reference index "nodes" using "x":"u" with lines lw 7 lc rgb "#DDDDDD", \
      data index "nodes" using "x":"u" with linespoints ls 1, \
      data index "nodes" using "x":"u":(0):(f(column("reaction"))) \

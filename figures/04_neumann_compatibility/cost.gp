@@ -12,17 +12,18 @@ set format y "10^{%T}"
 set xlabel "samples of f"
 set ylabel "error in the energy norm, relative"
 of(way) = strcol("way") eq way ? column("error") : 1/0
-set key above left maxrows 4 samplen 2
+unset key
 # |u''| and |u'| of u = x - e^x in L2
 C = sqrt((exp(2) - 1) / 24) / sqrt(1 - 2*(exp(1) - 1) + (exp(2) - 1) / 2)
-set label 1 "twice the samples, the same error" at 34, 0.045 left
+set label 1 "twice the samples,\nthe same error" at 40, 0.055 left
 set arrow 1 from 18, 0.037 to 30, 0.037 size 1.2, 20 head filled lc rgb "#666666"
-plot data index "cost" using "samples":(of("excess")) with linespoints ls 4 \
-         title "flux of 0.1 too much, pinned", \
-     "" index "cost" using "samples":(of("pinned")) with linespoints ls 6 ps 1.5 \
-         title "midpoint rule, pinned", \
-     "" index "cost" using "samples":(of("midpoint")) with linespoints ls 1 \
-         title "midpoint rule, projected", \
-     "" index "cost" using "samples":(of("gauss2")) with linespoints ls 3 \
-         title "two Gauss points, projected", \
-     C / x with lines ls 8 title "h |u''| / √12, predicted"
+set label 2 "a flux of 0.1 too much, pinned" at 60, 0.15 left textcolor ls 4
+set label 3 "two Gauss points,\nprojected" at 400, 0.006 left textcolor ls 3
+set label 4 "midpoint rule, projected\n(dots) or pinned (circles)" \
+    at 4, 0.0026 left textcolor ls 1
+set label 5 "dashed: h |u''| / √12, predicted" at 4, 0.0009 left
+plot data index "cost" using "samples":(of("excess")) with linespoints ls 4, \
+     "" index "cost" using "samples":(of("pinned")) with linespoints ls 6 ps 1.5, \
+     "" index "cost" using "samples":(of("midpoint")) with linespoints ls 1, \
+     "" index "cost" using "samples":(of("gauss2")) with linespoints ls 3, \
+     C / x with lines ls 8

@@ -8,10 +8,13 @@ set output out
 
 dense = "times_dense"
 banded = "times_banded"
-# slopes that are due, a little below the last point of each series
+# slopes that are due, from the first point of the dense matrix on, and a little
+# below the last one of the band
 stats data index dense using "N":"seconds" nooutput
 N_dense = STATS_max_x
 s_dense = STATS_max_y
+N_first = STATS_min_x
+s_first = STATS_min_y
 stats data index banded using "N":"seconds" nooutput
 N_banded = STATS_max_x
 s_banded = STATS_max_y
@@ -28,7 +31,7 @@ set format y "10^{%T}"
 set xrange [10:1.5e6]
 set xlabel "unknowns N"
 set multiplot
-set label 9 machine(data) at screen 0.98, screen 0.025 right font ",10" \
+set label 9 machine(data) at screen 0.98, screen 0.025 right font ",12" \
     textcolor rgb "#555555"
 unset key
 set tmargin at screen 0.96
@@ -50,11 +53,11 @@ set lmargin at screen 0.60
 set rmargin at screen 0.98
 set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
-set label 1 sprintf("dense: N^{%.2f}", p_dense) at 3e2, 3e-1 right tc ls 2
+set label 1 sprintf("dense, last: N^{%.2f}", p_dense) at 3e2, 3e-1 right tc ls 2
 set label 2 sprintf("banded, p = 1: N^{%.2f}", p_banded) at 3e3, 4e-6 tc ls 1
 set label 3 "dashed: slopes 3 and 1" at 1.2e6, 3e-7 right
 plot data index dense using "N":"seconds" with linespoints ls 2 lw 1, \
-     0.3 * s_dense * (x / N_dense)**3 with lines ls 8, \
+     s_first * (x / N_first)**3 with lines ls 8, \
      data index banded using "N":"seconds" with linespoints ls 1 lw 1, \
      0.4 * s_banded * (x / N_banded) with lines ls 8
 unset multiplot

@@ -1,23 +1,39 @@
-# adaptive.gp - what int |x - 1/3| dx costs: error against the number of
-# evaluations of the integrand.
+# adaptive.gp - what samples buy: the error of a solution, and that of
+# int |x - 1/3| dx, against the number of samples.
 #
-# Reads   data  tables load_kink (n midpoint gauss2), adaptive (evaluations
-#               error evaluations_split error_split)
+# Reads   data  tables solution (n and the rules), load_kink (n midpoint gauss2),
+#               adaptive (evaluations error evaluations_split error_split)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 860,420 enhanced font "Helvetica,14"
 set output out
 set logscale xy
 set format y "10^{%T}"
+unset key
+set multiplot layout 1,2 margins 0.095,0.975,0.15,0.91 spacing 0.12,0
+
+set title "smooth problem" offset 0,-0.5
+set xlabel "samples of β and of f, each"
+set ylabel "L^2 error of the solution"
+set yrange [1e-6:0.1]
+set xrange [3:3500]
+set label 1 "midpoint" at 14, 8e-4 right textcolor ls 1
+set label 2 "trapezoid" at 6, 4.8e-2 left textcolor ls 2
+set label 3 "Gauss" at 580, 3e-6 left textcolor ls 3
+plot data index "solution" using "n":"midpoint" with linespoints ls 1, \
+     data index "solution" using (column("n") + 1):"trapezoid" \
+         with linespoints ls 2, \
+     data index "solution" using (2 * column("n")):"gauss2" with linespoints ls 3
+
+set title "integral of |x - 1/3|" offset 0,-0.5
 set xlabel "evaluations of the integrand"
 set ylabel "|error| of the integral"
-set xrange [3:1000]
 set yrange [1e-14:1]
-unset key
-set label 1 "midpoint, n equal elements" at 20, 3e-3 tc ls 1
-set label 2 "Gauss, n equal elements" at 6, 8e-6 tc ls 3
-set label 3 "qag: finds the\nkink by halving" at 200, 1e-10 right tc ls 2
-set label 4 "qagp: is told\nwhere the kink is" at 36, 1.6e-13 right tc ls 4
+set xrange [3:1000]
+set label 1 "midpoint" at 20, 3e-3 left textcolor ls 1
+set label 2 "qag: finds the\nkink by halving" at 200, 1e-10 right textcolor ls 2
+set label 3 "Gauss" at 14, 8e-6 right textcolor ls 3
+set label 4 "qagp: is told\nwhere the kink is" at 36, 8e-13 right textcolor ls 4
 plot data index "load_kink" using "n":(abs(column("midpoint"))) \
          with linespoints ls 1, \
      data index "load_kink" using (2 * column("n")):(abs(column("gauss2"))) \
@@ -27,3 +43,4 @@ plot data index "load_kink" using "n":(abs(column("midpoint"))) \
      data index "adaptive" every ::0::0 \
          using "evaluations_split":"error_split" \
          with points ls 4 ps 1.2
+unset multiplot

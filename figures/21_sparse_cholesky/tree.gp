@@ -1,30 +1,29 @@
-# tree.gp - where L has entries in both orders, by the elimination trees of the
-# lesson; orange: fill.
+# tree.gp - the elimination trees of both orders, drawn on the vertices of the
+# body: an edge leads from each vertex to its parent.
 # Reads   data  tables rows, dissection (k parent), vertices (i j place)
 # Writes  out   SVG
 load "figures/style.gp"
 if (!exists("reference")) reference = data
-set terminal svg size 760,400
+set terminal svg size 760,420
 set output out
 unset key
 unset grid
 unset tics
-set border 15 ls 9
+unset border
 set size ratio -1
 set datafile nocolumnheaders
-set style fill solid noborder
 walk(order, what) = sprintf("< awk -v order=%s -v what=%s -f \
 figures/21_sparse_cholesky/tree.awk '%s'", order, what, data)
-fill(order) = real(system(substr(walk(order, "fill"), 3, -1)." | tail -n 1 | cut -f 2"))
-n = real(system("awk '/^# / { on = $2 == \"vertices\" } on && NF > 2 { n++ } \
-    END { print n - 1 }' '".data."'"))
-set xrange [-2:n + 1]
-set yrange [n + 1:-2]
-set multiplot layout 1,2 margins 0.01,0.99,0.02,0.92 spacing 0.02,0
-do for [order in "rows dissection"] {
-    set title sprintf("%s: %.0f blocks fill", order, fill(order)) offset 0,-0.7
-    plot for [k = 1:2] walk(order, word("fill entry", k)) \
-        using 1:(0.5 * ($2 + $3)):(0.4):(0.5 * ($3 - $2) + 0.4) with boxxy \
-        lc rgb word("#D55E00 #0072B2", k)
+height(order) = real(system(substr(walk(order, "height"), 3, -1)))
+set offsets 0.7, 0.7, 0.7, 0.7
+set multiplot layout 1,2 margins 0.02,0.98,0.02,0.88 spacing 0.04,0
+do for [k = 1:2] {
+    order = word("rows dissection", k)
+    set title sprintf("%s: at most %.0f vertices\none above the other", \
+                      k == 1 ? "row by row" : "by dissection", height(order)) \
+        offset 0,-0.5 noenhanced
+    plot walk(order, "edge") using 1:2:3:4 with vectors nohead ls 1 lw 1.5, \
+         "" using 1:2 with points pt 7 ps 0.35 lc rgb "#0072B2", \
+         walk(order, "root") using 1:2 with points pt 7 ps 1 lc rgb "#D55E00"
 }
 unset multiplot

@@ -12,7 +12,7 @@
 
 int main(void)
 {
-    struct work_setting set = {FLAGSHIP, CUBIC, 0, 16, 4, BACKWARD_EULER,
+    struct work_setting set = {JOLTED_PULL, CUBIC, 0, 16, 4, BACKWARD_EULER,
                                1e-10, LINEAR_TRIANGLE, 1.0};
     double change[7], away[7], soft[7];
     struct work before, rest, run;

@@ -24,11 +24,11 @@ static void print_front(const struct trials *s, int count, double asked)
 int main(void)
 {
     static const double wanted[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
-    struct trials *s[FLAGSHIP];
+    struct trials *s[JOLTED_PULL];
     int failed = 0, squeezed = 0;
 
     table_begin("settings", TRIALS_COLUMNS);
-    for (int k = 0; k < FLAGSHIP; k++) {
+    for (int k = 0; k < JOLTED_PULL; k++) {
         s[k] = trials_alloc((enum work_scene)k, 1);
         for (int i = 0; i < s[k]->all; i++) {
             trials_row(s[k], i, 0.0);
@@ -41,11 +41,11 @@ int main(void)
     }
     table_end();
     table_begin("front", TRIALS_COLUMNS);
-    for (int k = 0; k < FLAGSHIP; k++) {
+    for (int k = 0; k < JOLTED_PULL; k++) {
         print_front(s[k], s[k]->all, 0.0);
         print_front(s[k], s[k]->count, -1.0);
     }
-    for (int k = 0; k < FLAGSHIP; k++)
+    for (int k = 0; k < JOLTED_PULL; k++)
         for (double e = 0.5; trials_cheapest(s[k], s[k]->count, e) >= 0;
              e /= 1.25) {
             const int taken = rule_take(s[k], 3, e).taken;
@@ -53,14 +53,14 @@ int main(void)
         }
     table_end();
     table_begin("cheapest", TRIALS_COLUMNS);
-    for (int k = 0; k < FLAGSHIP; k++)
+    for (int k = 0; k < JOLTED_PULL; k++)
         for (int i = 0; i < COUNT(wanted); i++) {
             const int best = trials_cheapest(s[k], s[k]->all, wanted[i]);
             if (best >= 0 && wanted[i] > s[k]->floor)
                 trials_row(s[k], best, wanted[i]);
         }
     table_end();
-    for (int k = 0; k < FLAGSHIP; k++) trials_free(s[k]);
+    for (int k = 0; k < JOLTED_PULL; k++) trials_free(s[k]);
     claim(failed == squeezed, "only symplectic Euler fails, and other "
           "elements whose corner is squeezed (%d, %d)", failed, squeezed);
     return table_finish();

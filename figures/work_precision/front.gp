@@ -20,11 +20,11 @@ lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
         !seen[$1, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
-# of the corners those that have room for a label: 0.6 of the error of the last one
+# of the corners those that have room for a label: 0.35 of the error of the last one
 corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflops\terror\tlabel\"; next } \
     NF == 0 { on = 0 } on && $1 != \"scene\" && $2 == 0 { \
         if ($1 != scene) last = 9; scene = $1; \
-        if ($8 > 0.6 * last) next; last = $8; \
+        if ($8 > 0.35 * last) next; last = $8; \
         element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
         if ($13 > 1) element = element \", graded\"; \
         how = $4 == \"static\" ? \"static \" $5 : $4 \" \" $5 \"×\" $6; \
@@ -64,9 +64,9 @@ do for [s = 1:6] {
              with points pt 7 ps 0.5 lc rgb "#009E73", \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7", \
-         corners using (here(s) && column("flops") < 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") < 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels left offset 0.8,0.5 font ",11", \
-         corners using (here(s) && column("flops") >= 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") >= 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5 font ",11"
 }
 unset multiplot

@@ -34,9 +34,9 @@ static int fastest(const struct trials *s, const double ms[], double error)
 
 int main(void)
 {
-    static double seconds[FLAGSHIP][TRIALS_MOST], ms[TRIALS_MOST];
-    struct trials *s[FLAGSHIP];
-    for (int scene = 0; scene < FLAGSHIP; scene++) {
+    static double seconds[JOLTED_PULL][TRIALS_MOST], ms[TRIALS_MOST];
+    struct trials *s[JOLTED_PULL];
+    for (int scene = 0; scene < JOLTED_PULL; scene++) {
         s[scene] = trials_alloc((enum work_scene)scene, 0);
         for (int k = 0; k < s[scene]->count; k++) {
             seconds[scene][k] = s[scene]->work[k].seconds;
@@ -48,17 +48,17 @@ int main(void)
     study_machine();
     table_begin("settings", "scene law method n steps tolerance error ms flops "
                             "reason");
-    for (int scene = 0; scene < FLAGSHIP; scene++)
+    for (int scene = 0; scene < JOLTED_PULL; scene++)
         for (int k = 0; k < s[scene]->count; k++)
             print_run(s[scene], k, seconds[scene][k]);
     table_end();
     table_begin("scenes", "scene floor");
-    for (int scene = 0; scene < FLAGSHIP; scene++)
+    for (int scene = 0; scene < JOLTED_PULL; scene++)
         table_row(work_scene_name((enum work_scene)scene), s[scene]->floor);
     table_end();
     table_begin("front", "scene law method n steps tolerance error ms flops "
                          "reason");
-    for (int scene = 0; scene < FLAGSHIP; scene++) {
+    for (int scene = 0; scene < JOLTED_PULL; scene++) {
         for (int k = 0; k < s[scene]->count; k++)
             ms[k] = 1e3 * seconds[scene][k];
         for (int k = fastest(s[scene], ms, 10.0); k >= 0;
@@ -66,6 +66,6 @@ int main(void)
             print_run(s[scene], k, seconds[scene][k]);
     }
     table_end();
-    for (int scene = 0; scene < FLAGSHIP; scene++) trials_free(s[scene]);
+    for (int scene = 0; scene < JOLTED_PULL; scene++) trials_free(s[scene]);
     return table_finish();
 }

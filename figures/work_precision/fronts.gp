@@ -19,11 +19,11 @@ lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
         !seen[$1, int(4 * log($7) + 99), int(4 * log($8) + 99)]++)' '%s'", data)
-# of the corners those that have room for a label: 0.6 of the error of the last one
+# of the corners those that have room for a label: 0.35 of the error of the last one
 corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\\tms\\terror\\tlabel\"; next } \
     NF == 0 { on = 0 } on && $1 != \"scene\" { \
         if ($1 != scene) last = 9; scene = $1; \
-        if ($7 > 0.6 * last) next; last = $7; \
+        if ($7 > 0.35 * last) next; last = $7; \
         how = $3 == \"static\" ? \"static \" $4 : $3 \" \" $4 \"×\" $5; \
         print $1 \"\\t\" $8 \"\\t\" $7 \"\\t\" $2 \" \" how }' '%s'", data)
 set multiplot
@@ -59,9 +59,9 @@ do for [s = 1:6] {
              with steps lw 1.5 lc rgb "#009E73", \
          data index "front" using (here(s) ? column("ms") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
-         corners using (here(s) && column("ms") < 0.04 ? column("ms") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("ms") < 0.4 ? column("ms") : NaN):"error":(strcol("label")) \
              with labels left offset 0.8,0.5 font ",11", \
-         corners using (here(s) && column("ms") >= 0.04 ? column("ms") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("ms") >= 0.4 ? column("ms") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5 font ",11"
     unset label 20
 }

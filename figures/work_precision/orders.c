@@ -88,7 +88,7 @@ int main(void)
     static const enum work_scene held[] = {SLOW_PULL, FAST_PULL, BUCKLE, PUSH};
     struct count count = {0};
     table_begin("orders", "scene knob curve predicted measured error within");
-    for (int k = 0; k < FLAGSHIP; k++) in_time((enum work_scene)k, &count);
+    for (int k = 0; k < JOLTED_PULL; k++) in_time((enum work_scene)k, &count);
     const struct count time = count;
     for (int k = 0; k < 4; k++) in_space(held[k], LOG, &count);
     in_space(SLOW_PULL, LINEAR, &count); /* the pulls and the push are one */

@@ -160,7 +160,7 @@ static double predicted(struct rule *rule, const struct work_setting *set)
     const int n = 2 * set->n * (rows + 1);
     const int p = 2 * rows + 3 < 2 * set->n ? 2 * rows + 3 : 2 * set->n - 1;
     const double triangles = 2.0 * set->n * rows;
-    const struct matrix_cost cost = matrix_cost(BANDED, n, p < n ? p : n - 1);
+    const struct matrix_cost cost = matrix_cost(BANDED, n, p);
     coarse.n = work_coarsest(set->scene);
     const struct work *w = probe(rule, &coarse);
     return w->factorisations * (cost.flops + 250.0 * triangles) +

@@ -305,6 +305,7 @@ static void what_was_predicted(void)
     struct output *output = run("--n 64"), *more = run("--unknowns 262144");
     const char *const key[] = {"2a", "2b"};
     const char *const table[] = {"eigenvalues_both", "eigenvalues_one"};
+    measured("1", cell(output, "cost", "numbers", 0));
     for (int k = 0; k < 2; k++)
         measured(key[k], cell(output, table[k], "exact", -1) /
                              cell(output, table[k], "exact", 0));
@@ -366,8 +367,8 @@ static const struct lesson lesson = {
     COUNT(rules),
     "With both ends fixed the largest eigenvalue is near 4/h and the smallest "
     "near h pi^2: their ratio, the condition number, grows like 4 n^2 / pi^2, "
-    "and round-off with it (figures/05_stiffness_matrix/storage.c, table "
-    "`times_banded`: the residual stays, the error grows).",
+    "and round-off with it (figures/05_stiffness_matrix/roundoff.svg: the "
+    "residual stays, the error grows).",
     "Run with --n 64 --grading 1000: the largest diagonal entry of rows_graded "
     "is 143 times that of rows_equal, and the largest eigenvalue is at least "
     "every A_jj. What does one short element do to the condition number?",

@@ -446,12 +446,44 @@ static void midpoint_and_trapezoid_make_gauss(void)
                  "largest difference at h = 1/16 to that at h = 1/32");
 }
 
+/* The L2 error on n elements, unit flux and no load, where beta jumps from 1 to
+ * 4 at 1/3 and the element there has the exact mean. */
+static double jump_error(int n)
+{
+    enum { FINE = 12000 };
+    const struct quadrature rule = quadrature_rule((enum rule)0);
+    double x[129], mean[129], u[129], sum = 0.0;
+    poisson_grid(0.0, 1.0, n, 1.0, x);
+    for (int j = 1; j <= n; j++)
+        mean[j] = fmin(4.0, fmax(1.0, 4.0 - 3.0 * (n / 3.0 - (j - 1))));
+    for (int j = 0; j <= n; j++)
+        u[j] = load_entry(j, n, x, field_zero, &rule, 0.0, 1.0);
+    if (solve(n, x, mean, 0, u) != OK) return (double)NAN;
+    for (int i = 0; i < FINE; i++) {
+        const double at = (i + 0.5) / FINE, s = at * n - (int)(at * n);
+        const double chord =
+            (1.0 - s) * u[(int)(at * n)] + s * u[(int)(at * n) + 1];
+        const double exact = at < 1.0 / 3.0 ? at : 0.25 + 0.25 * at;
+        sum += (chord - exact) * (chord - exact) / FINE;
+    }
+    return sqrt(sum);
+}
+
 /* What the header asks to PREDICT. */
 static void what_was_predicted(void)
 {
     struct output *output = run("");
+    double x[129], u[129], L2[3];
     measured("1a", cell(output, "exactness", "midpoint", 2));
     measured("1b", cell(output, "exactness", "trapezoid", 2));
+    poisson_grid(0.0, 1.0, 128, 1.0, x);
+    for (int r = 0; r < 3; r++) {
+        solve_smooth(128, x, r, u);
+        L2[r] = poisson_errors(128, x, u, smooth_beta, smooth_exact,
+                               smooth_exact_dx).L2;
+    }
+    measured("2", L2[1] / L2[2]);
+    measured("3", log2(jump_error(32) / jump_error(128)) / 2.0);
 }
 
 static const struct claim claims[] = {

@@ -154,7 +154,7 @@ static struct bar_scene pulled_at(int end)
     return s;
 }
 
-/* h = P n enters with a plus at either end: modulus 1346.15, +100. */
+/* t = P n enters with a plus at either end: modulus 1346.15, +100. */
 static void end_loads_push_their_own_way(void)
 {
     for (int end = 0; end <= 1; end++) {
@@ -163,7 +163,7 @@ static void end_loads_push_their_own_way(void)
         const int node = end ? n_elem : 0;
         matrix_free(assembled(&s, 1346.1538461538462, b));
         expect_close(b[node], 100.0, PRODUCTS, 100.0,
-                     "b at the %s end, whose traction h = P n is +100",
+                     "b at the %s end, whose traction t = P n is +100",
                      end ? "right" : "left");
         expect_close(b[n_elem - node], 0.0, PRODUCTS, 100.0,
                      "b at the %s end, which is held and has no traction",
@@ -191,7 +191,7 @@ static void loads_add_up_to_the_whole(void)
     matrix_free(assembled(&s, modulus_, b));
     for (int i = 0; i <= n_elem; i++) sum += b[i];
     expect_close(sum, 53.7 - 12.3 + 71.9, 1e-13, 128.0,
-                 "sum of b, against c + h(0) + h(1)");
+                 "sum of b, against c + t(0) + t(1)");
 
     /* forces of no formula: each element gives half of its own to its nodes */
     const double any[n_elem] = {37.14, -238.5, 6.13, 0.0, -12.47, 51.2, 83.1};

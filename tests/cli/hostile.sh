@@ -247,6 +247,13 @@ tools() {
     hostile slot 'puts("here 3");' >"lessons/$slug.c"
     judged 125 'a debugging line' WRONG \
         '`here 3`. stdout is for tables, so print anything else to stderr'
+    hostile file 'static double abs(double x) { return x < 0 ? -x : x; }' \
+        >"lessons/$slug.c"
+    judged 134 'a function named as one that stdlib.h declares' \
+        'WRONG (does not compile)' "abs is a name of the C library's"
+    hostile file 'int matrix_factor(double x) { return x < 0; }' >"lessons/$slug.c"
+    judged 135 "a function named as one of matrix.h's" \
+        'WRONG (does not compile)' "matrix_factor is a name of the workbook's"
 
     rm "lessons/$slug.c" && mkfifo "lessons/$slug.c"
     judged 131 'a pipe in the place of the file' 'UNFINISHED (no file)' \

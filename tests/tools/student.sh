@@ -81,6 +81,24 @@ names() {
         sort -u | head -n 4 | tr '\n' ' ' | sed 's/ $//; s/ /, /g'
 }
 
+# Whose are the names that the file declares once more?  The compiler's note says
+# where that was, after the error that has the name.
+declared_elsewhere() {
+    awk -v quote="'" '
+        /(error|warning): / { name = "" }
+        /error: .*(conflicting|redeclared|redefinition|static declaration)/ {
+            split($0, part, quote)
+            name = part[2]
+        }
+        /^(\/|common\/)[^:]*\.h:.* note: previous/ && name && !told[name]++ {
+            whose = /^common/ ? "the workbook" : /\/gsl\// ? "GSL" : "the C library"
+            print "  " name " is a name of " whose quote "s, declared by a header" \
+                " that your file includes."
+            some = 1
+        }
+        END { if (some) print "  Give yours another name." }' "$folder/log"
+}
+
 # Why FILE, shown as NAME, does not compile with the checks, when the solution
 # does.
 explain_compile() {
@@ -89,6 +107,7 @@ explain_compile() {
         grep -F "$1:" "$folder/log" | grep -E ':[0-9]+: (fatal )?error' \
             >"$folder/errors" || errors "$folder/log" >"$folder/errors"
         head -n 5 "$folder/errors" | sed "s|^.*$1|  $2|"
+        declared_elsewhere
         return
     fi
     mv "$folder/log.judge" "$folder/log"

@@ -72,7 +72,7 @@ part == "rest" && within ~ /^(Theory|Example)$/ { next }
 part != "" && part != "rest" && index("," part ",", "," within ",") == 0 { next }
 /^ *```/ { fence = !fence; if (fence && /```math/) text = text said; next }
 fence { next }
-/^<details><summary>Measured/ || /^Read as far as this list/ { next }
+/^<details><summary>Measured/ || /^Read as far as this list/ || /^Open `lessons.*make check/ { next }
 /^ *<details/ { folded = 1 }
 /<\/details>/ { folded = 0; next }
 /^ *\|/ { sentences_of(text) }

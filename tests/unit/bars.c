@@ -389,6 +389,25 @@ static void a_pivot_of_round_off_is_reported(void)
         }
 }
 
+/* The same two elements at one end of four, for the sweep from that end. */
+static void a_pivot_of_round_off_is_reported_at_each_end(void)
+{
+    for (int right = 0; right < 2; right++)
+        for (int digit = -1; digit <= 1; digit += 2) {
+            const double b[5] = {0.0};
+            const struct bar bar = {4, 1.0, {1, 1}, b,
+                                    material_make(CUBIC, 1000.0, 0.0)};
+            const struct newton_control control = {1e-10, 9, 0, 0};
+            const double half = 0.5 + digit * 0x1p-53;
+            double u[2][5] = {{-half, 0.0, 1.5, 1.5, 1.5},
+                              {-1.5, -1.5, -1.5, 0.0, half}};
+            const struct newton_report report =
+                solve(TWO_SWEEPS, &bar, &control, u[right]);
+            ck_assert_int_eq(report.status, NOT_SPD);
+            ck_assert_int_eq(report.iterations, 0);
+        }
+}
+
 /* nu = 0: P' = 0 in the element that is twice as long, wherever it is. */
 static void no_stiffness_is_no_number_to_a_sweep(void)
 {
@@ -541,6 +560,8 @@ static const struct unit_law laws[] = {
     {"what_round_off_cannot_move_is_stalled",
      what_round_off_cannot_move_is_stalled},
     {"no_tolerance_is_too_small", no_tolerance_is_too_small},
+    {"a_pivot_of_round_off_is_reported_at_each_end",
+     a_pivot_of_round_off_is_reported_at_each_end},
     {"a_pivot_of_round_off_is_reported", a_pivot_of_round_off_is_reported},
     {"no_stiffness_is_no_number_to_a_sweep",
      no_stiffness_is_no_number_to_a_sweep},

@@ -55,6 +55,28 @@ static void a_key_changes_its_own_words(void)
         }
 }
 
+static void each_word_is_that_of_the_setting(void)
+{
+    static const char *const start[] = {"elastic", "rows", "last state"};
+    char words[CAPTION];
+    struct live *live = some_live();
+    for (int k = 0; k < 8; k++) {
+        live->set.start = (enum start)(k % 3);
+        live->set.grab = k & 1 ? SIDE : PATCH;
+        live->set.element = k & 2 ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE;
+        live->set.fallback = k & 4;
+        says(live, 's', words);
+        ck_assert(strstr(words, start[k % 3]));
+        says(live, 'g', words);
+        ck_assert(strstr(words, k & 1 ? "side" : "patch"));
+        says(live, 'e', words);
+        ck_assert(strstr(words, k & 2 ? "quadratic" : "linear"));
+        says(live, 'p', words);
+        ck_assert(strstr(words, k & 4 ? "downhill" : "nothing"));
+    }
+    live_free(live);
+}
+
 static void the_frame_is_told_in_short_lines(void)
 {
     char text[CAPTION];
@@ -73,6 +95,7 @@ static void the_frame_is_told_in_short_lines(void)
 static const struct unit_law laws[] = {
     LAW(each_key_is_named),
     LAW(a_key_changes_its_own_words),
+    LAW(each_word_is_that_of_the_setting),
     LAW(the_frame_is_told_in_short_lines),
 };
 UNIT_MAIN("caption", laws)

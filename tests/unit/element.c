@@ -131,6 +131,20 @@ static void steps_are_as_short_as_they_may_be(void)
     close_to(too_far.F, 1.0, 1e-15);
 }
 
+/* Pressed so hard only the shortest step succeeds at first; those after it are
+ * longer and longer, so that it arrives in far less than 2^10 of them. */
+static void steps_grow_again(void)
+{
+    const struct material m = of(LOG, 0.3);
+    const struct newton_control control = {1e-10, 25, 0, 0};
+    for (int k = 9; k <= 10; k++)
+        ck_assert((element_newton(&m, ldexp(-1e6, -k), 1.0, &control).status ==
+                   OK) == (k == 10));
+    const struct element_report end = element_stepping(&m, -1e6, 0.0, &plain);
+    ck_assert_int_eq(end.status, OK);
+    ck_assert_int_lt(end.iterations, 200);
+}
+
 /* The boundary of a bar of 7 elements, free at the other end, moves by dg. */
 static void boundary_step_is_one_stretch(void)
 {
@@ -330,6 +344,7 @@ static const struct unit_law laws[] = {
     {"steps_are_as_short_as_they_may_be", steps_are_as_short_as_they_may_be},
     {"boundary_step_is_one_stretch", boundary_step_is_one_stretch},
     {"moving_end_is_the_oracles", moving_end_is_the_oracles},
+    {"steps_grow_again", steps_grow_again},
     {"line_search_is_armijos", line_search_is_armijos},
     {"line_search_does_not_go_uphill", line_search_does_not_go_uphill},
     {"neither_test_is_enough_alone", neither_test_is_enough_alone},

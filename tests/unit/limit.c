@@ -35,6 +35,9 @@ static void limits_are_those_of_a_scan(void)
         agree(limit_rest(&m), rest, step);
         close_to(limit_least_slope(&m), slope, 1e-5 * modulus);
         close_to(limit_least_stress(&m), stress, 1e-3 * modulus);
+        struct material soft = material_make(m.law, 1e-6, nu);
+        agree(limit_point(&soft), limit_point(&m), 1e-9); /* of any unit */
+        agree(limit_rest(&soft), limit_rest(&m), 1e-9);
         limits += !isnan(top);
         rests += !isnan(rest);
     }

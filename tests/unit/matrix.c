@@ -453,6 +453,26 @@ static void negative_pivots_count_negative_eigenvalues(void)
     matrix_free(A), matrix_free(I), matrix_free(shifted);
 }
 
+/* 1 + d - 1 = d is no pivot if it is at most a last digit of 1 + d. */
+static void a_pivot_of_one_digit_is_none(void)
+{
+    struct matrix *A = matrix_alloc(BANDED, 2, 1);
+    for (int digits = -4; digits <= 4; digits++) {
+        double b[2] = {1.0, 1.0};
+        int negative;
+        matrix_zero(A);
+        matrix_add(A, 0, 0, 1.0);
+        matrix_add(A, 1, 0, 1.0);
+        matrix_add(A, 1, 1, 1.0 + digits * DBL_EPSILON);
+        ck_assert_int_eq(matrix_solve_indefinite(A, b, &negative),
+                         digits < 0 || digits > 1 ? OK : NOT_SPD);
+        if (digits == 0 || digits == 1) continue;
+        ck_assert_int_eq(negative, digits < 0);
+        ck_assert(b[0] == 1.0 && b[1] == 0.0);
+    }
+    matrix_free(A);
+}
+
 static void a_combination_is_entry_by_entry(void)
 {
     struct matrix *A = random_band(23, 4), *B = random_band(23, 4);
@@ -625,6 +645,7 @@ static const struct unit_law laws[] = {
      negative_pivots_count_negative_eigenvalues},
     {"backward_error_is_that_of_a_nearby_system",
      backward_error_is_that_of_a_nearby_system},
+    {"a_pivot_of_one_digit_is_none", a_pivot_of_one_digit_is_none},
     {"a_combination_is_entry_by_entry", a_combination_is_entry_by_entry},
     {"a_block_has_the_entries_of_its_rows",
      a_block_has_the_entries_of_its_rows},

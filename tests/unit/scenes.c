@@ -1,6 +1,8 @@
 /* scenes.c - laws of common/choice/scene_file.h. */
 #include "choice/scene_file.h"
 
+#include "choice/estimate.h"
+
 #include "unit.h"
 
 #include <math.h>
@@ -193,6 +195,46 @@ static void a_line_is_what_it_says(void)
     ck_assert(k >= 12 && !scene_file_line(-1, &line));
 }
 
+/* What no word may have in it becomes _; the ending goes. */
+static void a_name_is_one_word(void)
+{
+    char odd[sizeof path];
+    write_file(GOOD "gravity 0 1\n");
+    snprintf(odd, sizeof odd, "/tmp/unit-%ld a\tb.c.scene", (long)getpid());
+    ck_assert(rename(path, odd) == 0);
+    memcpy(path, odd, sizeof path);
+    read_file();
+    unlink(path);
+    const char *end = strchr(file.name, '_');
+    ck_assert(end && strncmp(file.name, "unit-", 5) == 0);
+    ck_assert_str_eq(end, "_a_b.c");
+}
+
+/* A beam's first swing has 32 steps, of the period that its weight bends it
+ * with; so has the load's time 16, if that is shorter. */
+static void a_step_is_a_part_of_a_swing(void)
+{
+    static const char *const how[] = {
+        "held left\nload rises\ntime 3\nend 30\n",
+        "held ends\nload rises\ntime 3\nend 3\n",
+        "held left\nload rises\ntime 0.05\nend 0.4\n"};
+    for (int k = 0; k < 3; k++) {
+        char text[200];
+        snprintf(text, sizeof text, "width 2\nheight 0.2\nE 1000\nnu 0.3\n"
+                 "rho 1\ngravity 0 -1e-4\n%s", how[k]);
+        write_file(text);
+        read_file();
+        unlink(path);
+        struct ladder_state *s = ladder_solve(
+            &file.scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        const double period = 2.0 * acos(-1.0) / estimate_frequency(s);
+        const double steps = (k < 2 ? period : file.scene.T) /
+                             file.scene.dt;
+        close_to(steps, k < 2 ? 32.0 : 16.0, 2.0);
+        ladder_free(s);
+    }
+}
+
 static void a_long_line_is_refused(void)
 {
     char text[600];
@@ -212,6 +254,8 @@ static const struct unit_law laws[] = {
     {"what_is_wrong_is_named", what_is_wrong_is_named},
     {"only_a_text_is_read", only_a_text_is_read},
     {"a_line_is_what_it_says", a_line_is_what_it_says},
+    {"a_name_is_one_word", a_name_is_one_word},
+    {"a_step_is_a_part_of_a_swing", a_step_is_a_part_of_a_swing},
     {"a_long_line_is_refused", a_long_line_is_refused},
 };
 

@@ -42,7 +42,7 @@ static void scenes_end_where_they_say(void)
     static const double left[] = {-0.42, 0.0, 0.0, 0.0, 0.1, 0.0,
                                   -0.42073549240394825, 0.0};
     static const char *const name[] = {"slow_pull", "fast_pull", "shake",
-                                       "swing", "buckle", "push", "flagship",
+                                       "swing", "buckle", "push", "jolted_pull",
                                        "weight"};
     for (int s = 0; s < WORK_SCENES; s++) {
         const enum work_scene scene = (enum work_scene)s;
@@ -64,6 +64,25 @@ static void scenes_end_where_they_say(void)
 }
 
 /* Pull, fast pull and push are one linear problem and a shift. */
+/* A hump of (0.1, 0.2) (1 - X1^2)^2 (1 - X2^2)^2. */
+static void a_hump_is_plucked(void)
+{
+    const struct work_setting set =
+        setting(SWING, LOG, 1, 4, 8, BACKWARD_EULER);
+    struct scene *s = work_alloc(&set);
+    double *u = allocate((size_t)s->n_dof, sizeof *u);
+    work_pluck(s, u);
+    for (int j = 0; j <= 4; j++)
+        for (int i = 0; i <= 4; i++) {
+            static const double of[] = {0.0, 0.5625, 1.0, 0.5625, 0.0};
+            for (int k = 0; k < 2; k++)
+                close_to(u[2 * (5 * j + i) + k], 0.1 * (k + 1) * of[i] * of[j],
+                         1e-15);
+        }
+    free(u);
+    scene_free(s);
+}
+
 static void linear_answers_scale(void)
 {
     const struct work slow = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
@@ -179,6 +198,23 @@ static void other_elements_are_counted(void)
     ck_assert_int_eq(once.factorisations, 1);
     close_to(work_distance(&once, &often), 0.0, 1e-12);
     ck_assert_double_gt(work_distance(&once, NULL), 0.1);
+}
+
+/* The explicit method has lost this scene when it has made four steps, and what
+ * is beyond 100 m is then on the left alone. */
+static void what_is_lost_is_lost_on_each_side(void)
+{
+    const struct work_setting set =
+        setting(PUSH, CUBIC, 1, 8, 6, SYMPLECTIC_EULER);
+    const struct work lost = work_run(&set);
+    double least = 0.0, most = 0.0;
+    for (int i = 0; i < lost.n_shared; i++) {
+        least = fmin(least, lost.u[i]);
+        most = fmax(most, lost.u[i]);
+    }
+    ck_assert(least < -150.0 && most < 95.0);
+    ck_assert_int_eq(lost.status, NONFINITE);
+    ck_assert_int_eq(lost.steps, 4);
 }
 
 static void failures_have_no_answer(void)
@@ -414,14 +450,71 @@ static void the_rule_pays_for_its_probes(void)
     trials_free(s);
 }
 
+/* Runs that are made up, with an answer of one number, and what they need. */
+static struct trials made_up;
+
+static void make_up(enum law law, int dynamic, int n, double tolerance,
+                    double u, int factorisations)
+{
+    const int k = made_up.count++;
+    made_up.set[k] = setting(PUSH, law, dynamic, n, dynamic ? 32 : 1,
+                             dynamic ? IMPLICIT_MIDPOINT : BACKWARD_EULER);
+    made_up.set[k].tolerance = tolerance;
+    made_up.work[k] = (struct work){.status = OK, .steps = 1, .n_shared = 2,
+        .systems = factorisations, .factorisations = factorisations,
+        .flops = 1000.0 + k, .u = {u}};
+}
+
+/* On two meshes the error in space falls as at a corner, r = 2^(2 alpha); the
+ * parts are those of the runs' numbers.  The taken run is no probe; a law that
+ * needs one factorisation on the finer mesh costs less than one that needs 25
+ * on the coarser; where a run is missing nothing is known. */
+static void the_rule_knows_its_runs_alone(void)
+{
+    const struct material notes = material_notes(LINEAR);
+    const double r = pow(2.0, 2.0 * material_corner(&notes));
+    double part[N_PART];
+    made_up.scene = PUSH;
+    made_up.size = 0.5;
+    make_up(LOG, 0, 4, 1e-5, 1.3, 25);
+    make_up(LOG, 0, 4, 1e-2, 1.35, 25);
+    make_up(LOG, 0, 8, 1e-5, 1.1, 25);
+    make_up(LOG, 1, 8, 1e-5, 1.0, 25);
+    const double sum = rule_parts(&made_up, 2, &made_up.set[1], part);
+    close_to(part[SPACE], 2.0 * 0.2 * r / (r - 1.0), 1e-12);
+    close_to(part[MODEL], 2.0 * 0.1, 1e-12);
+    close_to(part[SOLVER], 2.0 * 0.05, 1e-12);
+    close_to(part[TIME], 0.0, 1e-15);
+    close_to(sum, part[SPACE] + part[MODEL] + part[SOLVER], 1e-12);
+    const double error = sum - 0.5 * part[SOLVER]; /* so that it is refined */
+    const struct rule_choice one = rule_take(&made_up, 2, error);
+    ck_assert_int_eq(one.taken, 0);
+    ck_assert_int_eq(one.probes, 3);
+    close_to(one.flops, 3006.0, 1e-9);
+    ck_assert_int_eq(rule_take(&made_up, 2, 1.01 * sum).taken, 1);
+    ck_assert_int_eq(rule_take(&made_up, 2, 0.19).taken, -1);
+    make_up(LINEAR, 0, 4, 1e-2, 1.6, 1);
+    make_up(LINEAR, 0, 4, 1e-5, 1.6, 1);
+    make_up(LINEAR, 0, 8, 1e-2, 1.05, 1);
+    make_up(LINEAR, 0, 8, 1e-5, 1.05, 1);
+    ck_assert_int_eq(rule_take(&made_up, 2, error).taken, 6);
+    made_up.count = 3;
+    ck_assert(rule_parts(&made_up, 2, &made_up.set[1], part) == INFINITY);
+    ck_assert(part[MODEL] == INFINITY && part[SPACE] < INFINITY);
+    ck_assert_int_eq(rule_take(&made_up, 2, 9.0).taken, -1);
+}
+
 static const struct unit_law laws[] = {
     {"scenes_end_where_they_say", scenes_end_where_they_say},
+    {"a_hump_is_plucked", a_hump_is_plucked},
     {"linear_answers_scale", linear_answers_scale},
     {"linear_answers_need_one_system", linear_answers_need_one_system},
     {"slow_is_static", slow_is_static},
     {"methods_have_their_orders", methods_have_their_orders},
     {"work_is_counted", work_is_counted},
     {"other_elements_are_counted", other_elements_are_counted},
+    {"what_is_lost_is_lost_on_each_side",
+     what_is_lost_is_lost_on_each_side},
     {"failures_have_no_answer", failures_have_no_answer},
     {"corrections_add_up", corrections_add_up},
     {"limits_are_limits", limits_are_limits},
@@ -429,6 +522,7 @@ static const struct unit_law laws[] = {
      sweeps_know_parts_and_the_cheapest},
     {"the_rule_is_balanced", the_rule_is_balanced},
     {"the_rule_pays_for_its_probes", the_rule_pays_for_its_probes},
+    {"the_rule_knows_its_runs_alone", the_rule_knows_its_runs_alone},
 };
 
 UNIT_MAIN("work", laws)

@@ -1,0 +1,40 @@
+# counts.gp - what a step costs on several processes, in counts: iterations per
+# linear system by three preconditioners, and messages per process and step.
+# Expected: geometric multigrid does not grow; messages grow with the levels.
+# Reads   data  tables runs, messages of many.tsv
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 860,370
+set output out
+set datafile missing NaN
+unset key
+first_steps(method, p) = strcol("method") eq method && column("steps") == 6 \
+        && column("processes") == p ? column("iterations") : NaN
+sent(p, what) = strcol("method") eq "geometric" && column("processes") == p \
+        && column("n") >= 64 ? column(what) : NaN
+set logscale x
+set xrange [55:590]
+set xtics (64, 128, 256, 512)
+set xlabel "squares per side n"
+set multiplot layout 1,2 margins 0.075,0.985,0.145,0.96 spacing 0.1,0
+set yrange [0:20]
+set ylabel "iterations per linear system" offset 1
+set label 1 "geometric multigrid" at 66,5.4 tc ls 6
+set label 2 "algebraic, with\nrigid motions" at 262,10 tc ls 3
+set label 3 "algebraic,\nwithout them" at 262,15.3 tc ls 2
+plot data index "runs" using "n":(first_steps("geometric", 1)) \
+         with linespoints ls 6, \
+     "" index "runs" using "n":(first_steps("rigid_modes", 1)) \
+         with linespoints ls 3, \
+     "" index "runs" using "n":(first_steps("algebraic", 1)) \
+         with linespoints ls 2
+set yrange [0:1300]
+set ylabel "messages of a process per step" offset 1
+set label 1 "four processes" at 66,860 tc ls 1
+set label 2 "two processes" at 66,330 tc ls 5
+set label 3 "dashed: theory" at 262,640 tc rgb "black"
+plot data index "messages" using "n":(sent(4, "messages")) with points ls 1 ps 1, \
+     "" index "messages" using "n":(sent(2, "messages")) with points ls 5 ps 1, \
+     "" index "messages" using "n":(sent(4, "predicted")) with lines ls 8, \
+     "" index "messages" using "n":(sent(2, "predicted")) with lines ls 8
+unset multiplot
