@@ -19,7 +19,8 @@ const char *drawn_name(enum drawn_kind kind); /* a word */
  * would bend a beam by 1/5000 to 1/5 of its length, a couple that bends as much
  * at most, and along the axis a pull of up to three times the buckling load or,
  * PRESSED, up to 0.9 of it.
- * CLAMPED at both ends it has weight along and is pushed on its upper side.
+ * CLAMPED at both ends it has weight along, and is pushed on its upper side by
+ * eight times its weight across.
  * MOVING it is pulled and bent by a load that rises in 0.15 to 15 over the
  * first frequency of a beam; on two meshes, the others on three.
  */
