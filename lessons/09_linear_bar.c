@@ -4,18 +4,19 @@
  * Notes: Lecture 1, 1D Elasticity; Lecture 2, (2.12b), for the end loads.
  *
  * Problem.  -P' = f on (0, 1), P = modulus u'.  Each end is held, u = g given,
- * or free, and then pulled by the traction h = P n, n the outward normal:
+ * or free, and then pulled by the traction t = P n, n the outward normal:
  *
  *        n = -1                                      n = +1
- *     h  <---|=========================================|--->  h
+ *     t  <---|=========================================|--->  t
  *            0        body force f (N/m^3) -->         1
  *
- * A positive h or f pushes towards +X.  Linear elements on n equal lengths;
+ * A positive t or f pushes towards +X.  Linear elements on n equal lengths;
  * unit cross-section, so that stresses are forces.
  *
  * Run       make lesson-09; make lesson-09 ARGS=-h lists its options
  * PREDICT 1 the printed modulus at nu = 0.33 is too soft by the factor: ...
  * PREDICT 2 strain in tension at which linear is 5 % off the log law: ...
+ * PREDICT 3 linear solves for the end of a bar with c = 100, to 1 %: ...
  * Plot: nodes X u
  */
 #include "bar/bar_scene.h"
@@ -27,7 +28,7 @@
 #include <stdlib.h>
 
 /* struct bar_scene of bar_scene.h has n elements and, of each end (0 left, 1
- * right): held[], g[] (u of a held end), pull[] (traction h of a free end). */
+ * right): held[], g[] (u of a held end), pull[] (traction t of a free end). */
 
 struct elastic {
     double mu, lambda; /* Lame parameters, N/m^2 */
@@ -47,7 +48,7 @@ static struct elastic elastic_make(double E, double nu)
 /*
  * Given f at the middles, return matrix and loads before any node is held:
  *
- *     K_ij = modulus int N_i' N_j' dX,   b from f, and from h where it is given
+ *     K_ij = modulus int N_i' N_j' dX,   b from f, and from t where it is given
  *
  * f_mid    in    f at the middle of element e = 0..n-1, for the midpoint rule
  * K, b     out   order n + 1, half bandwidth 1

@@ -57,8 +57,8 @@ struct limits {
     double load;     /* p at or below which the first step from F inverts */
     double step;     /* largest drop of the load from the equilibrium at F */
     double start;    /* F0 at or above which it inverts for p = 0 */
-    double push;     /* dg / dX at or above which the start is inverted */
-    double pull;     /* dg / dX at or below which the first step inverts */
+    double push;     /* dg / h at or above which the start is inverted */
+    double pull;     /* dg / h at or below which the first step inverts */
     double collapse; /* p at which the cubic law has F = 0 */
 };
 static struct limits predict(double mu, double lambda, double F)
@@ -111,7 +111,7 @@ static struct outcome solve(const struct material *material, double p,
 
 /*
  * Load stepping with halving [alg:load-stepping].  At the fraction s of the way
- * the load is s p and the boundary has moved by s jump (in units of dX).  A
+ * the load is s p and the boundary has moved by s jump (in units of h).  A
  * step from s to s + ds <= 1, the first from 0 to 1, starts at the last
  * equilibrium (F = 1 at s = 0) less ds jump.  If it converges, ds := 2 ds; if
  * not, it is taken back, ds := ds / 2.  One attempt may take `patience`

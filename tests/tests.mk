@@ -37,9 +37,10 @@ LONG := 18_% 22_%
 HASTY = -g0 -w -Wl,-S
 unwarned = $(filter-out $(STRICT),$1)
 quick = $(if $(filter $(LONG),$1),-O1,-O0) $$(HASTY)
+slug_of = $(patsubst %/,%,$(dir $1))
 define variant_rules
-$(BUILD)/mistakes/$1.c: tests/mistakes/$(patsubst %/,%,$(dir $1)).txt \
-        solutions/$(patsubst %/,%,$(dir $1)).c tests/tools/variant.awk
+$(BUILD)/mistakes/$1.c: tests/mistakes/$(slug_of).txt solutions/$(slug_of).c \
+        tests/tools/variant.awk
 	$(Q)mkdir -p $$(@D)
 	$(Q)$$(WHOLE) $$(VARIANT) -v name=$(notdir $1) -v get=caught-by,why $$< \
 	        > $$(PART) && mv -f $$(PART) $$(@:.c=.why) && \
@@ -49,9 +50,9 @@ $(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
 	$(Q)[ ! -f $$< ] || { $$(call unwarned,$$(COMPILE)) \
 	    $(call quick,$1) $$< $$(PLACED); }
 $(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
-        tests/checks/$(patsubst %/,%,$(dir $1)).c $(NAMING)
-	$(Q)[ ! -f $$< ] || { $$(call unwarned,$$(call build_judge,$$<,$(patsubst \
-	    %/,%,$(dir $1)),$(call quick,$1))); }
+        tests/checks/$(slug_of).c $(NAMING) $(BUILD)/solutions/$(slug_of).judge
+	$(Q)[ ! -f $$< ] || { LIKE='$(BUILD)/solutions/$(slug_of).judge.h' \
+	    $$(call unwarned,$$(call build_judge,$$<,$(slug_of),$(call quick,$1))); }
 endef
 $(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
 # the known mistakes of a lesson and their judges, or those alone that the check

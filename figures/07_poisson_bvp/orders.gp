@@ -4,7 +4,7 @@
 # Reads   data  table orders (n, three errors with their orders and constants)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,500 enhanced font "Helvetica,14" \
+set terminal svg size 720,440 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -15,7 +15,7 @@ column('%s_order'), C_%s = column('%s_constant')) nooutput", \
 eval finest("nodal")
 eval finest("L2")
 eval finest("energy")
-entry(name, p, C) = sprintf("%s:  order %.2f,  constant %.4f", name, p, C)
+entry(name, p, C) = sprintf("%s: order %.2f, constant %.4f", name, p, C)
 
 set logscale xy
 set xrange [1.0/760:1.0/2.6]
@@ -28,25 +28,26 @@ set xtics ("1/512" 1.0/512, "1/256" 1.0/256, "1/128" 1.0/128, "1/64" 1.0/64, \
 unset mytics
 set xlabel "element length h (domain of length 1)"
 set ylabel "error (dimensionless)" offset 1
-set key above left maxrows 4 samplen 1.6 spacing 1.15
+unset key
 
 # the theory, extended beyond the data at both ends
 energy(h) = sqrt(7.0) / 24.0 * h
 L2(h) = 0.0317641 * h**2
 nodal(h) = (1.0 / 144.0 + log(2.0) / 96.0) * h**2
-set label 1 "√7 h / 24" at 1.0/170, energy(1.0/170) * 2.1 right \
-    textcolor ls 1
-set label 2 "0.0318 h^2" at 1.0/38, L2(1.0/38) * 2.8 right textcolor ls 2
-set label 3 "(1/144 + ln2 / 96) h^2" at 1.0/28, nodal(1.0/28) * 0.42 left \
-    textcolor ls 3
+set label 1 entry("energy norm", p_energy, C_energy) at 1.0/600, 1.5e-2 tc ls 1
+set label 2 "theory: √7 h / 24" at 1.0/600, 6.5e-3 tc ls 1
+set label 3 entry("L² norm", p_L2, C_L2) at 1.0/600, 6e-5 tc ls 2
+set label 4 "theory: 0.0318 h²" at 1.0/600, 2.7e-5 tc ls 2
+set label 5 entry("nodes", p_nodal, C_nodal) at 1.0/80, 6e-7 tc ls 3
+set label 6 "theory: (1/144 + ln 2 / 96) h²" at 1.0/80, 2.7e-7 tc ls 3
 
-plot energy(x) with lines ls 8 title "theory: slopes 1 and 2", \
-     L2(x) with lines ls 8 notitle, \
-     nodal(x) with lines ls 8 notitle, \
+plot energy(x) with lines ls 8, \
+     L2(x) with lines ls 8, \
+     nodal(x) with lines ls 8, \
      data index "orders" using (1 / column("n")):"energy" with points \
-         ls 1 ps 1.0 title entry("energy norm", p_energy, C_energy), \
+         ls 1 ps 1.0, \
      data index "orders" using (1 / column("n")):"L2" with points \
-         ls 2 ps 0.9 title entry("L_2 norm", p_L2, C_L2), \
+         ls 2 ps 0.9, \
      data index "orders" using (1 / column("n")):"nodal" with points \
-         ls 3 ps 1.1 title entry("largest nodal error", p_nodal, C_nodal)
+         ls 3 ps 1.1
 set output

@@ -7,10 +7,12 @@
 # Writes  out   SVG
 
 load "figures/style.gp"
-set terminal svg size 860,400
+set terminal svg size 860,420 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 
-mark = 2                                   # the element in colour
+mark = 2                       # the element in colour, the third: number j
+                               # joins nodes j - 1 and j, and `e` is j - 1
 stats data index "K_local" using "e" nooutput
 last = int(STATS_max)                      # elements 0..last, nodes 0..last+1
 stats data index "K_local" using (column("e") == mark ? column("x0") : 1/0) \
@@ -19,34 +21,36 @@ stats data index "K_local" using (column("e") == mark ? column("x1") : 1/0) \
     name "x1" nooutput
 
 set multiplot layout 1,2
-set lmargin 10; set rmargin 2; set tmargin 3.5; set bmargin 4
+set lmargin 10; set rmargin 2; set tmargin 1.5; set bmargin 4
 set style fill transparent solid 0.25 noborder
 set xlabel "x (-)"
 set ylabel "hat functions (-)"
 set xrange [-0.03:1.03]
-set yrange [0:1.12]
+set yrange [0:1.2]
 set ytics 0.25
-set key above left horizontal maxrows 1 samplen 2
+unset key
 is(e) = column("e") == e
+set label 1 sprintf("element %d", mark + 1) at 0.5 * (x0_min + x1_min), 1.15 \
+    center
 plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
-         with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
+         with vectors nohead lw 1.5 lc rgb "#999999", \
      "" index "K_local" using "x0":(1):(column("x1")-column("x0")):(-1) \
-         with vectors nohead lw 1.5 lc rgb "#999999" notitle, \
+         with vectors nohead lw 1.5 lc rgb "#999999", \
      "" index "K_local" \
          using (0.5*(column("x0")+column("x1"))):(is(mark) ? 0.5 : 1/0): \
-               "x0":"x1":(0):(1) with boxxyerror lc rgb "#E69F00" \
-         title sprintf("element %d", mark), \
+               "x0":"x1":(0):(1) with boxxyerror lc rgb "#E69F00", \
      "" index "K_local" using "x0":(is(mark) ? 1 : 1/0): \
                (column("x1")-column("x0")):(-1) \
-         with vectors nohead ls 1 lw 3 title sprintf("e_%d", mark), \
+         with vectors nohead ls 1 lw 3, \
      "" index "K_local" using "x0":(is(mark) ? 0 : 1/0): \
                (column("x1")-column("x0")):(1) \
-         with vectors nohead ls 2 lw 3 dt 2 title sprintf("e_%d", mark + 1), \
+         with vectors nohead ls 2 lw 3 dt 2, \
      "" index "nodes" using "x":(0):0 with points pt 7 ps 0.6 \
-         lc rgb "black" notitle, \
+         lc rgb "black", \
      "" index "nodes" using "x":(1.05):(sprintf("e_%d", column(0))) \
-         with labels notitle
+         with labels
 
+set label 1 sprintf("element %d", mark + 1) at mark + 1.6, mark - 0.3 left
 set xlabel "column j"
 set ylabel "row i"
 set xrange [-0.6:last + 1.6]
@@ -55,27 +59,25 @@ set xtics 1
 set ytics 1
 set size ratio 1
 unset grid
-set key above left horizontal maxrows 1 samplen 1
 set style fill transparent solid 0.30 border lc rgb "#666666"
 inside(i, j) = i >= mark && i <= mark + 1 && j >= mark && j <= mark + 1
 plot data index "K_local" using "e":"e":(column("e")-0.46):(column("e")+1.46): \
          (column("e")-0.46):(column("e")+1.46) with boxxyerror \
-         lc rgb "#999999" title "four entries of each element", \
+         lc rgb "#999999", \
      "" index "K_local" using "e":(is(mark) ? mark : 1/0): \
          (mark-0.46):(mark+1.46):(mark-0.46):(mark+1.46) with boxxyerror \
-         lc rgb "#F9E0AB" fs solid 1.0 border lc rgb "#E69F00" \
-         title sprintf("element %d", mark), \
+         lc rgb "#E69F00" fs transparent solid 0.35 border lc rgb "#E69F00", \
      "" index "A" using "j":(column("value") != 0 && \
          !inside(column("i"), column("j")) ? column("i") : 1/0) \
-         with points pt 7 ps 0.4 lc rgb "black" notitle, \
+         with points pt 7 ps 0.4 lc rgb "black", \
      "" index "K_local" using "e":(is(mark) ? mark : 1/0):("K_{00}") \
-         with labels notitle, \
+         with labels, \
      "" index "K_local" using (mark + 1):(is(mark) ? mark : 1/0):("K_{01}") \
-         with labels notitle, \
+         with labels, \
      "" index "K_local" using (mark):(is(mark) ? mark + 1 : 1/0):("K_{10}") \
-         with labels notitle, \
+         with labels, \
      "" index "K_local" using (mark + 1):(is(mark) ? mark + 1 : 1/0): \
          ("K_{11}") \
-         with labels notitle
+         with labels
 unset multiplot
 set output

@@ -5,11 +5,13 @@
 #               iterations error seconds ns_per_unknown), large, machine
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,410
+set terminal svg size 900,430 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 array Table[4] = ["chart_readable", "chart_gsl", "chart_fused", "chart_both"]
 array Name[4] = ["readable", "GSL tridiagonal", "fused sweep", \
                  "fused, from both ends"]
+array Short[4] = ["readable", "GSL", "fused", "both ends"]
 array Style[4] = [2, 5, 3, 1]
 # The entry of a column in row r = 0, 1, ... of a table.
 cell(table, name, r) = system(sprintf( \
@@ -25,24 +27,22 @@ last(t) = int(system(sprintf("awk -v t='# %s' '$0 == t { on = 1 } \
 slope(t) = log(cell(t, "error", last(t)) / cell(t, "error", 2)) / \
            log(cell(t, "seconds", last(t)) / cell(t, "seconds", 2))
 
-set multiplot layout 1,2 margins 0.08,0.815,0.17,0.96 spacing 0.11,0
+set multiplot layout 1,2 margins 0.11,0.79,0.195,0.96 spacing 0.115,0
 unset key
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set label 9 machine(data) at screen 0.01,0.025 left font ",11"
 set logscale xy
 set format xy "10^{%T}"
 set xrange [3e-7:0.3]
 set yrange [1e-14:1e-3]
 set xlabel "time of the whole solve (s)"
-set arrow 1 from 1.0/30, graph 0 to 1.0/30, graph 1 nohead ls 8 dt 4
-set label 2 "33 ms" at 1.0/30, graph 0.97 right offset -0.5,0
 set ylabel "relative error of u(1)"
 set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead ls 8
 set label 1 "1/30 s" at 0.027, 3e-4 right
-set label 2 "dashed: slope -2" at 5e-7, 3e-10
+set label 2 "slope; dashed: -2" at 5e-7, 3e-10
 do for [s = 1:4] {
     color = Style[s]
-    set label 2 + s sprintf("%.2f %s", slope(Table[s]), Name[s]) tc ls color \
-        at 5e-7, 3e-10 / 10.0**(0.9 * s) font ",11"
+    set label 2 + s sprintf("%.2f %s", slope(Table[s]), Short[s]) tc ls color \
+        at 5e-7, 3e-10 / 10.0**(0.9 * s)
 }
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s], \

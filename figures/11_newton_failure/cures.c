@@ -2,7 +2,7 @@
  * cures.c - how many linear solves does each cure cost, and when does it fail?
  *
  * One element of the log law from rest, 60 sizes x each of a load
- * -p / (2 mu + lambda) and of a push dg / dX of the boundary in a bar of ten
+ * -p / (2 mu + lambda) and of a push dg / h of the boundary in a bar of ten
  * elements: plain Newton, load stepping, line search, a better start, and the
  * cubic law.
  */
@@ -25,7 +25,7 @@ int main(void)
             moved ? "step_cures" : "load_cures",
             "x plain plain_iterations stepping stepping_iterations search "
             "search_iterations start start_iterations cubic cubic_iterations "
-            "F_cubic", moved ? "x = dg / dX" : "x = -p / (2 mu + lambda)");
+            "F_cubic", moved ? "x = dg / h" : "x = -p / (2 mu + lambda)");
         for (int i = 0; i < GRID; i++) {
             const double x = pow(10.0, -1.503 + 3.013 * i / (GRID - 1));
             const double p = moved ? 0.0 : -x * material_modulus(&m);

@@ -4,7 +4,8 @@
 # Reads   data  tables stress, giveup, localised
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,390
+set terminal svg size 740,410 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 # the cubic law is orange: the smaller ν, the lighter
 set style line 11 lc rgb "#7A3500" lw 2
@@ -21,12 +22,12 @@ set xlabel "stretch F"
 set ylabel "stress P / E"
 set xrange [0:4.5]
 set yrange [-1:1.4]
-set label 3 "log law,\nν = 0.3" at 3.1, 1.0 tc ls 1 offset 0.3, 0
+set label 3 "log law,\nν = 0.3" at 2.6, 0.82 tc ls 1
 set label 4 "cubic law,\nν = 0.3" at 2.05, 1.25 right tc ls 11
-set label 5 "0.05" at 3.85, 0.75 left tc ls 12
+set label 5 "0.05" at 3.8, 0.3 left tc ls 12
 set label 6 "ν = 0" at 3.5, -0.6 tc ls 13 offset 1, 0
 set label 1 "limit loads" at 1.45, 0.64 right
-set label 2 "second rest state" at 2.85, -0.13 right
+set label 2 "no stress again" at 2.85, -0.13 right
 plot data index "stress" using (column("F") > 0.05 ? column("F") : NaN): \
          "log30" with lines ls 1, \
      data index "stress" using "F":"nu30" with lines ls 11, \
@@ -48,7 +49,10 @@ set ylabel "stretch F of the elements" offset 1,0
 set xrange [0:1]
 set yrange [1.5:3.6]
 set xtics 0.5
-plot data index "localised" using "X":"nu30" with histeps ls 11, \
-     data index "localised" using "X":"nu5" with histeps ls 12 \
-        
+plot data index "localised" using (column("X") - 0.05):"nu30" with steps ls 11, \
+     "" index "localised" every ::9::9 using (0.9):"nu30":(0.1):(0) \
+         with vectors nohead ls 11, \
+     data index "localised" using (column("X") - 0.05):"nu5" with steps ls 12, \
+     "" index "localised" every ::9::9 using (0.9):"nu5":(0.1):(0) \
+         with vectors nohead ls 12
 unset multiplot

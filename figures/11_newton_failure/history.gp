@@ -4,7 +4,9 @@
 # Writes  out   SVG
 load "figures/style.gp"
 if (!exists("reference")) reference = data
-set terminal svg size 620,400
+set terminal svg size 620,400 enhanced font "Helvetica,14" \
+    background rgb "white"
+unset key
 set output out
 set logscale y
 set logscale y2
@@ -12,13 +14,14 @@ set format y "10^{%T}"
 set format y2 "10^{%T}"
 set border 11 back ls 9
 set y2tics
-set xlabel "systems"
+set xlabel "linear systems"
+set label 1 "F" at 8, 5e-3 right tc ls 1
+set label 2 "residual" at 5, 0.75 tc ls 2
 set ylabel "F"
-set y2label "|residual| (N)"
-plot reference index "history" using "k":"F" with lines lw 7 lc rgb "#DDDDDD" \
-         notitle, \
+set y2label "|residual| (N/m²)"
+plot reference index "history" using "k":"F" with lines lw 7 lc rgb "#DDDDDD", \
      reference index "history" using "k":(abs(column("residual"))) axes x1y2 \
-         with lines lw 7 lc rgb "#DDDDDD" notitle, \
-     data index "history" using "k":"F" with linespoints ls 1 title "F (left)", \
+         with lines lw 7 lc rgb "#DDDDDD", \
+     data index "history" using "k":"F" with linespoints ls 1, \
      data index "history" using "k":(abs(column("residual"))) axes x1y2 \
-         with linespoints ls 2 title "residual (right)"
+         with linespoints ls 2

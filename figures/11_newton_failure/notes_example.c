@@ -3,7 +3,7 @@
  *
  * u(0, t) = sin t on a bar of length 1, free at the other end, each step of
  * Newton's method started from the state of the step before, until t >= 6.3:
- * only the first of n elements starts away from F = 1, at 1 - dg / dX.
+ * only the first of n elements starts away from F = 1, at 1 - dg / h.
  */
 #include "element.h"
 #include "base/study.h"

@@ -3,20 +3,21 @@
 # Reads   data  table orders_space
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 560,400
+set terminal svg size 560,400 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 stats data index "orders_space" using "order_L2" nooutput name "L"
 stats data index "orders_space" using "order_gradient" nooutput name "G"
 stats data index "orders_space" using "constant_L2" nooutput name "D"
 unset key
-set label 1 sprintf("u, in L^2 (m^2): order %.2f", L_max) at 0.06, 9e-3 tc ls 1
-set label 2 sprintf("dashed: %.3f h^2", D_max) at 0.2, 6e-3
-set label 3 sprintf("gradient (m): order %.2f", G_max) at 0.06, 0.15 tc ls 2
-set label 4 "dotted: that of the interpolant" at 0.13, 0.045
+set label 1 sprintf("u, in L²: order %.2f", L_max) at 0.06, 9e-3 tc ls 1
+set label 2 sprintf("dashed: %.3f h²", D_max) at 0.2, 6e-3
+set label 3 sprintf("gradient: order %.2f", G_max) at 0.06, 0.15 tc ls 2
+set label 4 "dotted: the interpolant's" at 0.13, 0.048
 set logscale xy
 set format y "10^{%T}"
 set xlabel "h (m)"
-set ylabel "error"
+set ylabel "error: m² of u, m of the gradient"
 set xrange [0.05:0.63]
 set yrange [8e-4:0.5]
 set xtics (0.0625, 0.125, 0.25, 0.5)

@@ -5,9 +5,10 @@
 #               round-off, is drawn at 1e-12
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 900,450 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
-set multiplot layout 1,2 margins 0.085,0.985,0.13,0.92 spacing 0.07,0
+set multiplot layout 1,2 margins 0.095,0.985,0.15,0.91 spacing 0.08,0
 unset key
 set logscale y
 set format y "10^{%T}"
@@ -20,14 +21,14 @@ of(body, slip) = strcol("body") eq body && strcol("slip") eq slip \
     ? (column("residual") > 1e-12 ? column("residual") : 1e-12) : NaN
 array Slip[4] = ["none", "column for row", "half of mu", "both"]
 set label 1 "right tangent" at 5.3, 2e-11 tc ls 1
-set label 3 "half of μ, or both slips: a pivot is negative" at 1.3, 5e2 tc ls 3
+set label 3 "half of μ, or both slips: a pivot is negative" at -0.1, 7e2 tc ls 3
 do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
     set ylabel (left ? "residual max |q_i| (N/m)" : "")
     set label 2 (left ? "column for row" : "column for row: not in 40 iterations") \
-        at (left ? 7.6 : 3.4), (left ? 5e-6 : 0.15) tc ls 2
+        at (left ? 7.8 : 2.8), (left ? 5e-6 : 0.15) tc ls 2
     plot for [i = 1:4] data index "slip_history" \
-        using "k":(of(body, Slip[i])) with linespoints ls i
+        using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i)
 }
 unset multiplot

@@ -3,7 +3,7 @@
  *
  * A square under a pressed F, and moved from there along each mode by half a
  * length to both sides.  The factor of the mode is the curvature of psi along
- * it.  Table: corners and factors, and the curvature by differences.
+ * it.  Tables: stretches; factors, and the curvature by differences; corners.
  */
 #include "material/modes.h"
 #include "base/study.h"
@@ -18,9 +18,16 @@ int main(void)
     const struct material cubic = material_notes(CUBIC);
     const mat2 F = {{{0.72, 0.2}, {-0.12, 0.95}}};
     const struct modes modes = modes_at(&cubic, F);
+    /* s1 + s2 and s1 - s2 */
+    const double sum = hypot(F.m[0][0] + F.m[1][1], F.m[0][1] - F.m[1][0]);
+    const double difference =
+        hypot(F.m[0][0] - F.m[1][1], F.m[0][1] + F.m[1][0]);
     const double corner[5][2] = {
         {-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}};
     double worst = 0.0;
+    table_begin("stretches", "s1 s2");
+    table_row((sum + difference) / 2.0, (sum - difference) / 2.0);
+    table_end();
     table_begin("factors", "mode factor curvature");
     for (int m = 0; m < 4; m++) {
         const mat2 D = modes.direction[m];

@@ -1,11 +1,13 @@
 # quadrangles.gp - the four modes of dP/dF at a pressed state: the square as it
 # is there (grey), and moved along the mode to both sides.
-# Reads   data  tables factors, twist, flip, scale_low, scale_high
+# Reads   data  tables stretches, factors, twist, flip, scale_low, scale_high
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,300
 set output out
 factor(m) = system("awk -F'\t' '$1 == \"".m."\" { printf \"%.0f\", $2 }' '".data."'")
+stats data index "stretches" using "s1" name "ONE" nooutput
+stats data index "stretches" using "s2" name "TWO" nooutput
 set size ratio -1
 set xrange [-0.95:0.95]
 set yrange [-0.95:0.95]
@@ -13,8 +15,9 @@ unset tics
 unset border
 unset grid
 unset key
-set label 11 "■" at screen 0.20, 0.06 textcolor rgb "#CCCCCC"
-set label 12 "the pressed square" at screen 0.225, 0.06
+set label 11 "■" at screen 0.11, 0.06 textcolor rgb "#CCCCCC"
+set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", ONE_max, TWO_max) \
+    at screen 0.135, 0.06
 set arrow 1 from screen 0.42, 0.06 to screen 0.46, 0.06 nohead ls 1
 set label 13 "moved along the mode" at screen 0.47, 0.06
 set arrow 2 from screen 0.68, 0.06 to screen 0.72, 0.06 nohead ls 2 dt (6,3)

@@ -16,8 +16,8 @@ of(l) = stringcolumn("law") eq l ? column("s2") : NaN
 P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
 log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
 stats data index "principal" using "s1" nooutput
-set xlabel sprintf("s_2 (-), with s_1 = %.4g", STATS_max)
-set ylabel "principal stress P_2 (kN/m^2)" offset 0.5
+set xlabel sprintf("s_2   (with s_1  = %.4g, ε = 0.25)", STATS_max)
+set ylabel "principal stress P_2  (kN/m^2)" offset 0.5
 set xrange [-1:1.5]
 set yrange [-35:5]
 set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \

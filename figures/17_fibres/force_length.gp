@@ -37,16 +37,18 @@ set xrange [0:1]
 set yrange [0.71:1.005]
 set ytics 0.05
 array Row[3] = ["linear cord", "linear muscle", "cubic cord"]
+array Says[3] = ["linear, cord", "linear, muscle", "cubic law, cord"]
 array Colour[3] = ["#000000", "#000000", "#D55E00"]
 do for [i = 1:3] {
     set object i circle at limit(Row[i]), height(Row[i]) size 0.009 \
         fc rgb Colour[i] fs solid noborder front
-    set label i sprintf("1 %% off at %.2f", limit(Row[i])) \
-        at limit(Row[i]) + 0.02, height(Row[i]) + 0.012 left font ",11"
+    set label i sprintf("%s: 1 %% off at %.2f", Says[i], limit(Row[i])) \
+        at limit(Row[i]) + 0.02, height(Row[i]) + 0.012 left font ",11" \
+        tc rgb Colour[i]
 }
 set label 11 "cubic law, muscle" at 1.03, 0.807 tc ls 2
-set label 12 "cubic law, cord" at 1.03, 0.788 tc ls 2
-set label 13 "linear, muscle" at 1.03, 0.772
+set label 12 "cubic law, cord" at 1.03, 0.790 tc ls 2
+set label 13 "linear, muscle" at 1.03, 0.769
 set label 14 "linear, cord" at 1.03, 0.727
 plot data index "length" using "activation":"cubic_muscle" with lines ls 2, \
      "" index "length" using "activation":"cubic_cord" with lines ls 2 dt 4, \

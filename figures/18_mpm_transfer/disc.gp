@@ -12,7 +12,7 @@ unset grid
 unset colorbox
 set size ratio -1
 set xrange [-0.33:0.33]
-set yrange [-0.33:0.33]
+set yrange [-0.35:0.33]
 set border 0
 unset tics
 set palette defined (0 "#C6DBEF", 0.5 "#4292C6", 1 "#08306B")
@@ -31,6 +31,11 @@ do for [k = 1:4] {
         set cbtics 0.1 offset -0.5 textcolor rgb "black"
         set cblabel "speed (m/s)" offset -0.5 }
     set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5
+    # a bar as long as what is left, in a frame that is the whole spin
+    set object 2 rectangle from -0.2, -0.335 to 0.2, -0.31 fs empty \
+        border lc rgb "#999999"
+    set object 3 rectangle from -0.2, -0.335 to -0.2 + 0.4 * left(Way[k]), -0.31 \
+        fc rgb "#0072B2" fs solid noborder
     plot data index "disc" using \
         (strcol("way") eq Way[k] ? column("x") - 0.09 * column("v_x") : NaN): \
         (column("y") - 0.09 * column("v_y")): \

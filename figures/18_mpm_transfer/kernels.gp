@@ -29,13 +29,13 @@ plot data index "kernels" using "t":"dN_1" with lines ls 1, \
      "" index "kernels" using "t":"dN_2" with lines ls 2, \
      "" index "kernels" using "t":"dN_3" with lines ls 3
 unset arrow 1
-set label 1 "a negative weight" at -0.75, -0.22 font ",11" tc ls 4
-set label 2 "first node\nfloor(x/h): wrong,\nit jumps" at -0.1, 1.14 right font ",11" tc ls 4
+set label 1 "a negative weight" at -0.75, -0.22 font ",11" tc rgb "#A03A78"
+set label 2 "first node\nfloor(x/h): wrong,\nit jumps" at -0.1, 1.14 right font ",11" tc rgb "#A03A78"
 set label 3 "first node\nfloor(x/h - 1/2)" at -0.62, 0.66 right font ",11" tc ls 2
 set ylabel "weight, quadratic" offset 1
 set yrange [-0.3:1.2]
 set ytics 0.2
 plot data index "kernels" using "t":"N_2" with lines ls 2, \
-     "" index "kernels" using "t":"trap" with lines ls 4 dt 2, \
+     "" index "kernels" using "t":"trap" with lines ls 4 lc rgb "#A03A78" dt 2, \
      0 with lines ls 9
 unset multiplot

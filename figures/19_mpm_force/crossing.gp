@@ -1,10 +1,12 @@
 # crossing.gp - what is left over of a constant stress, over the spacing of the
-# particles, at the worst place of the particles.
-# Reads   data  table spacing (order s measured predicted)
+# particles, at the worst place of the particles; and over what it costs, the
+# visits of nodes per cell of the plane: (particles per axis (p + 1))^2.
+# Reads   data  tables spacing (order s measured predicted), ppc
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,430
+set terminal svg size 900,420
 set output out
+set multiplot
 set logscale xy
 set xrange [0.1:1.4]
 set yrange [1e-5:2]
@@ -13,14 +15,33 @@ set xtics ("1/10" 0.1, "1/8" 0.125, "1/6" 1./6, "1/5" 0.2, "1/4" 0.25, \
 set format y "10^{%T}"
 set xlabel "spacing of the particles (cells)"
 set ylabel "force left over / stress" offset 1
-set rmargin 14
+set lmargin at screen 0.085
+set rmargin at screen 0.50
+set bmargin at screen 0.14
+set tmargin at screen 0.93
 unset key
-set label 1 "linear kernel" at 1.44, 1.4 tc ls 1
-set label 2 "quadratic" at 1.44, 0.36 tc ls 2
-set label 3 "cubic" at 1.44, 0.12 tc ls 3
-set label 4 "grey: predicted" at 1.44, 2e-5 font ",12"
+set label 1 "linear kernel" at 0.62, 1.2 right tc ls 1
+set label 4 "grey: predicted" at 1.3, 2e-5 right font ",12"
 of(s, column_) = column("order") == s ? column(column_) : NaN
 plot for [s = 2:3] data index "spacing" using "s":(of(s, "predicted")) \
          with lines lw 2.5 lc rgb "#BBBBBB", \
      for [s = 1:3] data index "spacing" using "s":(of(s, "measured")) \
          with points ls s ps 0.4
+unset label
+unset ylabel
+set format y ""
+set format x "%g"
+set lmargin at screen 0.55
+set rmargin at screen 0.985
+set xrange [10:9000]
+set xtics (16, 64, 256, 1024, 4096)
+set xlabel "nodes visited per cell of the plane"
+set label 1 "linear kernel" at 1100, 0.2 tc ls 1
+set label 2 "quadratic" at 750, 0.04 tc ls 2
+set label 3 "cubic" at 400, 4e-4 tc ls 3
+set arrow 1 from 64, 1.3e-5 to 64, 1.5 nohead ls 8
+set label 5 "64 visits" at 70, 1.6e-5
+plot for [p = 1:3] data index "ppc" \
+         using ((column("ppc") * (p + 1))**2):word("linear quadratic cubic", p) \
+         with linespoints ls p ps 0.9
+unset multiplot

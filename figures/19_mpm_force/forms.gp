@@ -27,7 +27,7 @@ unset key
 set label 1 "particle" at 1.36,0.97 left tc rgb "#0072B2"
 set label 2 "force on a node" at 1.2,1.36 left tc rgb "#D55E00"
 set label 3 "10 N" at 0.62,1.38 left
-set arrow 1 from 0.62,1.325 to 0.82,1.325 nohead lw 2 lc rgb "#D55E00"
+set arrow 1 from 0.62,1.325 to 0.82,1.325 filled size 0.035,20 lw 2 lc rgb "#D55E00"
 plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
          with lines ls 9 lw 1, \
      for [i = 0:2] data index "nodes" every 3::i using "x":"y" \
@@ -64,5 +64,5 @@ set label 21 "linear" at 22, 0.3 center tc ls 1
 set label 22 "quadratic" at 44, 0.3 center tc ls 2
 set label 23 "cubic kernel" at 70, 0.3 center tc ls 3
 plot for [s = 1:3] data index "forms" every ::5*s-4::5*s-1 \
-         using (100*column("error")):($0 + 1) with points ls s ps 1.2
+         using (100*column("error")):($0 + 1 + 0.13 * (s - 2)) with points ls s ps 1.2
 unset multiplot

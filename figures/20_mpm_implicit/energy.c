@@ -5,8 +5,10 @@
  * energy that is left, kinetic of the particles and elastic, over that at the
  * start.  Quadratic kernel, two particles per cell, explicit and implicit steps
  * of PIC, FLIP and APIC (whose B is not counted), and finite elements by
- * backward Euler.  Steps in h / c.
+ * backward Euler.  Steps in h / c.  `price`: the cheapest explicit and the
+ * cheapest implicit steps of particles that lose at most so much, in flops.
  */
+#include "step_flops.h"
 #include "motion/integrate.h"
 #include "particles/particle_bodies.h"
 #include "base/study.h"
@@ -25,7 +27,7 @@ static double energy(const struct particles *p, const struct material *m)
 
 /* What is left; NAN where a step fails, or where the energy has grown. */
 static double left(enum transfer transfer, int implicit, double courant,
-                   int *steps, const char **how)
+                   int *steps, const char **how, double *flops)
 {
     const struct material m = material_notes(CUBIC);
     const double c = sqrt(material_modulus(&m));
@@ -35,10 +37,18 @@ static double left(enum transfer transfer, int implicit, double courant,
                                        .transfer = transfer};
     const double start = energy(bar.p, &m);
     enum status status = OK;
-    for (int k = 0; k < *steps && status == OK; k++)
-        status = implicit
-                     ? particles_step(bar.grid, bar.p, m, &step).status
-                     : particles_step_explicit(bar.grid, bar.p, m, &step);
+    *flops = 0.0;
+    for (int k = 0; k < *steps && status == OK; k++) {
+        if (!implicit) {
+            status = particles_step_explicit(bar.grid, bar.p, m, &step);
+            *flops += step_flops_explicit(bar);
+            continue;
+        }
+        const struct particle_report report =
+            particles_step(bar.grid, bar.p, m, &step);
+        status = report.status;
+        *flops += step_flops_implicit(bar, m, NO_WALL, &report);
+    }
     const double ratio = energy(bar.p, &m) / start;
     *how = status != OK ? status_name(status) : ratio > 1.1 ? "unstable" : "OK";
     cloud_free(bar);
@@ -75,9 +85,29 @@ static double elements_left(double courant)
     return ratio;
 }
 
+/* The cheapest of implicit or explicit steps that lose `lost` at most: three
+ * cells of a row, the scheme, the steps and the flops. */
+static double cheapest(double lost, double kept[3][SIZES],
+                       double flops[3][SIZES], struct cell row[3])
+{
+    double least = INFINITY;
+    row[0] = row[1] = row[2] = CELL(MISSING);
+    for (int s = PIC; s <= APIC; s++)
+        for (int k = 0; k < SIZES; k++) {
+            if (!(fabs(1.0 - kept[s][k]) <= lost && flops[s][k] < least))
+                continue;
+            least = flops[s][k];
+            row[0] = CELL(transfer_name((enum transfer)s));
+            row[1] = CELL((int)lround(2.0 * CELLS / COURANT[k]));
+            row[2] = CELL(least);
+        }
+    return least;
+}
+
 int main(void)
 {
-    double kept[2][3][SIZES], fem[SIZES];
+    const double wanted[4] = {0.4, 0.15, 0.05, 0.02};
+    double kept[2][3][SIZES], flops[2][3][SIZES], fem[SIZES];
     table_begin("energy", "step scheme courant steps left lost status");
     for (int implicit = 0; implicit < 2; implicit++)
         for (int s = PIC; s <= APIC; s++)
@@ -85,7 +115,8 @@ int main(void)
                 int steps;
                 const char *how;
                 const double e =
-                    left((enum transfer)s, implicit, COURANT[k], &steps, &how);
+                    left((enum transfer)s, implicit, COURANT[k], &steps, &how,
+                         &flops[implicit][s][k]);
                 kept[implicit][s][k] = e;
                 table_row(implicit ? "implicit" : "explicit",
                           transfer_name((enum transfer)s), COURANT[k], steps,
@@ -98,6 +129,17 @@ int main(void)
         fem[k] = elements_left(COURANT[k]);
         table_row(COURANT[k], (int)lround(2.0 * CELLS / COURANT[k]), fem[k],
                   1.0 - fem[k]);
+    }
+    table_end();
+    table_begin("price", "lost explicit explicit_steps explicit_flops implicit "
+                         "implicit_steps implicit_flops");
+    for (int k = 0; k < 4; k++) {
+        struct cell row[7] = {CELL(wanted[k])};
+        const double freely = cheapest(wanted[k], kept[0], flops[0], &row[1]);
+        const double solving = cheapest(wanted[k], kept[1], flops[1], &row[4]);
+        table_row_of(7, row);
+        claim(solving > 10.0 * freely,
+              "for a vibration implicit steps cost ten times as much, or more");
     }
     table_end();
     for (int k = 4; k < SIZES; k++) {

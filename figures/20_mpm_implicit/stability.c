@@ -5,8 +5,10 @@
  * beyond a node, which has hardly any mass then.  `grid` is the limit of the
  * nodes by themselves, 2 / omega; `flip` that of a step with its transfers: no
  * eigenvalue of it, as a linear map of all v_p and F_p, is beyond 1.  Times in
- * h / c, c the speed of sound; systems: of one implicit step of 1/30 s.
+ * h / c, c the speed of sound; systems: of one implicit step of 1/30 s; steps:
+ * the explicit ones, with FLIP, for 1/30 s; flops: of either.
  */
+#include "step_flops.h"
 #include "particles/particle_bodies.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -81,7 +83,8 @@ static double growth(double courant, void *outlying)
     return log(most) - 1e-4;
 }
 
-static int systems(struct outlying at)
+/* The linear systems of an implicit step, and the flops of both kinds. */
+static int systems(struct outlying at, double flops[2])
 {
     const struct material material = material_notes(CUBIC);
     struct cloud c = cloud_outlying(at.order, at.eps);
@@ -89,7 +92,9 @@ static int systems(struct outlying at)
     for (int p = 0; p < P; p++)
         c.p->v[2 * p] = 0.02 * sqrt(material_modulus(&material)) *
                         cos(acos(-1.0) / P * (p + 0.5));
+    flops[0] = step_flops_explicit(c);
     struct particle_report r = particles_step(c.grid, c.p, material, &step);
+    flops[1] = step_flops_implicit(c, material, NO_WALL, &r);
     cloud_free(c);
     return r.status == OK ? r.iterations : 0;
 }
@@ -100,15 +105,23 @@ int main(void)
     const double eps[] = {0.25, 0.01, 1e-3, 1e-6};
     const struct material m = material_notes(CUBIC);
     const double implicit = sqrt(material_modulus(&m)) / 30.0 / H;
-    table_begin("critical", "kernel eps grid flip implicit systems");
+    table_begin("critical", "kernel eps grid flip implicit systems steps "
+                            "explicit_flops implicit_flops times");
     for (int order = 1; order <= 3; order++)
         for (int k = 0; k < 4; k++) {
             struct outlying at = {order, eps[k]};
             const double grid = grid_limit(at);
             const double flip = study_root(growth, &at, grid / 2.0, grid);
-            const struct cell n = cell_if(systems(at) > 0, systems(at));
-            table_row(kernel[order - 1], eps[k], grid, flip, implicit, n);
-            claim(n.number == 4.0 || order == 3, "four systems");
+            double flops[2];
+            const int n = systems(at, flops);
+            const double steps = ceil(implicit / flip);
+            table_row(kernel[order - 1], eps[k], grid, flip, implicit,
+                      cell_if(n > 0, n), steps, steps * flops[0],
+                      cell_if(n > 0, flops[1]),
+                      cell_if(n > 0, flops[1] / flops[0]));
+            claim(n == 4 || order == 3, "four systems");
+            claim(n == 0 || (flops[1] < 4.1 * flops[0] && 4.1 < steps),
+                  "an implicit step costs as much as 4 explicit ones at most");
             if (order == 1 && eps[k] <= 1e-3)
                 claim(fabs(grid / (2.0 * sqrt(eps[k])) - 1.0) < 2e-3 &&
                           fabs(flip / grid * sqrt(2.0) - 1.0) < 1e-3,

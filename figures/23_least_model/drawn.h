@@ -20,8 +20,8 @@ const char *drawn_name(enum drawn_kind kind); /* a word */
  * at most, and along the axis a pull of up to three times the buckling load or,
  * PRESSED, up to 0.9 of it.
  * CLAMPED at both ends it has weight along and is pushed on its upper side.
- * MOVING it is pulled and bent by a load that rises in 0.3 to 30 / omega, omega
- * the first frequency of a beam; on two meshes, the others on three.
+ * MOVING it is pulled and bent by a load that rises in 0.15 to 15 over the
+ * first frequency of a beam; on two meshes, the others on three.
  */
 struct ladder_scene drawn_scene(gsl_rng *random, enum drawn_kind kind);
 

@@ -30,13 +30,23 @@ plot for [k in there] data index "band" using (of(k)):"milliseconds" \
          with linespoints ls Style[int(k)], \
      8e-8 * x**4 with lines ls 8
 unset label
-array Height[4] = [2.8, 4.6, 23.6, 42.2]
+array Height[4] = [7.0, 0.0, 0.0, 0.0] # the last point of the others
+do for [k in there] {
+    i = int(k)
+    if (i > 1) {
+        stats data index "band" using (strcol("solver") eq Solver[i] && \
+            column("n") == 128 ? column("gigaflop_per_second") : NaN) \
+            nooutput name "last"
+        Height[i] = last_max
+    }
+}
 do for [k in there] {
     i = int(k)
     color = Style[i]
-    set label i Name[i] at (i == 1 ? 36 : 158), Height[i] - (i == 1 ? 0.8 : 0) tc ls color
+    set label i Name[i] at (i == 1 ? 17 : 158), Height[i] tc ls color
 }
-set label 5 "limit of the core" at 158, 55.5
+stats data index "peak" using "gigaflop_per_second" nooutput name "peak"
+set label 5 "limit of the core" at 158, peak_max
 unset logscale y
 set format y "%g"
 set yrange [0:*]

@@ -5,7 +5,7 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,420
+set terminal svg size 1000,420
 set output out
 set datafile missing "-"
 array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
@@ -17,7 +17,7 @@ of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
 
-set multiplot layout 1,2 margins 0.07,0.80,0.165,0.965 spacing 0.09,0
+set multiplot layout 1,2 margins 0.07,0.77,0.165,0.965 spacing 0.09,0
 unset key
 set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy

@@ -9,9 +9,9 @@ load "figures/style.gp"
 set terminal svg size 900,430
 set output out
 array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
-array Name[5] = ["readable, GSL banded", "dpbtrf of ".lapack(data), \
-                 "blocked band", "blocked band, lift, chord rule", \
-                 "dissection, lift, chord rule"]
+array Name[5] = ["readable: GSL, band", "lapack: ".lapack(data).", band", \
+                 "blocked: our band", "best: with lift and chord rule", \
+                 "sparse: the same by dissection"]
 array Style[5] = [2, 4, 6, 1, 3]
 # The largest n of a method that is ready in time, 0 where there is none.
 within(k) = system(sprintf("awk -F'\t' '$1 == \"%s\" && /\tyes\t/ \
@@ -41,7 +41,7 @@ set yrange [1e-3:8e3]
 set xlabel "squares per side n"
 set ylabel "median time per step (ms)"
 set label 10 "1/30 s" at 7.4,55 left font ",11"
-set label 11 "limits of the core for a band" at 150, 24 font ",11"
+set label 11 "dash-dotted: limits of the core, band" at 150, 24 font ",11"
 set label 12 "(in real time up to n)" at 150, 7500 font ",11"
 do for [k in there] {
     i = int(k)
@@ -51,13 +51,13 @@ do for [k in there] {
 }
 by(word) = strcol("method") eq word ? column("n") : NaN
 if (peer) {
-    set label 13 "PETSc, CHOLMOD" at 150, 470 font ",11" tc ls 5
-    set label 14 "PETSc, our method" at 150, 46 font ",11" tc ls 5
+    set label 13 "PETSc, notes (triangles)" at 150, 470 font ",11" tc ls 5
+    set label 14 "PETSc, method (diamonds)" at 150, 46 font ",11" tc ls 5
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
-     for [word in rows] data index "peer" \
-         using (by(word)):"step_ms" with points ls 5, \
+     for [word in rows] data index "peer" using (by(word)):"step_ms" \
+         with points ls 5 pt (word eq "notes" ? 11 : 12) ps 1, \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label

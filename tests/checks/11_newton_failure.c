@@ -158,8 +158,8 @@ static void limits_are_the_oracles(void)
     expect_close(l.load, oracle_load, ROUND_OFF, -oracle_load,
                  "limit load from rest, -(2 mu + lambda)");
     expect_close(l.start, oracle_start, ROUND_OFF, 3.0, "largest start");
-    expect_close(l.push, 1.0, ROUND_OFF, 1.0, "push, dg / dX");
-    expect_close(l.pull, oracle_pull, ROUND_OFF, 3.0, "pull, dg / dX");
+    expect_close(l.push, 1.0, ROUND_OFF, 1.0, "push, dg / h");
+    expect_close(l.pull, oracle_pull, ROUND_OFF, 3.0, "pull, dg / h");
     expect_close(l.collapse, oracle_collapse, ROUND_OFF, -oracle_collapse,
                  "stress at which the cubic law has F = 0");
     limits_are_where_the_tangent_meets_zero();
@@ -304,10 +304,10 @@ static void load_stepping_arrives(void)
     static const double jump[] = {3.714, 12.385, -6.137};
     for (int k = 0; k < COUNT(jump); k++) {
         const struct outcome out = load_stepping(&m, 0.0, jump[k], &plain);
-        expect(out.status == OK, "boundary moved by %g dX: %s", jump[k],
+        expect(out.status == OK, "boundary moved by %g h: %s", jump[k],
                status_name(out.status));
         expect_close(out.F, 1.0, CONVERGED, 1.0,
-                     "F of the unloaded element after dg = %g dX", jump[k]);
+                     "F of the unloaded element after dg = %g h", jump[k]);
     }
 }
 
@@ -393,7 +393,7 @@ static void map_and_prediction_agree(void)
     for (double dg = -5.037; dg < 3.0; dg += 0.2385) {
         const enum status got = solve(&m, 0.0, 1.0 - dg, &plain).status;
         expect((got == OK) == (pull < dg && dg < 1.0),
-               "boundary moved by %g dX: %s", dg, status_name(got));
+               "boundary moved by %g h: %s", dg, status_name(got));
     }
 }
 

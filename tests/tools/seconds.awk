@@ -22,12 +22,17 @@ function print_step(    n, name) {
             digits(of("solvers", "solvers", "kept_single " n, "step_ms")) " |"
 }
 function print_strategy(    n, all, code) {
-    print "| $n$ | strategy | times code | ratio | with kept factors |"
-    print "|---:|---:|---:|---:|---:|"
+    print "| $n$ | PETSc, `notes` | PETSc, `method` | ours | kept | strategy | " \
+        "times code | ratio | with kept factors |"
+    print "|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2) {
         all = peer("notes", n, "over_ours")
         code = peer("method", n, "over_ours")
-        print "| " n " | " digits(over(all, code)) " | " digits(code) " | " \
+        print "| " n " | " digits(peer("notes", n, "step_ms")) " | " \
+            digits(peer("method", n, "step_ms")) " | " \
+            digits(peer("ours", n, "step_ms")) " | " \
+            digits(peer("kept", n, "step_ms")) " | " \
+            digits(over(all, code)) " | " digits(code) " | " \
             digits(all) " | " digits(peer("notes", n, "over_kept")) " |"
     }
 }

@@ -38,12 +38,15 @@ static void prices_go_with_columns(void)
     ladder_free(s);
     s = solved(BAR, 0, 0);
     ck_assert_int_eq(s->systems, 1);
-    const double start = clock_seconds();
-    const struct price bar = price_calibrate(s->model);
-    ck_assert_double_ge(clock_seconds() - start, 0.1); /* of many solves */
-    const struct price plane =
-        price_calibrate((struct ladder_model){CUBIC_PLANE, 0, 2});
-    ck_assert(bar.begin == 0.0 && bar.system > 0.0);
+    struct price bar, plane;
+    int tries = 0;
+    do { /* some hundred times as much, unless another process disturbs it */
+        const double start = clock_seconds();
+        bar = price_calibrate(s->model);
+        ck_assert_double_ge(clock_seconds() - start, 0.1); /* of many solves */
+        plane = price_calibrate((struct ladder_model){CUBIC_PLANE, 0, 2});
+        ck_assert(bar.begin == 0.0 && bar.system > 0.0);
+    } while (plane.system < 5.0 * bar.system && ++tries < 20);
     ck_assert_double_gt(plane.system, 5.0 * bar.system);
     const struct price moving =
         price_calibrate((struct ladder_model){LINEAR_PLANE, 1, 2});
@@ -117,6 +120,13 @@ static void cells_say_what_a_finer_mesh_says(void)
         .pull = {-20.0, 0.0}};
     ck_assert(!cells_compare(&column, LINEAR_PLANE, cells)); /* it buckles */
     ck_assert(!cells_cheapest(cells, 10.0));
+    /* on the finest mesh alone, which is the least stiff */
+    const struct ladder_scene hardly = {.slender = 4, .nu = 0.3,
+        .pull = {-14.015, 0.0}};
+    const int best = CELLS_KINDS * CELLS_LEVELS - 1;
+    ck_assert(!cells_compare(&hardly, LINEAR_PLANE, cells));
+    ck_assert(cells[best - 1].solved && !cells[best].solved);
+    ck_assert(cells[0].solved && cells[0].error == INFINITY);
     ck_assert_str_eq(cells_name(LINEAR_TRIANGLE), "linear");
     ck_assert_str_eq(cells_name(QUADRATIC_TRIANGLE), "quadratic");
 }

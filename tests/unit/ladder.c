@@ -51,6 +51,25 @@ static void loads_add_up(void)
         }
 }
 
+/* Four rows of cells, as square as their whole number lets them be, and two
+ * columns at least; the first model is that of these. */
+static void cells_are_nearly_square(void)
+{
+    static const double slender[] = {0.3, 0.8, 1.1, 1.9, 2.1, 7.85};
+    static const int columns[] = {2, 3, 4, 8, 8, 31};
+    for (int k = 0; k < COUNT(columns); k++) {
+        const struct ladder_scene scene = {.slender = slender[k],
+            .held = k % 2 ? LADDER_ENDS : LADDER_LEFT};
+        const struct ladder_model first = ladder_first(&scene);
+        struct ladder_state *s = ladder_alloc(&scene, first);
+        ck_assert_int_eq(s->mesh->n, columns[k]);
+        ck_assert_int_eq(s->mesh->rows, 4);
+        ck_assert_int_eq(first.rung, k % 2 ? LINEAR_PLANE : BAR);
+        ck_assert(!first.moving);
+        ladder_free(s);
+    }
+}
+
 /* u = N / E' for a bar that a pull stretches; the plane body is within 3 %. */
 static void a_bar_is_pulled_as_it_should(void)
 {
@@ -778,6 +797,7 @@ static void a_climb_ends_with_enough(void)
 
 static const struct unit_law laws[] = {
     {"loads_add_up", loads_add_up},
+    {"cells_are_nearly_square", cells_are_nearly_square},
     {"a_bar_is_pulled_as_it_should", a_bar_is_pulled_as_it_should},
     {"a_mirrored_mesh_does_not_bend", a_mirrored_mesh_does_not_bend},
     {"linear_is_linear", linear_is_linear},

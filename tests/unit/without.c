@@ -127,6 +127,25 @@ static void a_play_repeats_itself(void)
     pointers_free(&script);
 }
 
+/* Here the second rung is needed and always finishes: nothing is accepted that
+ * has not, and accepting changes nothing. */
+static void accepting_is_for_what_is_unfinished(void)
+{
+    gsl_set_error_handler_off();
+    struct pointers script = pointers_mad(23, 60);
+    for (int law = LOG; law <= CUBIC; law++) {
+        static const enum without less[] = {NOTHING, SECOND_RUNG, ACCEPTING};
+        struct without_result of[3];
+        for (int k = 0; k < 3; k++)
+            of[k] = without_play(less[k], 2, (enum law)law, BACKWARD_EULER,
+                                 &script);
+        ck_assert_int_eq(of[0].unfinished, 0);
+        ck_assert_int_gt(of[1].lost, 0);
+        ck_assert(same(of[2], of[0]));
+    }
+    pointers_free(&script);
+}
+
 static void rungs_have_words(void)
 {
     for (int k = 0; k < N_WITHOUT; k++)
@@ -145,6 +164,7 @@ static const struct unit_law laws[] = {
     LAW(a_rung_is_missed),
     LAW(a_rung_is_missed_rarely),
     LAW(a_play_repeats_itself),
+    LAW(accepting_is_for_what_is_unfinished),
     LAW(rungs_have_words),
 };
 UNIT_MAIN("without", laws)

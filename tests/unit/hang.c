@@ -1,0 +1,113 @@
+/* hang.c - laws of figures/25_elements/hang.h and trial.h. */
+#include "figures/25_elements/hang.h"
+#include "figures/25_elements/trial.h"
+
+#include "unit.h"
+
+#include <math.h>
+
+/* Where lambda is 0 nothing is averaged; distances are parts of the second. */
+static void averages_are_of_lambda(void)
+{
+    const struct hang linear = hang_of(HANG_LINEAR, 8, 1.5, 0.0);
+    const struct hang averaged = hang_of(HANG_AVERAGED, 8, 1.5, 0.0);
+    struct hang more = linear;
+    close_to(hang_apart(&averaged, &linear), 0.0, 1e-10);
+    close_to(averaged.div, linear.div, 1e-10 * linear.div);
+    for (int r = 0; r < 2 * HANG_SHARED; r++) more.u[r] *= 1.25;
+    close_to(hang_apart(&more, &linear), 0.25, 1e-13);
+    close_to(hang_apart(&linear, &more), 0.2, 1e-13);
+}
+
+/* Each element goes to the answer of quadratic ones on a fine mesh, and so do
+ * its sag and its div u; near nu = 1/2 the mean of a cell helps. */
+static void all_elements_have_one_limit(void)
+{
+    const struct hang fine = hang_of(HANG_QUADRATIC, 32, 2.0, 0.3);
+    for (int e = HANG_LINEAR; e <= HANG_QUADRATIC; e++) {
+        const struct hang coarse =
+            hang_of((enum hang_element)e, 8, 1.5, 0.3);
+        const struct hang half = hang_of((enum hang_element)e, 16, 1.5, 0.3);
+        const double error = hang_apart(&half, &fine);
+        ck_assert_double_lt(error, 0.02);
+        ck_assert_double_lt(error, 0.45 * hang_apart(&coarse, &fine));
+        close_to(half.sag / fine.sag, 1.0, 0.02);
+        close_to(half.div / fine.div, 1.0, 0.05);
+        ck_assert_double_eq(half.sag, half.u[2 * 14 + 1]);
+    }
+    ck_assert_double_lt(fine.sag, 0.0);
+    const struct hang locked = hang_of(HANG_QUADRATIC, 32, 2.0, 0.495);
+    const struct hang linear = hang_of(HANG_LINEAR, 16, 1.5, 0.495);
+    const struct hang averaged = hang_of(HANG_AVERAGED, 16, 1.5, 0.495);
+    ck_assert_double_lt(hang_apart(&averaged, &locked),
+                        0.3 * hang_apart(&linear, &locked));
+}
+
+/* The weight of a trial is 50 times that of a square that hangs, and otherwise
+ * they are the same system, assembled by two modules. */
+static void a_weight_is_fifty_of_one(void)
+{
+    for (int quadratic = 0; quadratic < 2; quadratic++) {
+        const struct hang one =
+            hang_of(quadratic ? HANG_QUADRATIC : HANG_LINEAR, 8, 1.5, 0.3);
+        const struct trial trial = trial_of(
+            TRIAL_WEIGHT, quadratic ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE, 8,
+            1.5);
+        ck_assert_int_eq(trial.end.status, OK);
+        ck_assert_int_eq(trial.end.systems, 1);
+        ck_assert_int_eq(trial.unknowns, quadratic ? 2 * 17 * 16 : 2 * 9 * 8);
+        for (int r = 0; r < 2 * HANG_SHARED; r++)
+            close_to(trial.end.u[r], 50.0 * one.u[r], 1e-10);
+    }
+}
+
+/* At rest a pull is that of work.h; a swing by leapfrog is near that by the
+ * midpoint rule, in steps of 3/4 of the longest, which halves with h. */
+static void trials_rest_and_move(void)
+{
+    const struct work_setting set = {SLOW_PULL, LOG, 0, 8, 4, BACKWARD_EULER,
+                                     1e-10, LINEAR_TRIANGLE, 1.0};
+    const struct work rest = work_run(&set);
+    const struct trial pull = trial_of(TRIAL_PULL, LINEAR_TRIANGLE, 8, 1.0);
+    close_to(trial_apart(&pull.end, &rest), 0.0, 1e-8);
+    ck_assert_int_ge(pull.end.systems, 16);
+    for (int q = 0; q < 2; q++) {
+        const enum element element = q ? QUADRATIC_TRIANGLE : LINEAR_TRIANGLE;
+        const double longest = trial_longest_step(element, 8, 1.0);
+        const struct trial swing = trial_of(TRIAL_SWING, element, 8, 1.0);
+        const struct trial leaps = trial_of(TRIAL_EXPLICIT, element, 8, 1.0);
+        struct scene *s = trial_alloc(TRIAL_EXPLICIT, element, 8, 1.0);
+        close_to(longest / trial_longest_step(element, 16, 1.0), 2.0, 0.1);
+        ck_assert_int_eq(leaps.end.steps,
+                         (int)ceil(work_end(SWING) / (0.75 * longest)));
+        ck_assert_int_eq(swing.end.steps, 32);
+        close_to(leaps.end.flops,
+                 leaps.end.steps * work_elements(s->body, NO_TANGENT), 1e-6);
+        ck_assert_double_lt(trial_apart(&leaps.end, &swing.end), 0.05);
+        ck_assert(swing.end.min_J > 0.3 && swing.end.min_J < 1.0);
+        scene_free(s);
+    }
+}
+
+/* Cost c n^3 for an error of n^-2: at any error what the formula says. */
+static void costs_are_between_two_meshes(void)
+{
+    const double error[] = {1.0 / 16, 1.0 / 64, 1.0 / 256};
+    const double cost[] = {64.0, 512.0, 4096.0};
+    ck_assert_double_eq(trial_at(0.1, 3, error, cost), 64.0);
+    for (double wanted = 0.06; wanted > 0.004; wanted *= 0.9)
+        close_to(trial_at(wanted, 3, error, cost) * pow(wanted, 1.5), 1.0,
+                 1e-12);
+    ck_assert(trial_at(0.0038, 3, error, cost) == INFINITY);
+    ck_assert(trial_at(0.01, 2, error, cost) == INFINITY);
+}
+
+#define LAW(name) {#name, name}
+static const struct unit_law laws[] = {
+    LAW(averages_are_of_lambda),
+    LAW(all_elements_have_one_limit),
+    LAW(a_weight_is_fifty_of_one),
+    LAW(trials_rest_and_move),
+    LAW(costs_are_between_two_meshes),
+};
+UNIT_MAIN("hang", laws)
