@@ -315,6 +315,7 @@ $(T)/build-valgrind.result: $$(READY)
 $(T)/build-gcc.result: $$(basename $$(SAID_gcc))
 
 include tests/same.mk
+WEB_TESTS := web-live web-choose web-pictures web-mistakes
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
@@ -323,11 +324,13 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/new.result $(T)/diff.result \
-           $(T)/many.result $(T)/web.result $(SAME_RESULTS) \
+           $(T)/many.result $(T)/web-pages.result $(T)/web.result \
+           $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
 # first what is long, one after the other, or waits, while the rest computes
-FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits)
+FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits \
+            web-live)
 test: $(FIRST) $(RESULTS)
 	@sh tests/tools/sizes.sh table
 	@cat $^ | sh tests/tools/count.sh

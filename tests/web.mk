@@ -5,22 +5,18 @@
 # leaves its part out.
 
 WASM := $(BUILD)/wasm
-WEB_TOOLS = command -v emcc > /dev/null && command -v node > /dev/null && \
-            command -v pandoc > /dev/null && \
-            [ -n "$$(BUILD='$(BUILD)' sh tests/tools/web_gsl.sh source)" ]
-no_web = emscripten, pandoc, chromium or the source of GSL is missing; make \
-         deps-web installs them
+# what is not here, in words
+WEB_MISSING = BUILD='$(BUILD)' sh tests/tools/web_missing.sh
+no_web = not here; make deps-web installs it
 .PHONY: deps-web web
 deps-web: ; @BUILD='$(BUILD)' sh tests/tools/deps_web.sh
 
 # Debian's emscripten does not find its acorn under another node than Debian's.
 EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
 WASM_CC = $(EMCC) $(STD) -O2 -w -Icommon -I$(WASM)/gsl -MMD -MP -MF $@.d -MT $@
-# In a page a program is a function of Module, so that a script may bring it from
-# a file as well as from a server: programs["NN_slug"](Module) runs it, with the
-# arguments, print, printErr and onExit of Module.
-WASM_LINK = -O2 -sSINGLE_FILE=1 -sENVIRONMENT=worker -sEXIT_RUNTIME=1 \
-            -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=1GB
+# A worker runs it, with what it needs of Module (lessons/web/programs.js).
+WASM_LINK = -O2 -sENVIRONMENT=worker -sEXIT_RUNTIME=1 \
+            -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=1GB -Wl,--fatal-warnings
 
 $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 	$(call say,emcc,GSL)
@@ -29,61 +25,93 @@ WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
                     common/motion/window_sdl.c,$(wildcard common/*/*.c)) \
                     $(LESSONS:%=solutions/%.c))
 -include $(wildcard $(WASM)/common/*/*.d)
+NAMED_MAIN = -Dmain=main_$(notdir $*)
 $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
-	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' -c $< -o $@
+	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' $(NAMED_MAIN) -c $< -o $@
 $(WASM)/libworkbook.a: $(filter $(WASM)/common/%,$(WASM_OBJECTS))
 	$(Q)rm -f $@ && emar rcs $@ $(filter-out %/choose.o,$^)
 
-# A program: $1 its name, $2 its objects, $3 what its link needs besides.
-define wasm_program
-$(WASM)/$1.js: $2 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk
+# Programs that have most of their code in common are one: NAME.o has main_NAME(), and
+# the name by which it is called (argv[0]) says which of them is meant.
+ONE_MAIN = echo $1 | tr ' ' '\n' | awk ' \
+    { print "int main_" $$1 "(int, char **);"; \
+      all = all "    if (!strcmp(v[0], \"" $$1 "\")) return main_" $$1 "(c, v);\n" } \
+    END { print "int strcmp(const char *, const char *);\nint main(int c, char **v) {\n" \
+          all "    return 2;\n}" }'
+# A script of programs: $1 its name, $2 their objects, $3 another one that comes before
+# the library, $4 options of the link.
+define wasm_programs
+$(WASM)/$1.js: $2 $3 $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a tests/web.mk \
+        tests/tools/web_program.js
 	$$(call say,wasm,$$@)
-	$$(Q)$$(EMCC) $$(WASM_LINK) $3 $$(filter %.o %.a,$$^) -o $(WASM)/$1.part.js && \
-	    { echo '(self.programs ||= {})["$1"] = function (Module) {' && \
-	      cat $(WASM)/$1.part.js && echo '};'; } > $$@ && rm $(WASM)/$1.part.js
+	$$(Q)$$(call ONE_MAIN,$(basename $(notdir $2))) > $(WASM)/$1.part.c && \
+	    $$(EMCC) $$(WASM_LINK) $4 $(WASM)/$1.part.c $$(filter %.o %.a,$$^) \
+	        -o $(WASM)/$1.part.js && node tests/tools/web_program.js $1 \
+	        $(WASM)/$1.part.js $(WASM)/$1.part.wasm > $$@ && rm $(WASM)/$1.part.*
 endef
-$(foreach l,$(LESSONS),$(eval $(call wasm_program,$l,$(WASM)/solutions/$l.o)))
+WASM_FILES := -sFORCE_FILESYSTEM=1 -sEXPORTED_RUNTIME_METHODS=FS
+$(eval $(call wasm_programs,lessons,$(LESSONS:%=$(WASM)/solutions/%.o) \
+    $(WASM)/common/choice/choose.o,,$(WASM_FILES)))
+# For a test: lesson 12, which at its end has an endless loop.
+$(WASM)/endless/12_triangles.c: solutions/12_triangles.c
+	$(Q)mkdir -p $(@D) && sed 's/^    return table_finish();/    for (;;);\n&/' $< > $@
+	$(Q)grep -q 'for (;;);' $@
+$(WASM)/endless/12_triangles.o: $(WASM)/endless/12_triangles.c $(WASM)/gsl/libgsl.a
+	$(Q)$(WASM_CC) -Dmain=main_12_triangles -c $< -o $@
+$(eval $(call wasm_programs,endless,$(WASM)/endless/12_triangles.o))
 .PHONY: wasm web-pages
-wasm: $(LESSONS:%=$(WASM)/%.js) ; @:
+wasm: $(WASM)/lessons.js $(WASM)/live.js $(WASM)/endless.js ; @:
 
 # What was measured of each prediction.
 $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
         $(BUILD)/solutions/%
 	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
 	    $(MOVED)
-WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js
+WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js tests/tools/web_small.js
 # of the pictures as they are: a newer one is copied, none is drawn
 NEWER = $(shell find figures -name '*.[sg][vi][gf]' -newer $(WASM)/book/index.html \
             2>/dev/null)
 $(WASM)/book/index.html: $(BOOK) tests/tools/book.sh $(if $(NEWER),always)
 	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
 $(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
-        $(foreach l,$(LESSONS),$(WASM)/$l.js $(WASM)/$l.measured $(BUILD)/solutions/$l)
+        $(WASM)/lessons.js $(foreach l,$(LESSONS),$(WASM)/$l.measured $(BUILD)/solutions/$l)
 	$(call say,web,$(@D))
 	$(Q)node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
 web-pages: $(BUILD)/web/index.html ; @:
 web:
-	@$(WEB_TOOLS) || { echo 'web: $(no_web)' >&2; exit 2; }
+	@missing=$$($(WEB_MISSING)); [ -z "$$missing" ] || \
+	    { echo "web: $$missing: $(no_web)" >&2; exit 2; }
 	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \
 	    "$$(find $(BUILD)/web -type f | wc -l) files," \
-	    "$$(tar -cf - -C $(BUILD)/web . | gzip | wc -c | \
-	    awk '{ printf "%.1f", $$1 / 1e6 }') MB as an archive"
+	    "$$(find $(BUILD)/web -type f -exec cat {} + | wc -c | \
+	    awk '{ printf "%.1f", $$1 / 1e6 }') MB"
 
-# ---- in a headless Chromium
+# ---- in a headless Chromium: once the pages are made, each test is by itself.  What
+# is missing for them is said in one line.  What was left out or has failed is tried
+# again.
+WEB_RESULTS := $(patsubst %,$(T)/%.result,web-pages web $(WEB_TESTS))
 .PHONY: test-web web-again
-WEB_TESTS = $(WEB_TOOLS) && command -v chromium > /dev/null
-test-web: $(T)/web.result
+test-web: $(WEB_RESULTS)
 	@if grep -h '^skip web: ' $^; then :; else cat $^ | sh tests/tools/count.sh; fi
-# what was left out is tried again: the tools may be there now
 web-again: ;
-$(T)/web.result: $(shell grep -qs '^skip web: ' $(T)/web.result && \
-        echo web-again) $(BOOK) $(wildcard lessons/web/* common/*/* solutions/*.c \
-        tests/checks/*.[ch] tests/tools/web_* tests/tools/b*.* tests/cli/web.js) \
-        tests/web.mk tests/web_live.mk $(wildcard lessons/scenes/*) \
-        $(LESSONS:%=$(BUILD)/data/%.tsv)
-	$(call say,test,the pages in a browser)
-	$(SHARED)$(Q)mkdir -p $(@D) && if $(WEB_TESTS); then \
-	    "$$MAKE" web-pages > $@.log 2>&1 && node tests/cli/web.js $(BUILD) > $@ || \
-	    { echo 'FAIL web:'; tail -n 20 $@.log; } >> $@; \
-	else echo 'skip web: $(no_web)' > $@; fi
+$(shell grep -lsE '^(FAIL|skip) ' $(WEB_RESULTS)): web-again
+$(T)/web-pages.result: $(BOOK) $(WEB_FILES) tests/web.mk tests/web_live.mk $(wildcard \
+        common/*/* solutions/*.c tests/checks/*.[ch] tests/tools/web_* lessons/scenes/*) \
+        $(if $(NEWER),web-again) $(LESSONS:%=$(BUILD)/data/%.tsv) \
+        $(LESSONS:%=$(BUILD)/solutions/%.judge) $(BUILD)/choose
+	$(call say,test,the pages for a browser)
+	$(SHARED)$(Q)mkdir -p $(@D) && missing=$$($(WEB_MISSING) chromium); \
+	    if [ -n "$$missing" ]; then echo "skip web: $$missing: $(no_web)"; \
+	    elif "$$MAKE" wasm web-pages > $@.log 2>&1; then echo 'ok web: the pages are made'; \
+	    else echo "FAIL web: the pages are not made: $$(tail -n 20 $@.log)"; fi > $@
+# A test: $1 its name, $2 its command.
+define web_test
+$(T)/$1.result: $(T)/web-pages.result tests/tools/browser.js $(wildcard $(word 2,$2) \
+        tests/web/page.mjs)
+	$$(call say,test,$(word 2,$2))
+	$(Q)if grep -q '^ok ' $$<; then $2 > $$@ 2> $$@.log || grep -q '^FAIL' $$@ || \
+	    echo "FAIL web: $(word 2,$2): $$$$(tail -n 5 $$@.log | tr '\n' ' ')" >> $$@; \
+	    else : > $$@; fi
+endef
+$(eval $(call web_test,web,node tests/cli/web.js $(BUILD)))

@@ -111,7 +111,8 @@ function inWorker(program) {
         const ends = status => self.postMessage({ status, out: out.join('\n'),
             err: err.join('\n'), picture: read('picture') });
         const Module = {
-            arguments: data.args, print: line => out.push(line),
+            arguments: data.args, thisProgram: 'choose',
+            wasmBinary: data.code, print: line => out.push(line),
             printErr: line => err.push(line), onExit: ends, onAbort: () => ends(-1),
             preRun: [() => Module.FS.writeFile(data.name, data.text)]
         };
@@ -120,12 +121,8 @@ function inWorker(program) {
 }
 let worker = null, clock = 0;
 async function run(name, text, args) {
-    if (!(self.programs || {}).choose) await new Promise((done, failed) => {
-        const script = made('script', document.head, { src: box.dataset.program });
-        script.onload = done;
-        script.onerror = () => failed(new Error(box.dataset.program + ' is not there'));
-    });
-    const source = '(' + inWorker + ')(' + self.programs.choose + ')';
+    const { script, code } = await self.loadProgram(box.dataset.program);
+    const source = `(${inWorker})(function (Module) { ${script}\n })`;
     const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
     worker = new Worker(url);
     URL.revokeObjectURL(url);
@@ -134,7 +131,7 @@ async function run(name, text, args) {
         clock = setTimeout(run.stop, 1000 * LIMIT, 'stopped after ' + LIMIT + ' seconds');
         worker.onmessage = ({ data }) => done(data);
         worker.onerror = event => failed(new Error(event.message));
-        worker.postMessage({ name, text, args });
+        worker.postMessage({ name, text, args, code });
     }).finally(() => {
         clearTimeout(clock);
         worker.terminate();

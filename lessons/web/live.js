@@ -2,11 +2,11 @@
  * live.js - the page's part of window.h (common/motion/window_web.c): canvas,
  * buttons and clock of a live scene.
  *
- *     <div class="live" data-program="../programs/square.js" data-args="--n 16"></div>
+ *     <div class="live" data-program="../programs/live.js#24_live" data-args="--n 16"></div>
  *
- * The program is one of `make web`: a function programs[name](Module).  It
- * calls Module.page.next(), which waits for a frame, Module.page.draw() and, at
- * the end, Module.page.close().  A scene with data-on-demand is begun by its
+ * The program is one of those in a script (programs.js).  It calls
+ * Module.page.next(), which waits for a frame, Module.page.draw() and, at the end,
+ * Module.page.close().  A scene with data-on-demand is begun by its
  * button, and its program is loaded only then.  data-keys are the buttons that
  * there are, all unless given; data-wide, -high and -middle are metres; data-layers
  * are heights where the colour changes, instead of colours by J.
@@ -15,14 +15,6 @@
 (() => {
 const FRAME = 1000 / 30, SHOWN = 240;
 const KEYS = { space: ' ' };
-
-function script(source) {
-    return new Promise((done, failed) => {
-        const element = made('script', document.head, { src: source });
-        element.onload = done;
-        element.onerror = () => failed(new Error(source + ' is not there'));
-    });
-}
 
 function live(box) {
     const data = box.dataset;
@@ -37,7 +29,8 @@ function live(box) {
         'aria-label': 'What can be changed' });
     const said = made('p', box, { class: 'said' });
     const count = made('p', box, { class: 'said' });
-    const chart = made('canvas', box, { class: 'times', role: 'img' });
+    const chart = made('canvas', box, { class: 'times', role: 'img',
+        'aria-label': 'Milliseconds of the last frames' });
     made('p', box, { class: 'help', text: 'Milliseconds of the last ' + SHOWN +
         ' frames, without drawing.' });
     const alert = made('p', box, { class: 'lost', role: 'status' });
@@ -206,16 +199,17 @@ function live(box) {
 
     /* ---- begin ---- */
     async function begin() {
-        const name = data.program.replace(/.*\//, '').replace(/\.js$/, '');
         drawing.fit();
         new ResizeObserver(drawing.fit).observe(stage);
         try {
-            if (!(self.programs || {})[name]) await script(data.program);
-            Module = { page, arguments: (data.args || '').split(' ').filter(word => word),
+            const [source, name] = data.program.split('#');
+            const { script, code } = await self.loadProgram(source);
+            Module = { page, thisProgram: name, wasmBinary: code,
+                       arguments: (data.args || '').split(' ').filter(word => word),
                        print: line => state.lines.push(line),
                        printErr: line => state.lines.push(line),
                        onExit: over, onAbort: () => over(1) };
-            self.programs[name](Module);
+            new Function('Module', script)(Module);
         } catch (error) {
             said.textContent = 'The program does not run here: ' + error.message;
             said.className = 'said bad';

@@ -1,28 +1,14 @@
 /*
  * run.js - run a program of the workbook in a worker, and read its tables.
  *
- * A program is a function of Module in programs/NAME.js (tests/web.mk), brought by
- * a script element, which works from a file as well as from a server.  It computes
- * in a worker, so that the page stays awake and an endless loop can be ended.
+ * It computes in a worker, so that the page stays awake and an endless loop can be
+ * ended.
  */
 "use strict";
-self.programs ||= {};
 
-/* The program's function; folder is where programs/ lies. */
-function loadProgram(folder, name) {
-    if (programs[name]) return Promise.resolve(programs[name]);
-    return new Promise((resolve, reject) => {
-        const script = document.createElement("script");
-        script.src = folder + "programs/" + name + ".js";
-        script.onload = () => resolve(programs[name]);
-        script.onerror = () => reject(new Error(script.src + " cannot be read"));
-        document.head.append(script);
-    });
-}
-
-/* What the worker does: lines are sent in heaps, and first of all those before
- * the status.  A program that cannot go on has no status. */
-function work(program, args) {
+/* What the worker does: lines are sent in heaps, each at the end of a table at the
+ * latest, and all before the status.  A program that cannot go on has no status. */
+function work(program, name, args, code) {
     let out = [], err = [];
     const send = (more) => {
         postMessage({out: out.join(""), err: err.join(""), ...more});
@@ -37,24 +23,28 @@ function work(program, args) {
     self.addEventListener("unhandledrejection", crashed);
     const begin = performance.now();
     program({
+        thisProgram: name,
         arguments: args,
-        print: (line) => { out.push(line + "\n"); if (out.length > 999) send({}); },
+        wasmBinary: code,
+        print: (line) => { out.push(line + "\n"); if (line === "" || out.length > 999) send({}); },
         printErr: (line) => { err.push(line + "\n"); if (err.length > 99) send({}); },
         onExit: (status) => send({status, ms: performance.now() - begin}),
     });
 }
 
 /*
- * Run it: {finished, stop, result}.  finished is a promise of the result, which is
+ * Run the program of this name: {finished, stop, result}.  finished is a promise of the result, which is
  * {status, out, err, ms, end}:
  * end is "exit" with a status, or "stopped" by stop(), "limit" after so many
  * seconds, "flood" when it has printed more than 16 MB, "crash" with its reason in
  * err.  What it had printed till then is in out.
  */
-function runProgram(program, args, seconds) {
-    const text = `(${work})(${program}, ${JSON.stringify(args)});`;
+function runProgram({script, code}, name, args, seconds) {
+    const text = `onmessage = ({data}) =>
+        (${work})(function (Module) { ${script}\n }, ...data);`;
     const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
     const worker = new Worker(url);
+    worker.postMessage([name, args, code]);
     const result = {status: null, out: "", err: "", ms: null, end: null};
     let stop;
     const finished = new Promise((resolve) => {

@@ -92,8 +92,10 @@ static void carry(struct live *live, const double to[2])
                          : live->grip[r] + to[r % 2] - live->mesh->X[r];
 }
 
-int main(void)
+int main(int argc, char *argv[])
 {
+    (void)argc;
+    (void)argv; /* a page says nothing */
     struct window *window = window_open();
     struct pointers all = {0, NULL};
     if (!window) die("tissue: there is no page");

@@ -201,8 +201,8 @@ async function run() {
     running = {stop: () => {}};
     mayRun();
     try {
-        const program = await loadProgram(here.folder, here.program);
-        running = runProgram(program, options(), Number(here.seconds));
+        const program = await loadProgram(`${here.folder}programs/lessons.js`);
+        running = runProgram(program, here.program, options(), Number(here.seconds));
         const result = await running.finished;
         showResult(result);
         const {end, status} = result;

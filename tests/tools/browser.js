@@ -7,12 +7,18 @@
  *     await page.go(url);
  *     await page.evaluate("1 + 1");     a value, or of a promise its value
  *     await page.send("Page.captureScreenshot", {});
+ *     await page.nameless();            what a screen reader has no name for
+ *     await page.key("Enter", "\r");    a key of the keyboard, and what it writes
  *     await browser.close();
  */
 "use strict";
 const {spawn} = require("child_process");
 const fs = require("fs");
 const os = require("os");
+
+/* What is to be used or looked at needs a name. */
+const NAMED = ["application", "button", "Canvas", "checkbox", "combobox", "image", "img", "link",
+    "region", "spinbutton", "textbox"];
 
 exports.open = async (command) => {
     const folder = fs.mkdtempSync(os.tmpdir() + "/web-");
@@ -80,6 +86,20 @@ exports.open = async (command) => {
             if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ||
                                                   exceptionDetails.text);
             return result.value;
+        };
+        self.nameless = async () => {
+            const {nodes} = await self.send("Accessibility.getFullAXTree");
+            const blank = await self.evaluate(`[...document.querySelectorAll("img, [role=region], " +
+                "[role=img], [role=group], canvas")].filter((e) => !(e.alt ||
+                e.getAttribute("aria-label") || "").trim()).map((e) => e.src || e.outerHTML.slice(0, 80))`);
+            return [...nodes.filter((n) => !n.ignored && NAMED.includes(n.role?.value) &&
+                                           !n.name?.value.trim()).map((n) => n.role.value), ...blank];
+        };
+        self.key = async (key, text = undefined) => {
+            const code = {Tab: 9, Enter: 13}[key];
+            for (const type of ["keyDown", "keyUp"])
+                await self.send("Input.dispatchKeyEvent",
+                                {type, key, code: key, windowsVirtualKeyCode: code, text});
         };
         return self;
     };

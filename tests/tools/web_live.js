@@ -2,14 +2,14 @@
  * web_live.js - the live scenes and the least model in the pages of SITE: their
  * programs, what the form knows, and what leads to them.
  *
- *     node tests/tools/web_live.js WASM SITE PROGRAM...
+ *     node tests/tools/web_live.js WASM SITE
  *
  * Chapter 24 gets the square, which is begun by a button; the front and the chapter
  * of choosing get links.  A page that has no longer the place for it is an error.
  */
 "use strict";
 const fs = require("fs");
-const [wasm, site, ...programs] = process.argv.slice(2);
+const [wasm, site] = process.argv.slice(2);
 
 /* Behind the line of the page that has the words `after`; once. */
 function insert(page, after, words) {
@@ -32,12 +32,12 @@ insert("index.html", 'href="figures/24_live/motion.gif"',
 insert("lessons/CHOOSE.html", '<h2 id="a-scene-of-your-own">',
     '<p><a href="../web/choose.html">The same as a form</a>, which runs here in the browser.</p>');
 insert("lessons/24_live.html", "see who wins",
-    '<div class="live" data-program="../programs/square.js" data-on-demand ' +
+    '<div class="live" data-program="../programs/live.js#24_live" data-on-demand ' +
     'data-args="--n 16 --record input.txt"></div>' +
     '<p><a href="../web/live.html">The square on a page of its own</a>, and ' +
     '<a href="../web/tissue.html">a strip of tissue</a>.</p>' +
-    ["elements", "live_draw", "live"].map((name) =>
+    ["programs", "elements", "live_draw", "live"].map((name) =>
         `<script src="../web/${name}.js" defer></script>`).join(""));
 insert("lessons/24_live.html", "book.css", '<link rel="stylesheet" href="../web/live.css">');
-for (const name of programs) fs.copyFileSync(`${wasm}/${name}.js`, `${site}/programs/${name}.js`);
+fs.copyFileSync(`${wasm}/live.js`, `${site}/programs/live.js`);
 fs.copyFileSync(`${wasm}/choose_data.js`, `${site}/web/choose_data.js`);

@@ -12,6 +12,7 @@
 "use strict";
 const fs = require("fs");
 const {execFileSync} = require("child_process");
+const small = require("./web_small.js");
 const [book, build, site, ...lessons] = process.argv.slice(2);
 
 function fail(words) {
@@ -81,7 +82,7 @@ ${fields.join("")}<p class="hint">The same with your own program: <code class="c
 </form>
 <div class="results"></div>
 </section>
-${["run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+${["programs", "run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
 }
 
 const part = `${site}.part`;
@@ -92,14 +93,23 @@ fs.mkdirSync(part + "/programs");
 for (const name of fs.readdirSync("lessons/web"))
     fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
 for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
+    if (name.endsWith(".svg"))
+        try {
+            fs.writeFileSync(`${part}/${name}`, small.svg(read(`${part}/${name}`)));
+        } catch (error) {
+            fail(`${name}: ${error.message}`);
+        }
     if (!name.endsWith(".html")) continue;
     const up = "../".repeat(name.split("/").length - 1);
     const css = `<link rel="stylesheet" href="${up}book.css">`;
-    fs.writeFileSync(`${part}/${name}`, read(`${part}/${name}`).replace(css,
+    fs.writeFileSync(`${part}/${name}`, small.html(read(`${part}/${name}`)).replace(css,
         `<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n${css}\n` +
         `<link rel="stylesheet" href="${up}web/web.css">`));
 }
-const front = read(part + "/index.html");
+/* the small pictures of the contents have their chapter's name */
+const front = read(part + "/index.html").replace(
+    /<img ((?:class="fits" )?src="[^"]*" width="120")>(<\/a><\/td>\s*<td><a [^>]*>)([^<]*)/g,
+    (whole, picture, between, title) => `<img ${picture} alt="A picture of ${title}">${between}${title}`);
 fs.writeFileSync(part + "/index.html", front.replace(/<\/h1>\s*<p>.*<\/p>/, (first) => `${first}
 <p>Here the lessons run: each chapter has a panel
 <a href="lessons/${lessons[0]}.html#try-it">Try it</a>, which asks for your predictions and then computes
@@ -109,7 +119,7 @@ for (const lesson of lessons) {
     const at = text.indexOf('<h2 id="measured">');
     if (at < 0) fail(`${page} has no section Measured`);
     fs.writeFileSync(page, text.slice(0, at) + panel(lesson) + text.slice(at));
-    fs.copyFileSync(`${build}/wasm/${lesson}.js`, `${part}/programs/${lesson}.js`);
 }
+fs.copyFileSync(`${build}/wasm/lessons.js`, `${part}/programs/lessons.js`);
 fs.rmSync(site, {recursive: true, force: true});
 fs.renameSync(part, site);

@@ -1,5 +1,6 @@
 /*
- * choose.mjs SITE SQUARE CHOOSE - the page of the least model in a headless Chromium.
+ * choose.mjs SITE SQUARE CHOOSE [SCENE] - the page of the least model in a headless
+ * Chromium: all scenes, or this one.
  *
  * For each example the page says what the program CHOOSE says, but for what is
  * measured in seconds, and its picture has the numbers; bad fields are refused
@@ -12,14 +13,16 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open } from './page.mjs';
 
-const [site, , native] = process.argv.slice(2).map(path => resolve(path));
+const [site, , native] = process.argv.slice(2, 5).map(path => resolve(path));
+const only = process.argv[5];
 let failed = 0;
 function say(good, what, why) {
     console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
     failed += !good;
 }
 
-const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scene'));
+const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scene') &&
+    (!only || name === only));
 /* What is measured in seconds, and what follows from it. */
 const timeless = out => out
     .replace(/[^ ]+ ms: (NOT )?within/, 'MS')
@@ -79,7 +82,7 @@ try {
         const links = await page.evaluate("document.querySelectorAll('.answer a').length");
         pictures += here && (!here.picture || bars === 7) && links > 3;
     }
-    say(SCENES.length >= 16 && same === SCENES.length,
+    say((only || SCENES.length >= 16) && same === SCENES.length,
         `the answers to ${SCENES.length} scenes are those of the program`, why);
     say(pictures >= SCENES.length - 1, 'an answer has its picture and its links', pictures);
 
@@ -111,10 +114,12 @@ try {
     say(error && error.status === 2 && error.err === run(['--scene', 'flap.scene', '--error', '0'],
         folder).err, 'a bad error is refused', error && error.err);
 
-    const nameless = await page.evaluate(`[...document.querySelectorAll(
-        '.least-model input, .least-model select')].filter(i => !i.labels.length &&
-        !i.getAttribute('aria-label')).length`);
-    say(nameless === 0, 'each field has a label', nameless);
+    await answer('flap', {});
+    const heard = await page.evaluate("document.activeElement.className === 'answer' && " +
+        "document.querySelector('[role=status]') && document.querySelector('[role=alert]') && 'yes'");
+    say(heard === 'yes', 'the answer is gone to, and what is wrong is said', heard);
+    const nameless = await page.nameless();
+    say(nameless.length === 0, 'each field, link and picture has a name', nameless);
     say(page.errors.length === 0, 'no error on the page of the least model',
         page.errors.join(' '));
 } finally {

@@ -227,8 +227,17 @@ async function pages(browser) {
         "document.querySelector(`a[href='web/${name}.html']`)).length");
     say(leads === 3, 'the front leads to the three pages', leads);
     await front.close();
+    const live = await browser.page(url('web/live.html'));
+    await live.until("document.querySelector('.live').live.state.frames > 10");
+    const nameless = await live.nameless();
+    const seen = await live.evaluate("(() => { const { canvas } = document.querySelector('.live').live; " +
+        "canvas.focus(); return document.activeElement === canvas && " +
+        "!!document.getElementById(canvas.getAttribute('aria-describedby')) && " +
+        "document.querySelectorAll('.live .keys button').length > 3; })()");
+    say(nameless.length === 0 && seen, 'what is on the live page has its name', `${nameless} ${seen}`);
+    await live.close();
     const page = await browser.page(url('lessons/24_live.html'));
-    const before = await page.evaluate("!('square' in (self.programs || {}))");
+    const before = await page.evaluate("!self.programs.live");
     await page.evaluate("document.querySelector('.live .start').click()");
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
     say(before && begun && page.errors.length === 0, 'the chapter begins the square when ' +

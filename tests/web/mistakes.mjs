@@ -12,7 +12,7 @@ import { join, resolve } from 'node:path';
 
 const [site, square, choose] = process.argv.slice(2).map(path => resolve(path));
 const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part, frames];
-const CHOOSE = ['tests/web/choose.mjs', square, choose];
+const CHOOSE = (scene = 'flap') => ['tests/web/choose.mjs', square, choose, scene + '.scene'];
 /* name, script, from, to, test, the check that fails */
 const MISTAKES = [
     ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',
@@ -30,14 +30,18 @@ const MISTAKES = [
      "if (!('onDemand' in data)) return begin();", 'begin();', LIVE('pages'),
      'the chapter begins the square'],
     ['what an example does not say is kept', 'choose.js',
-     "for (const input of word.inputs) input.value = '';", '', CHOOSE,
+     "for (const input of word.inputs) input.value = '';", '', CHOOSE('thread'),
      'the answers to'],
     ['verify is not passed on', 'choose.js', "verify.checked ? 'yes' : 'no'", "'no'",
-     CHOOSE, 'the answers to'],
-    ['the line above is marked', 'choose.js', 'at[line[1] - 1]', 'at[line[1] - 2]', CHOOSE,
+     CHOOSE('harder'), 'the answers to'],
+    ['the line above is marked', 'choose.js', 'at[line[1] - 1]', 'at[line[1] - 2]', CHOOSE(),
      'bad fields are refused'],
     ['a field without a label', 'choose.js', "made('label', last, { for: name, text: name })",
-     "made('b', last, { text: name })", CHOOSE, 'each field has a label']
+     "made('b', last, { text: name })", CHOOSE(), 'each field, link and picture'],
+    ['the picture is mute', 'choose_answer.js', "'aria-label': 'Parts of the error in per cent, of '",
+     "'data-label': 'Parts of the error in per cent, of '", CHOOSE(), 'each field, link and picture'],
+    ['the canvas is mute', 'live.js', "'aria-label': data.label ||", "'data-label': data.label ||",
+     LIVE('pages'), 'what is on the live page has its name']
 ];
 
 function run(args) {

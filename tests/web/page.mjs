@@ -1,7 +1,6 @@
 /* page.mjs - a page in a headless Chromium, for the tests beside it. */
 import browsers from '../tools/browser.js';
 
-
 /* browser.page(url): evaluate(text), errors, and until(text, seconds): true, or the
  * time is over. */
 export async function open() {

@@ -1,0 +1,106 @@
+/*
+ * pictures.mjs SITE - the pictures of the site are to the eye those of figures/.
+ *
+ * Both are drawn at twice their size; then no square of 8 pixels differs in its mean
+ * colour by more than 14 of 255, and at most 1.2 % of them by more than 3.  The
+ * mistakes are changes to tests/tools/web_small.js, each with the picture that must
+ * show it.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
+ */
+import { readFileSync, readdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { open } from './page.mjs';
+
+const [site] = process.argv.slice(2);
+let failed = 0;
+function say(good, what, why) {
+    console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
+    failed += !good;
+}
+
+/* In the page: the mean colours of both, and how far they are from each other. */
+async function compare(texts) {
+    const drawn = async text => {
+        const image = new Image();
+        image.src = URL.createObjectURL(new Blob([text], { type: 'image/svg+xml' }));
+        await image.decode();
+        const sheet = (scale, from) => {
+            const canvas = document.createElement('canvas');
+            canvas.width = Math.round(image.width * scale);
+            canvas.height = Math.round(image.height * scale);
+            const ink = canvas.getContext('2d', { willReadFrequently: true });
+            ink.imageSmoothingQuality = 'high';
+            ink.drawImage(from, 0, 0, canvas.width, canvas.height);
+            return { canvas, ink };
+        };
+        const { canvas, ink } = sheet(1 / 8, sheet(2, image).canvas);
+        return ink.getImageData(0, 0, canvas.width, canvas.height);
+    };
+    const [a, b] = await Promise.all(texts.map(drawn));
+    if (a.width !== b.width || a.height !== b.height) return { most: 255, many: 100 };
+    let most = 0, many = 0;
+    a.data.forEach((value, k) => {
+        const off = Math.abs(value - b.data[k]);
+        most = Math.max(most, off);
+        many += off > 3 ? 100 / a.data.length : 0;
+    });
+    return { most, many };
+}
+const close = ({ most, many }) => most <= 14 && many <= 1.2;
+const words = ({ most, many }) => `${most} of 255, ${many.toFixed(2)} % of the squares`;
+
+/* Oblongs over the two ends of a bow. */
+const overlap = (...polygons) => '<svg width="80" height="80" xmlns="http://www.w3.org/2000/svg">' +
+    '<g id="gnuplot_canvas">' + polygons.map(points => `<polygon fill="black" points="${points}"/>`)
+    .join('') + '</g></svg>';
+const BOW = overlap('10,10 70,70 70,10 10,70', '5,5 35,5 35,75 5,75', '45,5 75,5 75,75 45,75');
+/* name, from, to, picture */
+const TOOL = 'tests/tools/web_small.js';
+const MISTAKES = [
+    ['open circles are lost', 'length > 1 || arc || dots', 'length > 1 || dots',
+     '14_time_step/chart.svg'],
+    ['discs are lost', 'length > 1 || arc || dots', 'length > 1 || arc', '12_triangles/cost.svg'],
+    ['a hole in a bow', 'rest.every(convex)', 'true', BOW],
+    ['a thick curve is turned about', 'let most = 0.5, at = 0', 'let most = 0, at = 0',
+     '01_deformation/body.svg'],
+    ['curves lose their bends', 'let most = 0.5, at = 0', 'let most = 40, at = 0',
+     '02_constitutive/paths.svg'],
+    ['dashes are lost', '/color|font|anchor/', '/color|font|anchor|dash/', '12_triangles/cost.svg'],
+    ['what is pale is not', '/color|font|anchor/', '/color|font|anchor|opacity/', '09_linear_bar/signs.svg'],
+    ['turned text stands up', 'rotate(${Number(place[3])})', '', '12_triangles/cost.svg'],
+    ['indices stand on the line', 'if (one.own.dy) more', 'if (false) more', '12_triangles/hat.svg']
+];
+
+const load = text => {
+    const module = { exports: {} };
+    new Function('exports', 'require', text)(module.exports, createRequire(import.meta.url));
+    return module.exports;
+};
+const browser = await open();
+const page = await browser.page('about:blank');
+const off = texts => page.evaluate(`(${compare})(${JSON.stringify(texts)})`);
+try {
+    const names = readdirSync('figures', { recursive: true }).map(String)
+        .filter(name => name.endsWith('.svg') && readdirSync(site + '/figures', { recursive: true })
+            .map(String).includes(name));
+    let why = '';
+    for (const name of names) {
+        const far = await off([join('figures', name), join(site, 'figures', name)]
+            .map(file => readFileSync(file, 'utf8')));
+        if (!close(far)) why += ` ${name}: ${words(far)};`;
+    }
+    say(names.length > 100 && why === '',
+        `${names.length} pictures are to the eye those of figures/`, why);
+    const tool = readFileSync(TOOL, 'utf8');
+    for (const [name, from, to, picture] of MISTAKES) {
+        const text = picture.endsWith('.svg') ? readFileSync(join('figures', picture), 'utf8') : picture;
+        const right = await off([text, load(tool).svg(text)]);
+        const far = tool.split(from).length !== 2 ? null :
+            await off([text, load(tool.replace(from, () => to)).svg(text)]);
+        say(far && !close(far) && close(right), 'mistake: ' + name,
+            far ? `with it ${words(far)}, without ${words(right)}` : 'does not fit ' + TOOL);
+    }
+} finally {
+    await browser.close();
+}
+process.exit(failed ? 1 : 0);
