@@ -43,6 +43,20 @@ static void all_elements_have_one_limit(void)
                         0.3 * hang_apart(&linear, &locked));
 }
 
+/* Criss-cross cells are their own mirror images: what hangs down is even in X2,
+ * and what goes along is odd. */
+static void a_cross_is_its_own_mirror_image(void)
+{
+    const struct hang cross = hang_of(HANG_CROSSED, 4, 1.5, 0.3);
+    for (int j = 0; j < 5; j++)
+        for (int i = 0; i < 5; i++) {
+            const double *u = &cross.u[2 * (5 * j + i)];
+            const double *mirrored = &cross.u[2 * (5 * (4 - j) + i)];
+            close_to(u[0], -mirrored[0], 1e-12);
+            close_to(u[1], mirrored[1], 1e-12);
+        }
+}
+
 /* The weight of a trial is 50 times that of a square that hangs, and otherwise
  * they are the same system, assembled by two modules. */
 static void a_weight_is_fifty_of_one(void)
@@ -106,6 +120,7 @@ static void costs_are_between_two_meshes(void)
 static const struct unit_law laws[] = {
     LAW(averages_are_of_lambda),
     LAW(all_elements_have_one_limit),
+    LAW(a_cross_is_its_own_mirror_image),
     LAW(a_weight_is_fifty_of_one),
     LAW(trials_rest_and_move),
     LAW(costs_are_between_two_meshes),
