@@ -102,9 +102,12 @@ long_for() {
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
         the_best_guess_needs_one_factorisation_a_step dynamics_equal_the_oracle ;;
+    valgrind.cells) echo prices_go_with_columns ;;
+    valgrind.hang) echo a_limit_goes_on_as_three_meshes_do \
+        all_elements_have_one_limit ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
     valgrind.kept) echo old_factors_find_the_same_step ;;
-    valgrind.ladder) echo prices_go_with_columns the_mesh_estimate_meets_the_error ;;
+    valgrind.ladder) echo the_mesh_estimate_meets_the_error ;;
     valgrind.live) echo downhill_goes_down ;;
     valgrind.matrix) echo a_band_of_any_width_equals_gsl \
         memory_starts_at_a_line_of_the_cache \

@@ -2,6 +2,7 @@
 #include "figures/25_elements/hang.h"
 #include "figures/25_elements/trial.h"
 
+#include "linear/sparse.h"
 #include "unit.h"
 
 #include <math.h>
@@ -41,6 +42,20 @@ static void all_elements_have_one_limit(void)
     const struct hang averaged = hang_of(HANG_AVERAGED, 16, 1.5, 0.495);
     ck_assert_double_lt(hang_apart(&averaged, &locked),
                         0.3 * hang_apart(&linear, &locked));
+}
+
+/* Criss-cross cells are their own mirror images: what hangs down is even in X2,
+ * and what goes along is odd. */
+static void a_cross_is_its_own_mirror_image(void)
+{
+    const struct hang cross = hang_of(HANG_CROSSED, 4, 1.5, 0.3);
+    for (int j = 0; j < 5; j++)
+        for (int i = 0; i < 5; i++) {
+            const double *u = &cross.u[2 * (5 * j + i)];
+            const double *mirrored = &cross.u[2 * (5 * (4 - j) + i)];
+            close_to(u[0], -mirrored[0], 1e-12);
+            close_to(u[1], mirrored[1], 1e-12);
+        }
 }
 
 /* The weight of a trial is 50 times that of a square that hangs, and otherwise
@@ -89,6 +104,61 @@ static void trials_rest_and_move(void)
     }
 }
 
+/* What is held ends where the scene says, what rests has no mass, and a system
+ * costs what sparse.h counts. */
+static void trials_are_those_of_their_scenes(void)
+{
+    static const int coarsest[] = {4, 4, 8, 4, 4, 4, 4};
+    static const int linear[] = {6, 4, 6, 5, 5, 4};
+    static const int quadratic[] = {4, 3, 3, 3, 3, 3};
+    static const int finest[] = {64, 32, 64, 32, 64, 48};
+    for (int k = 0; k < TRIAL_SCENES; k++) {
+        const enum trial_scene scene = (enum trial_scene)k;
+        struct scene *s = trial_alloc(scene, QUADRATIC_TRIANGLE, 8, 1.0);
+        ck_assert_int_eq(trial_coarsest(scene), coarsest[k]);
+        ck_assert((s->body->rho == 0.0) == (k <= TRIAL_COLUMN));
+        if (k == TRIAL_WEIGHT)
+            close_to(trial_of(scene, QUADRATIC_TRIANGLE, 8, 1.0).end.flops,
+                     s->body->pattern->flops + s->body->pattern->solve +
+                         work_elements(s->body, EXACT), 1e-6);
+        scene_free(s);
+        if (k == TRIAL_PUSH) continue;
+        ck_assert_int_eq(trial_meshes(scene, LINEAR_TRIANGLE), linear[k]);
+        ck_assert_int_eq(trial_meshes(scene, QUADRATIC_TRIANGLE),
+                         quadratic[k]);
+        ck_assert_int_eq(trial_finest(scene).n, finest[k]);
+    }
+    const struct trial push = trial_of(TRIAL_PUSH, LINEAR_TRIANGLE, 4, 1.0);
+    struct work more = push.end;
+    ck_assert_int_eq(push.end.status, OK);
+    close_to(push.end.u[8], -0.6, 1e-12);
+    close_to(push.end.u[0], 0.0, 1e-12);
+    work_correct(&more, 0.25, &push.end, &(struct work){.status = OK});
+    close_to(trial_apart(&more, &push.end), 0.25, 1e-12);
+}
+
+/* From three meshes, each of which leaves the same part of the error. */
+static void a_limit_goes_on_as_three_meshes_do(void)
+{
+    double floor;
+    const struct work limit = trial_limit(TRIAL_WEIGHT, &floor);
+    struct work run[3];
+    for (int k = 0; k < 3; k++)
+        run[k] = trial_of(TRIAL_WEIGHT, QUADRATIC_TRIANGLE, 16 << k, 2.0).end;
+    const double ratio =
+        work_distance(&run[0], &run[1]) / work_distance(&run[1], &run[2]);
+    double off = 0.0, size = 0.0;
+    for (int i = 0; i < limit.n_shared; i++) {
+        const double *u[3] = {run[0].u, run[1].u, run[2].u};
+        const double before = u[1][i] + (u[1][i] - u[0][i]) / (ratio - 1.0);
+        close_to(limit.u[i], u[2][i] + (u[2][i] - u[1][i]) / (ratio - 1.0),
+                 1e-3 * floor);
+        off += pow(before - limit.u[i], 2);
+        size += pow(limit.u[i], 2);
+    }
+    close_to(floor, sqrt(off / size) / ratio, 0.02 * floor);
+}
+
 /* Cost c n^3 for an error of n^-2: at any error what the formula says. */
 static void costs_are_between_two_meshes(void)
 {
@@ -106,8 +176,11 @@ static void costs_are_between_two_meshes(void)
 static const struct unit_law laws[] = {
     LAW(averages_are_of_lambda),
     LAW(all_elements_have_one_limit),
+    LAW(a_cross_is_its_own_mirror_image),
     LAW(a_weight_is_fifty_of_one),
     LAW(trials_rest_and_move),
+    LAW(trials_are_those_of_their_scenes),
+    LAW(a_limit_goes_on_as_three_meshes_do),
     LAW(costs_are_between_two_meshes),
 };
 UNIT_MAIN("hang", laws)
