@@ -137,8 +137,6 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[LAW] = estimate_law(s);
     part[DIMENSION] = estimate_dimension(s);
     part[INERTIA] = estimate_inertia(s);
-    part[MESH] = part[STRESS] = 0.0;
-    if (s->model.rung == BAR) return; /* and it needs no factors of K */
     relax_parts(s, estimate_mesh, estimate_stress, part);
 }
 

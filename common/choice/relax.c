@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { STEPS = 2 }; /* of a part */
 
@@ -93,17 +94,17 @@ static double dot(const struct ladder_state *s, const double a[],
     return sum;
 }
 
-/* e := of (K - D) e = D w, w = u or any other. */
+/* e := of (K - D) e = r, which becomes what remains of it; forces NULL: D = 0.
+ */
 static int follow(const struct ladder_state *s, const struct matrix *factors,
-                  relax_forces *forces, const double w[], int steps, double e[])
+                  relax_forces *forces, int steps, double r[], double e[])
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *r = allocate(n, sizeof *r), *z = allocate(n, sizeof *z);
+    double *z = allocate(n, sizeof *z);
     double *p = allocate(n, sizeof *p), *Kp = allocate(n, sizeof *Kp);
     double *Dp = allocate(n, sizeof *Dp), first = 0.0, before = 1.0;
     int stands = 1;
     for (size_t i = 0; i < n; i++) e[i] = 0.0;
-    product(s, forces, w, r);
     for (int k = 0; k < steps; k++) {
         solve(s, factors, r, z);
         const double rz = dot(s, r, z), beta = rz / before;
@@ -114,7 +115,7 @@ static int follow(const struct ladder_state *s, const struct matrix *factors,
             p[i] = z[i] + beta * p[i];
             Kp[i] = r[i] + beta * Kp[i];
         }
-        product(s, forces, p, Dp);
+        if (forces) product(s, forces, p, Dp);
         const double energy = dot(s, p, Kp) - dot(s, p, Dp);
         stands = energy > 0.0;
         if (!stands) break;
@@ -124,7 +125,6 @@ static int follow(const struct ladder_state *s, const struct matrix *factors,
         }
         before = rz;
     }
-    free(r);
     free(z);
     free(p);
     free(Kp);
@@ -135,7 +135,11 @@ static int follow(const struct ladder_state *s, const struct matrix *factors,
 int relax_follow(const struct ladder_state *s, const struct matrix *factors,
                  relax_forces *forces, int steps, double e[])
 {
-    return follow(s, factors, forces, s->u, steps, e);
+    double *r = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *r);
+    product(s, forces, s->u, r);
+    const int stands = follow(s, factors, forces, steps, r, e);
+    free(r);
+    return stands;
 }
 
 double relax_yields(const struct ladder_state *s)
@@ -158,61 +162,90 @@ static void stiffness(const struct ladder_state *s,
                                                        mat2_identity())), g);
 }
 
-/* The forces of the strain H^T H / 2 that a linear law forgets. */
-static void squares(const struct ladder_state *s, const struct relax_field *of,
-                    double g[])
-{
-    const struct material *m = &s->body->material;
-    for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const mat2 HtH = mat2_multiply(mat2_transpose(of->H[e]), of->H[e]);
-        const double p = 0.5 * m->lambda * mat2_trace(HtH);
-        relax_push(s, e, mat2_scale(-1.0, mat2_add(
-            mat2_scale(m->mu, HtH), mat2_scale(p, mat2_identity()))), g);
-    }
-}
-
-/* What the forces change of the force in the hand; of a linear law, `squares`
- * at u + e besides [eq:left-hand]. */
-static double hand_part(const struct ladder_state *s,
-                        const struct matrix *factors, relax_forces *forces,
-                        relax_forces *besides)
+/* |e| over |w + e| for (K - D) e = g, which is used up; of the force in the
+ * hand |z.g| for (K - D) z = hand, over hand.z [eq:left-hand].  1: it gives
+ * way. */
+static double lacks(const struct ladder_state *s, const struct matrix *factors,
+                    relax_forces *forces, const double w[], double g[])
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *z = allocate(n, sizeof *z), *e = allocate(n, sizeof *e);
-    double *g = allocate(n, sizeof *g), part = 1.0;
-    solve(s, factors, s->hand, z);
-    int stands = follow(s, factors, forces, z, STEPS, e);
-    for (size_t r = 0; r < n; r++) z[r] += e[r];
-    product(s, forces, s->u, g);
-    double off = dot(s, z, g);
-    if (besides && stands) {
-        stands = relax_follow(s, factors, forces, STEPS, e);
-        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
-        product(s, besides, e, g);
-        off += dot(s, z, g);
+    const int hand = s->scene->quantity == LADDER_HAND;
+    double *e = allocate(n, sizeof *e), *r = allocate(n, sizeof *r);
+    memcpy(r, hand ? s->hand : g, n * sizeof *r);
+    for (size_t k = 0; k < n; k++)
+        if (s->body->equation[k] < 0) r[k] = 0.0;
+    double part = 1.0, off, whole;
+    if (follow(s, factors, forces, hand ? STEPS + 1 : STEPS, r, e)) {
+        if (hand) {
+            off = dot(s, e, g);
+            whole = s->model.moving ? dot(s, s->hand, w) + off
+                                    : dot(s, s->hand, e);
+        } else {
+            off = ladder_measure(s, e);
+            for (size_t k = 0; k < n; k++) e[k] += w[k];
+            whole = ladder_measure(s, e);
+        }
+        part = off != 0.0 ? fabs(off / whole) : 0.0;
     }
-    const double whole = s->model.moving ? dot(s, s->hand, s->u) + off
-                                         : dot(s, s->hand, z);
-    if (stands) part = off != 0.0 ? fabs(off / whole) : 0.0;
-    free(z);
     free(e);
-    free(g);
+    free(r);
     return part;
 }
 
 double relax_part(const struct ladder_state *s, const struct matrix *factors,
                   relax_forces *forces)
 {
-    const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    if (factors && s->scene->quantity == LADDER_HAND)
-        return hand_part(s, factors, forces, NULL);
-    double *e = allocate(n, sizeof *e), part = 1.0;
-    if (factors && relax_follow(s, factors, forces, STEPS, e)) {
-        const double off = ladder_measure(s, e);
-        for (size_t r = 0; r < n; r++) e[r] += s->u[r];
-        part = off > 0.0 ? off / ladder_measure(s, e) : 0.0;
+    double *g = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *g), part = 1.0;
+    if (factors) {
+        product(s, forces, s->u, g);
+        part = lacks(s, factors, forces, s->u, g);
     }
-    free(e);
+    free(g);
+    return part;
+}
+
+/* g += int (P_a - P_b) grad N of two laws at w, 0 at what is held.  false: one
+ * of them has no stress there. */
+static int push_laws(const struct ladder_state *s, enum law a, enum law b,
+                     const double w[], double g[])
+{
+    struct material material[2] = {s->body->material, s->body->material};
+    material[0].law = a;
+    material[1].law = b;
+    for (int e = 0; e < s->mesh->n_triangle; e++) {
+        const mat2 F = body_deformation(s->body, w, e);
+        if ((a == LOG || b == LOG) && !(mat2_det(F) > 0.0)) return 0;
+        relax_push(s, e, mat2_subtract(material2_pk1(&material[0], F),
+                                       material2_pk1(&material[1], F)), g);
+    }
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++)
+        if (s->body->equation[r] < 0) g[r] = 0.0;
+    return 1;
+}
+
+double relax_law(const struct ladder_state *s, const struct matrix *factors)
+{
+    double *g = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *g), part = 1.0;
+    if (factors && push_laws(s, CUBIC, LOG, s->u, g))
+        part = lacks(s, factors, NULL, s->u, g);
+    free(g);
+    return part;
+}
+
+double relax_geometry(const struct ladder_state *s,
+                      const struct matrix *factors, relax_forces *stress)
+{
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    double *w = allocate(n, sizeof *w), *g = allocate(n, sizeof *g), part = 1.0;
+    if (factors && relax_follow(s, factors, stress, STEPS, w)) {
+        for (size_t r = 0; r < n; r++) w[r] += s->u[r];
+        product(s, stress, w, g);
+        for (size_t r = 0; r < n; r++) g[r] = -g[r];
+        push_laws(s, LINEAR, CUBIC, w, g);
+        part = lacks(s, factors, stress, w, g);
+    }
+    free(w);
+    free(g);
     return part;
 }
 
@@ -268,6 +301,68 @@ double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
     return fmin(1.0, sqrt(moves / size) / s->scene->T);
 }
 
+/* Force along and moment of what lies beyond each section, nodal forces f. */
+static void sections(const struct ladder_state *s, const double f[], double N[],
+                     double M[])
+{
+    const int n = s->mesh->n;
+    double across = 0.0;
+    for (int i = n; i >= 0; i--) {
+        N[i] = i < n ? N[i + 1] : 0.0;
+        M[i] = i < n ? M[i + 1] + across * 2.0 / n : 0.0;
+        for (int j = 0; j <= s->mesh->rows; j++) {
+            const int a = 2 * (j * (n + 1) + i);
+            N[i] += f[a];
+            M[i] -= s->mesh->X[a + 1] * f[a];
+            across += f[a + 1];
+        }
+    }
+}
+
+double relax_dimension(const struct ladder_state *s)
+{
+    const struct material *m = &s->body->material;
+    const size_t n = (size_t)s->mesh->n;
+    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double height = 2.0 / s->scene->slender, step = 2.0 / s->mesh->n;
+    double *N = allocate(n + 1, sizeof *N), *M = allocate(n + 1, sizeof *M);
+    double *force = allocate(n + 1, sizeof *force);
+    double *moment = allocate(n + 1, sizeof *moment);
+    double turn = 0.0, w = 0.0, u = 0.0, across = 0.0, along = 0.0;
+    double bent = 0.0, pulled = 0.0, both = 0.0, missed, off, whole;
+    sections(s, s->f, N, M);
+    sections(s, s->hand, force, moment);
+    const double I = pow(height, 3) / 12.0;
+    const double shear = 1.2 * ladder_modulus(m) / (m->mu * height);
+    const double more = 1.0 / (1.0 + N[0] / ladder_buckles(s->scene));
+    for (size_t i = 0; i < n; i++) { /* everything times E' */
+        const double middle = 0.5 * (M[i] + M[i + 1]);
+        const double here = 0.5 * (moment[i] + moment[i + 1]);
+        const double Q = M[i] - M[i + 1], q = moment[i] - moment[i + 1];
+        w += step * (turn + 0.5 * step * middle / I) + shear * Q;
+        turn += step * middle / I;
+        u += step * N[i + 1] / height;
+        across = fmax(across, hypot(w, 0.5 * height * turn));
+        along = fmax(along, fabs(u));
+        both += step * here * middle / I + shear * q * Q / step;
+        bent += step * here * here / I + shear * q * q / step;
+        pulled += step * pow(force[i + 1], 2) / height;
+    }
+    missed = 0.5 * lateral * lateral;
+    if (s->scene->quantity == LADDER_HAND) {
+        off = more * fabs(both) + missed * fabs(force[0] * N[0]);
+        whole = bent + pulled;
+    } else {
+        off = more * across + missed * fabs(N[0]);
+        whole = more * across + along;
+    }
+    free(N);
+    free(M);
+    free(force);
+    free(moment);
+    return more > 0.0 && whole > 0.0 ? fmin(1.0, off / whole) : 1.0;
+}
+
 /* Where the body is pressed along its axis by P < P_cr, P / P_cr of what bends:
  * of `dimension` without what a held end keeps wide [eq:left-dimension].  For
  * more no beam has a share to name, and ladder_stable() must tell. */
@@ -287,15 +382,24 @@ static double pressed(const struct ladder_state *s, double dimension)
 void relax_parts(const struct ladder_state *s, relax_forces *mesh,
                  relax_forces *stress, double part[N_PART])
 {
+    part[MESH] = part[STRESS] = 0.0;
+    if (s->model.rung == BAR) { /* which needs no factors of K */
+        part[DIMENSION] = fmin(part[DIMENSION], relax_dimension(s));
+        return;
+    }
     struct matrix *K = relax_factors(s);
     part[MESH] = relax_mesh(s, K, mesh);
     part[STRESS] = relax_part(s, K, stress);
     const int hand = s->scene->quantity == LADDER_HAND;
-    if (s->model.rung == LINEAR_PLANE && hand && K)
-        part[STRESS] = hand_part(s, K, stress, squares);
-    else if (s->model.rung == LINEAR_PLANE && !hand)
+    if (s->model.rung == CUBIC_PLANE)
+        part[LAW] = fmin(part[LAW], relax_law(s, K));
+    if (s->model.rung == LINEAR_PLANE && hand)
+        part[GEOMETRY] = relax_geometry(s, K, stress);
+    else if (s->model.rung == LINEAR_PLANE && !s->model.moving)
+        part[GEOMETRY] = fmin(part[GEOMETRY], relax_geometry(s, K, stress));
+    if (s->model.rung == LINEAR_PLANE && !hand)
         part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
-    if (K && s->model.rung != BAR && !s->model.moving &&
+    if (K && !s->model.moving &&
         s->scene->time != STANDS)
         part[INERTIA] = fmax(part[INERTIA], relax_inertia(s, K));
     matrix_free(K);

@@ -59,14 +59,33 @@ int relax_follow(const struct ladder_state *state,
  * relax_follow() is false or there are no factors (NULL).
  *
  * Of the force in the hand it is |hand.e| / hand.z [eq:left-hand], where
- * (K - D) z = hand, also by two steps: K and D are symmetric, so hand.e is
- * z.D u, and one more solve is all that it takes.  In motion |hand.e| is over
- * |hand.(u + e)|.  What another load bends is shorter by the square of its
- * turn, and a hand along the axis feels it: in relax_parts() a linear law has
- * the work of int C (H^T H / 2) : grad z, H of u + e, in its part of stress.
+ * (K - D) z = hand, by three steps: K and D are symmetric, so hand.e is z.D u,
+ * and one more solve is all that it takes.  In motion |hand.e| is over
+ * |hand.(u + e)|.
  */
 double relax_part(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *forces);
+
+/*
+ * The same of forces that are not linear in u, by one step of Newton's method.
+ * What the stress of the cubic law less that of the logarithm would move; 1
+ * where a J <= 0.  And what the squares of H would, after the stress has turned
+ * with the body: at w = u + e the cubic law leaves N(w) - D w of the forces
+ * N(w) = int (P_linear - P_cubic) grad N.
+ */
+double relax_law(const struct ladder_state *state,
+                 const struct matrix *factors);
+double relax_geometry(const struct ladder_state *state,
+                      const struct matrix *factors, relax_forces *stress);
+
+/*
+ * What a bar has no unknowns for, where the moment differs from section to
+ * section: as estimate_dimension() with the deflection of a beam, at its
+ * largest and with shear, and 1 from P_cr on.  Of the force in the hand, with m
+ * and n of the hand alone, int m M / I and s^2 / 2 |n N| over int m^2 / I and
+ * n^2 / height, by which it moves its own side [eq:left-hand].
+ */
+double relax_dimension(const struct ladder_state *state);
 
 /* hand.K^-1 hand (J): what a hand of the full force would move by itself, times
  * that; NAN where there are no factors. */
@@ -95,7 +114,12 @@ double relax_inertia(const struct ladder_state *state,
 
 /*
  * part[MESH] and part[STRESS], K factored for both; of a plane model at rest
- * part[INERTIA] becomes relax_inertia(), if that is more.  A coarse mesh may be
+ * part[INERTIA] becomes relax_inertia(), if that is more.  A strain or a stress
+ * that is wrong in one corner may hardly move the body: of the cubic law
+ * part[LAW] becomes relax_law(), and of the linear one at rest part[GEOMETRY]
+ * relax_geometry(), where that is less, or for the force in the hand, which
+ * feels by how much a turn shortens a body; of a bar part[DIMENSION] becomes
+ * relax_dimension() where that is less, and the others 0.  A coarse mesh may be
  * so stiff that it hides how near the load is to buckling: pressed by P < P_cr
  * of ladder_buckles() a body has a STRESS of at least P / P_cr of what bends in
  * part[DIMENSION], but for the force in the hand.  These two parts are read.

@@ -615,49 +615,6 @@ static void quantities_are_measured(void)
     ladder_free(s);
 }
 
-/* The force in the hand: by a hand alone that moves a linear body, hand.u is
- * hand.K^-1 hand, and an answer off by a fiftieth is off by that; what the mesh
- * changes meets the error, which is an energy's.  Beside a weight that bends,
- * pressed or pulled, the part of a linear law is what the cubic one changes. */
-static void the_hand_has_a_force(void)
-{
-    const struct ladder_scene scene = {.slender = 4, .nu = 0.3,
-        .pull = {0.0, -0.02}, .quantity = LADDER_HAND};
-    struct ladder_state *s =
-        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
-    struct ladder_state *t =
-        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 3});
-    const double yields = ladder_measure(s, s->u);
-    const double part = moved(s, estimate_mesh);
-    close_to(relax_yields(s), yields, 1e-10 * yields);
-    close_to(part / ladder_error(s, t), 1.0, 0.3);
-    for (int r = 0; r < 2 * t->mesh->n_vertex; r++) t->u[r] *= 1.02;
-    close_to(ladder_error(t, t), 0.0, 1e-15);
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] *= 1.02;
-    struct ladder_state *once =
-        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
-    close_to(ladder_error(s, once), 0.02, 1e-9);
-    ladder_free(s);
-    ladder_free(t);
-    ladder_free(once);
-    static const double pull[] = {-5.0, -3.0, 2.0};
-    for (int k = 0; k < 3; k++) {
-        const struct ladder_scene two = {.slender = 4, .nu = 0.3,
-            .pull = {pull[k], 0.0}, .weight = {0.0, -0.4},
-            .quantity = LADDER_HAND};
-        double got[N_PART];
-        s = ladder_solve(&two, (struct ladder_model){LINEAR_PLANE, 0, 1});
-        t = ladder_solve(&two, (struct ladder_model){CUBIC_PLANE, 0, 1});
-        estimate_parts(s, got);
-        const double want = ladder_error(s, t);
-        ck_assert_msg(got[STRESS] > 0.9 * want && got[STRESS] < 1.5 * want,
-                      "pulled by %g: %g, the error %g", pull[k], got[STRESS],
-                      want);
-        ladder_free(s);
-        ladder_free(t);
-    }
-}
-
 /* A bar that hangs, u = x - x^2 / 2: Rayleigh's quotient is 2.5 (c / L)^2, the
  * mean over its modes 2.4706.  Two loads, of which the one along the axis has
  * the work and the other one the motion: the mean is far slower. */
@@ -826,7 +783,6 @@ static const struct unit_law laws[] = {
     {"a_mixture_swings_as_its_modes", a_mixture_swings_as_its_modes},
     {"a_stiff_mesh_hides_no_buckling", a_stiff_mesh_hides_no_buckling},
     {"quantities_are_measured", quantities_are_measured},
-    {"the_hand_has_a_force", the_hand_has_a_force},
     {"what_nobody_may_rely_on_is_named", what_nobody_may_rely_on_is_named},
 };
 

@@ -1,0 +1,141 @@
+/* relax.c - laws of common/choice/relax.h: the force in the hand, what a corner
+ * says and the body does not, and the beam beside a bar. */
+#include "choice/estimate.h"
+
+#include "unit.h"
+
+#include <math.h>
+
+/* What the forces move, as a part of the displacement. */
+static double moved(const struct ladder_state *s, relax_forces *forces)
+{
+    struct matrix *K = relax_factors(s);
+    const double part = relax_part(s, K, forces);
+    matrix_free(K);
+    return part;
+}
+
+/* The force in the hand: by a hand alone that moves a linear body, hand.u is
+ * hand.K^-1 hand, and an answer off by a fiftieth is off by that; what the mesh
+ * changes meets the error, which is an energy's.  Beside a weight that bends,
+ * pressed or pulled, the part of a linear law is what the cubic one changes. */
+static void the_hand_has_a_force(void)
+{
+    const struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+        .pull = {0.0, -0.02}, .quantity = LADDER_HAND};
+    struct ladder_state *s =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    struct ladder_state *t =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 3});
+    const double yields = ladder_measure(s, s->u);
+    const double part = moved(s, estimate_mesh);
+    close_to(relax_yields(s), yields, 1e-10 * yields);
+    close_to(part / ladder_error(s, t), 1.0, 0.3);
+    for (int r = 0; r < 2 * t->mesh->n_vertex; r++) t->u[r] *= 1.02;
+    close_to(ladder_error(t, t), 0.0, 1e-15);
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->u[r] *= 1.02;
+    struct ladder_state *once =
+        ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
+    close_to(ladder_error(s, once), 0.02, 1e-9);
+    ladder_free(s);
+    ladder_free(t);
+    ladder_free(once);
+    static const double pull[] = {-5.0, -3.0, 2.0};
+    for (int k = 0; k < 3; k++) {
+        const struct ladder_scene two = {.slender = 4, .nu = 0.3,
+            .pull = {pull[k], 0.0}, .weight = {0.0, -0.4},
+            .quantity = LADDER_HAND};
+        double got[N_PART];
+        s = ladder_solve(&two, (struct ladder_model){LINEAR_PLANE, 0, 1});
+        t = ladder_solve(&two, (struct ladder_model){CUBIC_PLANE, 0, 1});
+        estimate_parts(s, got);
+        const double want = ladder_error(s, t);
+        const double both = hypot(got[STRESS], got[GEOMETRY]);
+        ck_assert_msg(both > 0.75 * want && both < 1.5 * want,
+                      "pulled by %g: %g and %g, the error %g", pull[k],
+                      got[STRESS], got[GEOMETRY], want);
+        ladder_free(s);
+        ladder_free(t);
+    }
+}
+
+/* Pulled by a fifth of E, and bent: the logarithm changes what relax_law() says
+ * of the cubic law; held at both ends, the cubic law changes half of what the
+ * stress and the squares of H say of the linear one, whose signs differ.  Each
+ * corner says more. */
+static void a_corner_hardly_moves_a_body(void)
+{
+    static const struct ladder_scene scene[] = {
+        {.slender = 2, .nu = 0.1, .pull = {200.0, 0.0}, .weight = {0.0, -2.0}},
+        {.slender = 2, .nu = 0.1, .held = LADDER_ENDS, .push = {0.0, -60.0}}};
+    for (int k = 0; k < 2; k++) {
+        const struct ladder_model poor = {k ? LINEAR_PLANE : CUBIC_PLANE, 0, 1};
+        const struct ladder_model rich = {k ? CUBIC_PLANE : LOG_PLANE, 0, 1};
+        struct ladder_state *s = ladder_solve(&scene[k], poor);
+        struct ladder_state *t = ladder_solve(&scene[k], rich);
+        double part[N_PART];
+        estimate_parts(s, part);
+        const double want = ladder_error(s, t);
+        const double got = k ? hypot(part[STRESS], part[GEOMETRY]) : part[LAW];
+        const double corner = k ? estimate_geometry(s) : estimate_law(s);
+        ck_assert_msg(got > 0.75 * want && got < (k ? 2.3 : 1.3) * want,
+                      "case %d: %g, the error %g", k, got, want);
+        ck_assert_double_gt(corner, k ? 3.0 * want : 1.2 * want);
+        struct matrix *K = relax_factors(s);
+        for (int r = 0; r < 2 * s->mesh->n_vertex; r++)
+            s->u[r] *= -8.0; /* inside out, where there is no logarithm */
+        if (k == 0) close_to(relax_law(s, K), 1.0, 1e-15);
+        matrix_free(K);
+        ladder_free(s);
+        ladder_free(t);
+    }
+}
+
+/* A beam that is pulled and has a load across at its end and a couple, at last
+ * one that brings its end back: w = Q x^2 (3 L - x) / 6 - m x^2 / 2 and shear,
+ * in units of E' I; int n^2 / a, int m^2 / I and shear for the hand. */
+static void a_bar_knows_how_a_beam_bends(void)
+{
+    static const double couple[] = {0.0, -3.0, -1.28};
+    for (int k = 0; k < 3; k++) {
+        struct ladder_scene scene = {.slender = 4, .nu = 0.3,
+            .pull = {1.0, -0.02}, .couple = couple[k]};
+        struct ladder_state *s =
+            ladder_solve(&scene, (struct ladder_model){BAR, 0, 0});
+        const double L = 2.0, a = 0.5, I = pow(a, 3) / 12.0, N = a;
+        const double Q = -0.02 * a, m = couple[k] * I;
+        const double shear = 1.2 * 2.0 / (1.0 - 0.3) / a;
+        const double more = 1.0 / (1.0 + N / ladder_buckles(&scene));
+        double across = 0.0, part[N_PART];
+        for (int i = 0; i <= s->mesh->n; i++) {
+            const double x = L * i / s->mesh->n;
+            const double w =
+                (Q * x * x * (3.0 * L - x) / 6.0 - m * x * x / 2.0) / I;
+            const double turn = (Q * x * (L - x / 2.0) - m * x) / I;
+            across = fmax(across, hypot(w + shear * Q * x, 0.5 * a * turn));
+        }
+        const double missed = 9.0 / 49.0 * N / 2.0;
+        close_to(relax_dimension(s), (more * across + missed) /
+                 (more * across + N * L / a), 1e-3);
+        scene.quantity = LADDER_HAND;
+        const double bends = (Q * Q * pow(L, 3) / 3.0 - Q * m * L * L +
+                              m * m * L) / I + shear * Q * Q * L;
+        const double want = (more * bends + missed * N) / (bends + N * N * 4.0);
+        close_to(relax_dimension(s), want, 1e-2 * want);
+        estimate_parts(s, part);
+        close_to(part[DIMENSION], fmin(want, estimate_dimension(s)),
+                 1e-2 * want);
+        ck_assert(part[MESH] == 0.0 && part[STRESS] == 0.0);
+        for (int r = 0; r < 2 * s->mesh->n_vertex; r++) s->f[r] *= -20.0;
+        close_to(relax_dimension(s), 1.0, 1e-15); /* it buckles */
+        ladder_free(s);
+    }
+}
+
+static const struct unit_law laws[] = {
+    {"the_hand_has_a_force", the_hand_has_a_force},
+    {"a_corner_hardly_moves_a_body", a_corner_hardly_moves_a_body},
+    {"a_bar_knows_how_a_beam_bends", a_bar_knows_how_a_beam_bends},
+};
+
+UNIT_MAIN("relax", laws)
