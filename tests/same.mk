@@ -18,7 +18,7 @@ anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call 
                  same_digits,$(ALL_NATIVE)),$(ALL_NATIVE) -DVEC_WIDTH=8), \
                  -DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang
-$(T)/clang/%: override CFLAGS := -O1
+$(T)/clang/%: override CFLAGS := -O2
 
 RUNS := $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
 # $(call same_rules,BUILD,folder of all other objects)
