@@ -240,8 +240,10 @@ int main(int argc, char *argv[])
         enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
                                   asked.error, t->part, &t->estimate,
                                   &t->add);
-        more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried) &&
-               ladder_add(scene, t->add, &model);
+        more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried);
+        if (more && !ladder_add(scene, t->add, &model)) /* no finer mesh, but */
+            more = !model.moving && t->doubt == NO_DOUBT && /* triangles */
+                   ladder_add(scene, GEOMETRY, &model);
         if (!more) enough = end(&file, &asked, s, tried, n, enough, start);
         ladder_free(s);
     }
