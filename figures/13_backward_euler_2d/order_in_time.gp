@@ -1,21 +1,26 @@
-# order_in_time.gp - order one in time, with the measured order.
-# Reads   data  table orders_time
+# order_in_time.gp - the error in time over what it costs, with the measured order,
+# and the error of the mesh itself, which a shorter step does not mend.
+# Reads   data  tables orders_time, in_space
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 560,440
+set terminal svg size 640,400
 set output out
 stats data index "orders_time" using "order" nooutput name "T"
-stats data index "orders_time" using "constant" nooutput name "C"
-set margins screen 0.137, screen 0.976, screen 0.13, screen 0.87
-set key above left maxrows 4 samplen 2
+stats data index "in_space" using "error" nooutput name "MESH"
+stats data index "orders_time" using "systems":"error" nooutput name "LAST"
+set margins screen 0.125, screen 0.975, screen 0.14, screen 0.96
+unset key
 set logscale xy
 set format y "10^{%T}"
-set xlabel "Δt (s)"
-set ylabel "max |u - u_{limit}| (m)"
-set xrange [6e-4:1.6e-2]
+set xlabel "linear systems in all"
+set ylabel "max |u - u_{limit}| after 0.05 s (m)"
+set xrange [13:240]
 set yrange [5e-4:3e-2]
-set xtics (0.001, 0.002, 0.005, 0.01)
+set xtics (16, 24, 48, 96, 192)
 set datafile missing "-"
-plot C_max * x ls 8 title sprintf("%.3f Δt, expected slope 1", C_max), \
-     data index "orders_time" using "dt":"error" with linespoints ls 1 \
-         title sprintf("error at t = 0.05 s, order %.2f", T_max)
+set label 1 sprintf("error in time: order %.2f in Δt", T_max) at 58, 3.4e-3 tc ls 1
+set label 2 "error of the mesh, n = 4" at 225, 1.12 * MESH_min right
+set label 3 "dashed: slope -1" at 88, 1.6e-3 right
+plot LAST_min_y * LAST_max_x / x ls 8, \
+     MESH_min with lines lw 2.5 lc rgb "#999999", \
+     data index "orders_time" using "systems":"error" with linespoints ls 1

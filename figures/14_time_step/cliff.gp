@@ -19,11 +19,14 @@ set xrange [0:300]
 set yrange [0.3:2e8]
 set xlabel "steps"
 set ylabel "energy over energy at the start"
-plot data index "cliff_above" using "k":"energy" with lines ls 2 \
-         title "1.01 of the critical step", \
-     E_last * growth**(x - k_last) with lines ls 8 \
-         title sprintf("expected: times %.3f per step", growth), \
-     data index "cliff_below" using "k":"energy" with lines ls 1 \
-         title "0.99 of the critical step", \
-     1.99 / 0.01 with lines ls 8 dt 4 title "bound at 0.99"
+unset key
+set label 1 "1 % above the critical step" at 28, 1.2e6 textcolor ls 2
+set label 2 sprintf("dashed: times %.3f per step, expected", growth) \
+    at 28, 1.2e5
+set label 3 "1 % below" at 295, 0.45 right textcolor ls 1
+set label 4 "its bound" at 295, 450 right
+plot data index "cliff_above" using "k":"energy" with lines ls 2, \
+     E_last * growth**(x - k_last) with lines ls 8, \
+     data index "cliff_below" using "k":"energy" with lines ls 1, \
+     1.99 / 0.01 with lines ls 8 dt 4
 set output

@@ -21,7 +21,7 @@ unset tics
 unset border
 unset grid
 unset key
-set label 1 "e = 0.05, a dot for each triangle; orange: it has a negative eigenvalue" \
+set label 1 "e = 0.05, a dot for each triangle; orange: a negative eigenvalue; blue: none" \
     at graph 0.5, 0.06 center
 plot data index "shape" using (strcol("negative") eq "yes" ? \
          (column("x0") + column("x1") + column("x2")) / 3 : NaN): \

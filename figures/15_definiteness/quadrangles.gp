@@ -15,13 +15,11 @@ unset tics
 unset border
 unset grid
 unset key
-set label 11 "■" at screen 0.11, 0.06 textcolor rgb "#CCCCCC"
+set label 11 "■" at screen 0.38, 0.06 textcolor rgb "#CCCCCC"
 set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", ONE_max, TWO_max) \
-    at screen 0.135, 0.06
-set arrow 1 from screen 0.42, 0.06 to screen 0.46, 0.06 nohead ls 1
-set label 13 "moved along the mode" at screen 0.47, 0.06
-set arrow 2 from screen 0.68, 0.06 to screen 0.72, 0.06 nohead ls 2 dt (6,3)
-set label 14 "and against it" at screen 0.73, 0.06
+    at screen 0.405, 0.06
+set label 13 "moved along it" at -0.14, -0.87 right font ",12" tc ls 1
+set label 14 "and against it" at 0.02, -0.87 font ",12" tc ls 2
 set multiplot layout 1,4 margins 0.02,0.98,0.13,0.86 spacing 0.02,0
 do for [k = 1:4] {
     m = word("twist flip scale_low scale_high", k)
@@ -35,7 +33,5 @@ do for [k = 1:4] {
          data index m using "x_plus":"y_plus" with lines ls 1, \
          data index m using "x_minus":"y_minus" with lines ls 2 dt (6,3)
     do for [i = 11:14] { unset label i }
-    unset arrow 1
-    unset arrow 2
 }
 unset multiplot

@@ -89,9 +89,9 @@ set tics nomirror textcolor rgb "black"
 set grid back ls 9
 set lmargin at screen 0.56
 set rmargin at screen 0.98
-set tmargin at screen 0.83
+set tmargin at screen 0.92
 set bmargin at screen 0.17
-set key at screen 0.53, screen 0.985 left top vertical maxrows 3 reverse Left
+unset key
 # three bars for each law, the worse its error the further to the right
 set xrange [-0.6:2.6]
 set yrange [0:112]
@@ -102,8 +102,6 @@ set xlabel "law; its stress error at a stretch of 1.1" offset 0,-0.8
 set ylabel "scrambled squares that come back (%)"
 array N[3] = [4, 2, 4]
 array Boundary[3] = ["held", "free", "free"]
-array Title[3] = ["n = 4, boundary held", "n = 2, all vertices scrambled", \
-    "n = 4, all vertices scrambled"]
 array Style[3] = [3, 1, 2]
 array Colour[3] = ["#009E73", "#0072B2", "#D55E00"]
 place(k) = (stringcolumn("law") eq "extended" ? 0 : \
@@ -113,10 +111,13 @@ rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
 unsure(k) = column("standard_error")
 set style fill solid 0.85 border
 set boxwidth 0.22
+set label 2 "n = 4, boundary held" at -0.26, 5 rotate by 90 front tc rgb "white"
+set label 3 "n = 2, all scrambled" at 0, 5 rotate by 90 front tc rgb "white"
+set label 4 "n = 4, all" at 0.26, 48 rotate by 90 tc rgb Colour[3]
 set label 1 "above a bar: iterations, the median" at graph 0.99, graph 1.03 \
     right font ",12"
 plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
-         with boxes ls Style[k] title Title[k], \
+         with boxes ls Style[k], \
      for [k = 1:3] data index "scramble" using (place(k)): \
          (rate(k) - unsure(k)):(0):(2 * unsure(k)) with vectors heads \
          size graph 0.012,90 lw 1.5 lc rgb "black" notitle, \

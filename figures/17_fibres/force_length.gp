@@ -38,7 +38,7 @@ set yrange [0.71:1.005]
 set ytics 0.05
 array Row[3] = ["linear cord", "linear muscle", "cubic cord"]
 array Says[3] = ["linear, cord", "linear, muscle", "cubic law, cord"]
-array Colour[3] = ["#000000", "#000000", "#D55E00"]
+array Colour[3] = ["#000000", "#0072B2", "#CC79A7"]
 do for [i = 1:3] {
     set object i circle at limit(Row[i]), height(Row[i]) size 0.009 \
         fc rgb Colour[i] fs solid noborder front
@@ -47,11 +47,11 @@ do for [i = 1:3] {
         tc rgb Colour[i]
 }
 set label 11 "cubic law, muscle" at 1.03, 0.807 tc ls 2
-set label 12 "cubic law, cord" at 1.03, 0.790 tc ls 2
-set label 13 "linear, muscle" at 1.03, 0.769
+set label 12 "cubic law, cord" at 1.03, 0.790 tc ls 4
+set label 13 "linear, muscle" at 1.03, 0.769 tc ls 1
 set label 14 "linear, cord" at 1.03, 0.727
 plot data index "length" using "activation":"cubic_muscle" with lines ls 2, \
-     "" index "length" using "activation":"cubic_cord" with lines ls 2 dt 4, \
-     "" index "length" using "activation":"linear_muscle" with lines ls 8 lw 1.5, \
+     "" index "length" using "activation":"cubic_cord" with lines ls 4 dt 4, \
+     "" index "length" using "activation":"linear_muscle" with lines ls 1, \
      "" index "length" using "activation":"linear_cord" with lines ls 8 lw 1.5 dt 4
 unset multiplot

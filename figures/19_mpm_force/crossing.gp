@@ -21,6 +21,8 @@ set bmargin at screen 0.14
 set tmargin at screen 0.93
 unset key
 set label 1 "linear kernel" at 0.62, 1.2 right tc ls 1
+set label 2 "quadratic" at 0.105, 0.028 tc ls 2
+set label 3 "cubic" at 0.7, 7e-3 center tc ls 3
 set label 4 "grey: predicted" at 1.3, 2e-5 right font ",12"
 of(s, column_) = column("order") == s ? column(column_) : NaN
 plot for [s = 2:3] data index "spacing" using "s":(of(s, "predicted")) \

@@ -13,16 +13,16 @@ set xtics 0.5
 set ytics 0.5
 set xlabel "x (m)"
 set ylabel "y (m)"
-set key above left maxrows 2 samplen 2
+unset key
+set label 1 "with respect to x, as printed" at 1.04, 1.43 right tc ls 2
+set label 2 "of P with respect to X" at 0.46, 0.13 tc ls 1
+set label 3 "dashed: J times that of σ\nwith respect to x" at 0.54, 0.03
 k = 0.0004
 plot data index "square" every 2 using "x":"y":(k*column("div_x_1")):(k*column("div_x_2")) \
-         with vectors head filled size 0.022,20 ls 2 \
-         title "with respect to x, as printed", \
+         with vectors head filled size 0.022,20 ls 2, \
      data index "square" every 2 using "x":"y":(k*column("Div_X_1")):(k*column("Div_X_2")) \
-         with vectors head filled size 0.022,20 ls 1 lw 3 \
-         title "of P with respect to X", \
+         with vectors head filled size 0.022,20 ls 1 lw 3, \
      data index "square" every 2 using "x":"y":(k*column("J_div_1")):(k*column("J_div_2")) \
-         with vectors nohead ls 8 lw 1.5 \
-         title "J times that of σ with respect to x", \
+         with vectors nohead ls 8 lw 1.5, \
      data index "square" every 2 using "x":"y" with points ls 9 lc rgb "black" pt 7 \
-         ps 0.4 notitle
+         ps 0.4

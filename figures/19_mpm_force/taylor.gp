@@ -11,9 +11,12 @@ set logscale xy
 set format xy "10^{%T}"
 set xlabel "size t of the move"
 set ylabel "what is left"
+unset key
+set label 1 "force" at 0.02, 6e-3 right tc ls 2
+set label 2 "energy" at 0.075, 1.3e-2 tc ls 1
+set label 3 "slope 2" at 0.012, 4e-5
 plot for [what in "energy force"] reference index "taylor" using "t":what \
          with lines lw 7 lc rgb "#DDDDDD" notitle, \
-     data index "taylor" using "t":"energy" with linespoints ls 1 \
-         title "energy", \
-     "" index "taylor" using "t":"force" with linespoints ls 2 title "force", \
-     [0.004:0.25] 0.5 * x**2 with lines ls 8 title "slope 2"
+     data index "taylor" using "t":"energy" with linespoints ls 1, \
+     "" index "taylor" using "t":"force" with linespoints ls 2, \
+     [0.004:0.25] 0.5 * x**2 with lines ls 8

@@ -19,10 +19,7 @@ set lmargin at screen 0.085
 set rmargin at screen 0.45
 set title "one grid: all the load in one step"
 set label 1 "finite\nelements" at 15, 1.6e-4
-set label 2 "nodes held:" at 36, 9e-2
-set label 3 "order 1" at 36, 5.5e-2
-set label 4 "cubic" at 560, 5.5e-3 tc ls 3
-set label 5 "quadratic" at 430, 3.2e-3 tc ls 2
+set label 2 "nodes held: order 1" at 120, 6e-2 tc rgb "#777777"
 set label 6 "mirror: order 2" at 130, 2.6e-4
 set label 7 "linear" at 205, 1.1e-5 right tc ls 1
 set label 8 "quadratic" at 340, 6.5e-6 right tc ls 2
@@ -31,7 +28,7 @@ plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
      for [p = 1:3] data index "once" every ::4*(p-1)::4*p-1 \
          using "work":"error" with linespoints ls p, \
      for [p = 2:3] data index "once" every ::12+4*(p-2)::12+4*(p-2)+3 \
-         using "work":"error" with linespoints ls p dt 3
+         using "work":"error" with linespoints ls p dt 3 lc rgb "#999999"
 unset label
 unset ylabel
 set format y ""

@@ -17,7 +17,7 @@ set rmargin 20
 set label 1 "an implicit step of 1/30 s costs as much as 3 to 4 explicit ones" \
     at 1e-6, 18 tc rgb "#555555"
 set label 2 "2 √ε" at 2.2e-5, 1.9e-2 right
-set label 3 "linear: as small\nas the distance\nallows" at 5e-4, 1.2e-2 tc ls 1
+set label 3 "linear: falls\nto 0 like √ε" at 5e-4, 1.2e-2 tc ls 1
 set label 4 "quadratic" at 0.45, 1.0 tc ls 2
 set label 5 "cubic kernel" at 0.45, 2.0 tc ls 3
 set label 6 "dotted: with FLIP" at 0.45, 0.35

@@ -18,6 +18,7 @@ of(k) = strcol("solver") eq Solver[int(k)] ? column("n") : NaN
 set multiplot layout 1,2 margins 0.07,0.82,0.175,0.965 spacing 0.085,0
 unset key
 set label 2 "slope 4" at 75, 1.2
+if (has("gsl_dense")) { set label 3 Name[1] at 35, 1.1e3 tc ls Style[1] }
 set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set xtics (16, 32, 64, 128)
@@ -30,20 +31,16 @@ plot for [k in there] data index "band" using (of(k)):"milliseconds" \
          with linespoints ls Style[int(k)], \
      8e-8 * x**4 with lines ls 8
 unset label
-array Height[4] = [7.0, 0.0, 0.0, 0.0] # the last point of the others
+# the last point of each but the full matrix
 do for [k in there] {
     i = int(k)
     if (i > 1) {
         stats data index "band" using (strcol("solver") eq Solver[i] && \
             column("n") == 128 ? column("gigaflop_per_second") : NaN) \
             nooutput name "last"
-        Height[i] = last_max
+        color = Style[i]
+        set label i Name[i] at 158, last_max tc ls color
     }
-}
-do for [k in there] {
-    i = int(k)
-    color = Style[i]
-    set label i Name[i] at (i == 1 ? 17 : 158), Height[i] tc ls color
 }
 stats data index "peak" using "gigaflop_per_second" nooutput name "peak"
 set label 5 "limit of the core" at 158, peak_max
