@@ -7,22 +7,26 @@ load "figures/style.gp"
 set terminal svg size 640,400
 set output out
 array Column[5] = ["readable", "projected", "both", "residual", "clear"]
-array Name[5] = ["readable: dP/dF in six directions", \
-                 "closed form, eigenvalues clamped", \
-                 "closed form, residual and tangent", "residual alone", \
-                 "zeros into the band"]
+array Name[5] = ["readable", "closed form, clamped", \
+                 "closed form", "residual alone", "zeros into the band"]
 array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#999999"]
-set key above left vertical maxrows 3 reverse Left samplen 1.5
+unset key
 set label 1 machine(data) at screen 0.01,0.03 left font ",10"
 set bmargin 4.5
 set style fill solid 0.9 noborder
 set boxwidth 0.15
 set grid noxtics
 set xrange [-0.5:2.5]
-set yrange [0:*]
+do for [k = 1:5] { # the name of a bar of the first group, on the bar
+    stats data index "assembly" using (column(Column[k])) every ::0::0 nooutput
+    set label k + 1 Name[k] at 0.17 * (k - 3), STATS_max + 12 rotate by 90 \
+        tc rgb Colour[k]
+}
+stats data index "assembly" using "readable" nooutput
+set yrange [0:1.45 * STATS_max]
 set xtics ("16" 0, "32" 1, "64" 2)
 set xlabel "squares per side n"
 set ylabel "time per element (ns)"
 plot for [k = 1:5] data index "assembly" \
          using ($0 + 0.17 * (k - 3)):(column(Column[k])) with boxes \
-         lc rgb Colour[k] title Name[k]
+         lc rgb Colour[k]
