@@ -51,8 +51,8 @@ set label 1 "φ' < 0" at 0.5, 0.93 center font ",12"
 set label 2 "φ = sin 2πX" at 0.04, -0.9
 set label 3 "J > 0" at 0.1, 0.35 tc ls 1
 set label 4 "J < 0" at 0.55, 0.1 tc ls 2
-set label 5 "J = 0" at 0.25, 1.04 center tc ls 3
-set label 6 "J = 0" at 0.75, -1.04 center tc ls 3
+set label 5 "J = 0" at 0.25, 0.80 center tc ls 3
+set label 6 "J = 0" at 0.75, -0.80 center tc ls 3
 plot data index "bar" using "X0":(sine(column("X0"))): \
          (column("X1") - column("X0")): \
          (rise(sine(column("X1")) - sine(column("X0")), \

@@ -88,7 +88,7 @@ set rmargin at screen 0.995
 set xrange [-1.45:1.45]
 set yrange [-0.4:2.5]
 set xlabel "x (m)"
-unset ylabel
+set ylabel "y (m)" offset 2
 set label 1 "J > 0, and covered twice" at graph 0, graph 1.05
 plot polygons("strip", 3, "$1 > 0 && $2 <= 1") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \

@@ -30,7 +30,7 @@ unset key
 set label 2 "cubic law" at 4.9, 2.25 right
 set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
 set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
-set label 5 sprintf("%.7f:\ntouches 0", nu_cubic) at 2.35, -0.15 left tc rgb Cubic[3]
+set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 2.35, -0.15 left tc rgb Cubic[3]
 set label 6 "0.02" at 4.55, 0.6 tc rgb Cubic[4]
 set lmargin at screen 0.09
 set rmargin at screen 0.49
@@ -48,7 +48,7 @@ plot data index "tangent_cubic" using "F":"nu_03" with lines lw 2 lc rgb Cubic[1
 set label 2 "log law" at 31, 0.308 right
 set label 3 "ν = 0.3" at 16, 0.27 left tc rgb Log[1]
 set label 4 "0.45" at 16, 0.072 left tc rgb Log[2]
-set label 5 sprintf("%.7f: touches 0", nu_log) at 5.2, 0.033 left tc rgb Log[3]
+set label 5 sprintf("%.3f: touches 0", nu_log) at 5.2, 0.033 left tc rgb Log[3]
 set label 6 "0.499" at 6, -0.033 left tc rgb Log[4]
 set lmargin at screen 0.59
 set rmargin at screen 0.985

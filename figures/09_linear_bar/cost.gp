@@ -20,9 +20,9 @@ load_of(l) = system(sprintf( \
     "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
      { if (on++ == %d + 1) { print $1; exit } }' '%s'", l, data)) + 0.0
 set label 1 "linear bar" at 1, 4 center
-set label 4 sprintf("%+g N/m³", load_of(1)) at 2.38, 3e-11 right tc ls 1
-set label 5 sprintf("%+g N/m³", load_of(2)) at 3.22, 3e-11 right tc ls 2
-set label 6 sprintf("%+g N/m³", load_of(3)) at 4.1, 3e-11 right tc ls 3
+set label 4 sprintf("%+g N/m³", load_of(1)) at 2.2, 3e-8 left tc ls 1
+set label 5 sprintf("%+g N/m³", load_of(2)) at 3.2, 1.5e-8 left tc ls 2
+set label 6 sprintf("%+g N/m³", load_of(3)) at 4.15, 1e-7 left tc ls 3
 set label 7 "full: hanging (+)\ndashed: standing (-),\nas much force" at 5.65, 1e-5
 set arrow 1 from 0.6, 0.01 to 5.6, 0.01 nohead ls 8
 set label 3 "1 %" at 5.55, 0.03 right

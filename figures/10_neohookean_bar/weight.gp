@@ -22,7 +22,7 @@ set xlabel "body force c (N/m³)"
 set ylabel "displacement u(1) of the free end (m)"
 set xrange [-4200:3100]
 set yrange [-1.6:1.8]
-set xtics 1000
+set xtics 2000
 set label 1 "standing" at -3900,1.55
 set label 2 "hanging" at 250,-1.35
 set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.12 tc ls 1

@@ -26,7 +26,7 @@ do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
     set ylabel (left ? "residual max |q_i| (N/m)" : "")
-    set label 2 (left ? "column for row" : "column for row: not in 40 iterations") \
+    set label 2 (left ? "column for row" : "column for row: no end in 40") \
         at (left ? 7.8 : 2.8), (left ? 5e-6 : 0.15) tc ls 2
     plot for [i = 1:4] data index "slip_history" \
         using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i)
