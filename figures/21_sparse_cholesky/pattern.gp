@@ -3,7 +3,7 @@
 #               what), counts
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,370
+set terminal svg size 700,820
 set output out
 blocks(k) = system(sprintf("awk -F'\t' '/^# counts/ { on = NR } \
     on && NR == on + 2 + %d { print $2 \" blocks, \" $3 \" of them fill\" }' \
@@ -17,15 +17,16 @@ unset border
 unset tics
 unset key
 set size ratio -1
-set multiplot layout 1,3 margins 0.01,0.99,0.05,0.83 spacing 0.02,0
+set multiplot
 ink(depth) = depth == 1 || depth == 2 || depth == 5 ? 0x000000 : 0xFFFFFF
 set title "Dissection: the place of every vertex,\none colour for each depth of cut"
+set margins screen 0.2, screen 0.8, screen 0.46, screen 0.93
 set xrange [0.3:11.7]
 set yrange [-0.7:12.7]
-plot data index "grid" using "i":"j":"depth" with points pt 7 ps 1.75 \
+plot data index "grid" using "i":"j":"depth" with points pt 7 ps 2.4 \
          lc palette, \
      data index "grid" using "i":"j":(sprintf("%d", column("place"))): \
-         (ink(column("depth"))) with labels font ",9" tc rgb variable
+         (ink(column("depth"))) with labels font ",12" tc rgb variable
 set border 15 ls 9
 set xrange [-3:145]
 set yrange [145:-3]
@@ -39,10 +40,12 @@ runs(table, what) = sprintf("< awk -F'\t' '$0 == \"# %s\" { on = 1 } \
 set style fill solid noborder
 set datafile separator whitespace
 set datafile nocolumnheaders
+set margins screen 0.01, screen 0.485, screen 0.01, screen 0.375
 set title "L, numbered row by row:\n".blocks(0)
 plot for [k = 1:2] runs("rows", word("fill entry", k)) \
          using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \
          lc rgb word("#D55E00 #0072B2", k)
+set margins screen 0.515, screen 0.99, screen 0.01, screen 0.375
 set title "L, numbered by dissection:\n".blocks(1)
 plot for [k = 1:2] runs("dissection", word("fill entry", k)) \
          using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \

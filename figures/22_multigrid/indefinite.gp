@@ -9,10 +9,9 @@ set output out
 set datafile missing "-"
 stats data index "limits" using "squeeze" every ::0::0 nooutput name "E"
 array Name[3] = ["rough", "middle", "fine"]
-array Text[3] = ["to 10^{-1}", "to 10^{-4}", "to 10^{-10}"]
 ends(k, word) = strcol(Name[k]) eq word ? column(Name[k]."_iterations") : NaN
 
-set multiplot layout 1,2 margins 0.1,0.985,0.145,0.86 spacing 0.085,0
+set multiplot layout 1,2 margins 0.1,0.985,0.145,0.96 spacing 0.085,0
 set xrange [0.56:0.68]
 set xtics 0.56, 0.03, 0.68
 set xlabel "squeeze of the body"
@@ -28,15 +27,17 @@ plot data index "squeeze" using "squeeze":"least" with lines ls 1 lw 3
 unset label 1
 unset label 2
 unset arrow 2
-set key above left maxrows 2 reverse Left samplen 2
+set label 4 "to 10^{-1}" at 0.5625,16.5 tc ls 1
+set label 5 "to 10^{-4}" at 0.5625,41 tc ls 2
+set label 6 "to 10^{-10}" at 0.5625,63.5 tc ls 3
+set label 7 "NOT\\_SPD, all three" at 0.678,12.5 right
 set yrange [0:70]
 set ylabel "iterations of CG"
 set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"
 set label 3 "CG to 10^{-1}  solves\nwhat is indefinite" at 0.632,34 font ",11"
 set arrow 3 from 0.631,31 to 0.6125,18.5 size 0.002,20 lw 0.8
 plot for [k = 1:3] data index "squeeze" using "squeeze":(ends(k, "OK")) \
-         with lines ls k lw 3 title Text[k], \
+         with lines ls k lw 3, \
      for [k = 1:3] "" index "squeeze" using "squeeze":(ends(k, "NOT_SPD")) \
-         with points ls k pt 2 ps 0.5 lw 1.2 notitle, \
-     NaN with points pt 2 ps 0.7 lw 1.5 lc rgb "black" title "NOT\\_SPD"
+         with points pt 2 ps 0.5 lw 1.2 lc rgb "black"
 unset multiplot

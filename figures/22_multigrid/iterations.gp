@@ -38,10 +38,10 @@ set label 4 "incomplete\nCholesky" at 72, 130 tc ls 4
 set label 5 "Jacobi" at 72, 440 tc ls 5
 set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.95 \
     font ",11"
-set label 2 "slope 1" at 190,120 font ",11"
+set label 2 "slope 1" at 200,120 font ",11"
 plot for [k = 1:3] data index "iterations" using "n":Name[k] \
          with linespoints ls Style[k], \
      for [k = 1:3] "" index "iterations" using "n":Name[k]."_rough" \
          with linespoints ls Style[k] dt 2, \
-     [90:230] 0.75 * x with lines ls 8
+     [128:250] 0.75 * x with lines ls 8
 unset multiplot

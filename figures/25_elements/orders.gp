@@ -1,5 +1,5 @@
 # orders.gp - the error of linear and quadratic triangles at the vertices, even
-# and graded, against n, with the predicted orders.
+# and graded, against n; dashed, in its colour, the order predicted of each.
 # Expected: slopes 2 min(k, p m), p of the corner.
 # Reads   data  tables error, orders
 # Writes  out   SVG
@@ -7,12 +7,14 @@ load "figures/style.gp"
 set terminal svg size 640,400
 set output out
 unset key
-set label 1 "linear" at 10, 0.055 tc ls 2
-set label 2 "linear, m = 1.5" at 125, 2.6e-4 right tc ls 5
-set label 3 "quadratic" at 34, 7.5e-4 tc ls 1
-set label 4 "quadratic, m = 1.5" at 34, 1.7e-4 tc ls 6
-set label 5 "quadratic, m = 2" at 34, 7.5e-5 tc ls 3
-set label 6 "dashed: orders 1.42, 2.13, 2.84" at 150, 0.25 right
+set label 1 "linear, 1.42" at 150, 3.2e-3 right tc ls 2
+set label 2 "linear, m = 1.5, 2.00" at 115, 3.0e-4 right tc ls 5
+set label 3 "quadratic, 1.42" at 34, 7.0e-4 tc ls 1
+set label 4 "quadratic, m = 1.5, 2.13" at 34, 1.8e-4 tc ls 6
+set label 5 "quadratic, m = 2, 2.84" at 34, 6.8e-5 tc ls 3
+set label 6 "dashed, and the number: the predicted order" at 150, 0.25 right
+# through a point a little beside the last one of a curve, with its order
+by(x, n, error, order) = error * (x / n)**-order
 of(name, grading) = strcol("element") eq name && column("m") == grading \
                     ? column("error") : NaN
 set datafile missing "-"
@@ -28,7 +30,8 @@ plot data index "error" using "n":(of("linear", 1)) with linespoints ls 2, \
      "" index "error" using "n":(of("quadratic", 1)) with linespoints ls 1, \
      "" index "error" using "n":(of("quadratic", 1.5)) with linespoints ls 6, \
      "" index "error" using "n":(of("quadratic", 2)) with linespoints ls 3, \
-     [16:128] 1.35 * x**-1.42 with lines ls 8, \
-     [8:32] 0.075 * x**-1.42 with lines ls 8, \
-     [8:32] 0.25 * x**-2.13 with lines ls 8, \
-     [8:32] 0.95 * x**-2.84 with lines ls 8
+     [16:128] by(x, 128, 1.15e-3, 1.42) with lines ls 2 lw 1.2 dt 2, \
+     [32:128] by(x, 128, 3.2e-4, 2.00) with lines ls 5 lw 1.2 dt 2, \
+     [8:32] by(x, 32, 6.8e-4, 1.42) with lines ls 1 lw 1.2 dt 2, \
+     [8:32] by(x, 32, 1.76e-4, 2.13) with lines ls 6 lw 1.2 dt 2, \
+     [8:32] by(x, 32, 6.4e-5, 2.84) with lines ls 3 lw 1.2 dt 2

@@ -21,7 +21,7 @@ set yrange [0:20]
 set ylabel "iterations per linear system" offset 1
 set label 1 "geometric multigrid" at 66,5.4 tc ls 6
 set label 2 "algebraic, with\nrigid motions" at 262,10 tc ls 3
-set label 3 "algebraic,\nwithout them" at 262,15.3 tc ls 2
+set label 3 "algebraic, without\nrigid motions" at 262,15.3 tc ls 2
 plot data index "runs" using "n":(first_steps("geometric", 1)) \
          with linespoints ls 6, \
      "" index "runs" using "n":(first_steps("rigid_modes", 1)) \

@@ -8,9 +8,6 @@ set terminal svg size 860,620
 set output out
 array Name[5] = ["path_notes", "path_demand", "path_always", \
     "path_log_notes", "path_log_halved"]
-array Title[5] = ["cubic, notes' Newton", "cubic, on demand", \
-    "cubic, always projecting", "log, notes' Newton", \
-    "log, all cures, halved steps"]
 array Style[5] = [2, 3, 4, 1, 6]
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
 lost(value) = strcol("reason") ne "OK" ? value : NaN
@@ -19,31 +16,39 @@ set lmargin at screen 0.09
 set rmargin at screen 0.985
 set xrange [0:2.02]
 set arrow 1 from pi / 2, graph 0 to pi / 2, graph 1 nohead ls 8
-set tmargin at screen 0.86
-set bmargin at screen 0.50
-set key at screen 0.09, screen 0.985 left top horizontal maxrows 3 samplen 2
+set tmargin at screen 0.97
+set bmargin at screen 0.54
+unset key
+set label 2 "cubic, always projecting" at 0.45, 75 right tc ls 4
+set label 3 "cubic, on demand" at 1.65, 2.8 tc ls 3
+set label 4 "log, all cures,\nhalved steps" at 1.34, 420 right tc ls 6
+set label 5 "log, notes' Newton" at 0.575, 1300 right tc ls 1
+set label 6 "cubic, notes' Newton" at 0.795, 1300 tc ls 2
 set logscale y
 set yrange [2:2000]
 set format x ""
-set label 1 "failed" at 0.03, 1300 textcolor rgb "#555555"
+set label 1 "failed:" at 0.03, 1300 textcolor rgb "#555555"
 set ylabel "linear systems per step"
 plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
-         with linespoints ls Style[k] title Title[k], \
+         with linespoints ls Style[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(1300)) \
          with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
 #0072B2 #56B4E9", k) notitle
-unset key
-unset label 1
+do for [i = 1:6] { unset label i }
 unset logscale y
-set tmargin at screen 0.46
+set tmargin at screen 0.50
 set bmargin at screen 0.10
 set format x "%g"
 set xlabel "t (s); the ends have moved by sin t each and meet at π/2"
 set ylabel "least J after the step"
 set yrange [-0.12:1.02]
 set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
+set label 7 "log, all cures, halved steps" at 0.8, 0.27 tc ls 6
+set label 8 "cubic, both ways of projecting" at 1.62, 0.21 center tc ls 4
+set label 9 "cubic, notes' Newton" at 0.71, -0.08 right tc ls 2
+set label 10 "log, notes' Newton" at 0.62, 0.40 tc ls 1
 plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
-         with linespoints ls Style[k] title Title[k], \
+         with linespoints ls Style[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \
          with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
 #0072B2 #56B4E9", k) notitle

@@ -10,12 +10,13 @@ set output out
 limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
-# n where the number of iterations is another one than one step before; of those
-# from 10 on 12, 16 and 20
+# n where the number of iterations is another one than one step before, and no line
+# is near; of those from 10 on 12, 16 and 20
 was = row = 0
 changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
     was = k, row = column("n"), \
-    new && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
+    over = sin(column("dt")) * column("n") / 2, \
+    new && (over < 0.72 || over > 1.12) && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
 array Limit[2] = [limit("boundary_step", 2), limit("boundary_step", 3)]
 set logscale xy
 set xrange [0.0018:1.15]
@@ -30,8 +31,8 @@ set label 11 "converged; iterations where they change" at screen 0.09, 0.975 \
     point pt 5 ps 1.4 lc rgb "#9CC6E3" offset 1, 0
 set label 12 "blows up or wanders" at screen 0.395, 0.975 point pt 2 ps 0.8 \
     lw 1.5 lc rgb "#D55E00" offset 1, 0
-set label 13 "inverted" at screen 0.565, 0.975 point pt 1 ps 0.8 lw 1.5 \
-    lc rgb "#CC79A7" offset 1, 0
+set label 13 "inverted" at screen 0.565, 0.975 point pt 1 ps 0.9 lw 2 \
+    lc rgb "#AA3377" offset 1, 0
 set label 14 "limit of Δg / h: measured" at screen 0.68, 0.975 offset 1, 0
 set arrow 14 from screen 0.66, 0.975 to screen 0.685, 0.975 nohead lw 2 \
     lc rgb "black"
@@ -60,11 +61,11 @@ do for [k = 1:4] {
          data index name using "dt":(changed(0)): \
              (sprintf("%d", column("iterations"))): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
-             font ",10" textcolor rgb variable, \
+             font ",12" textcolor rgb variable, \
          data index name using "dt":(ended("fails")) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
          data index name using "dt":(ended("INVERTED")) \
-             with points pt 1 ps 0.6 lw 1.5 lc rgb "#CC79A7"
+             with points pt 1 ps 0.8 lw 2 lc rgb "#AA3377"
     do for [i = 11:15] { unset label i }
     unset arrow 14
     unset arrow 15

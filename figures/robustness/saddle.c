@@ -75,7 +75,8 @@ int main(void)
                      LAST);
     for (int m = 0; m < 2; m++) {
         a[m] = squeeze(method[m]);
-        table_row(method[m], status_name(a[m].report.status),
+        table_row(m ? "on demand, line search" : method[m],
+                  status_name(a[m].report.status),
                   a[m].report.iterations, a[m].report.indefinite,
                   a[m].report.projections, a[m].phi * 30.0 * 30.0, a[m].min_J,
                   a[m].definite ? "yes" : "no");
