@@ -239,7 +239,7 @@ says 'make live ignores ERROR; that is for make choose' \
     env MAKELEVEL=0 MAKEFLAGS= "$MAKE" live ERROR=5%
 
 # ---- the pages that run ------------------------------------------------------------
-says 'make deps-web installs them' 'make web names what is missing' \
+says 'make deps-web installs it' 'make web names what is missing' \
     env GSL_SOURCE=/nowhere "$MAKE" web
 
 # ---- the window -------------------------------------------------------------------

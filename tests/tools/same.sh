@@ -28,14 +28,15 @@ if [ "$kind" = here ]; then
 fi
 if [ "$kind" = v2 ]; then echo 'skip same numbers by clang: not here'; fi
 for data in $(cd "$dir" && find . -name '*.tsv' | sed 's|^\./||' | sort); do
-    [ "$data" != many/many.tsv ] || continue
+    case $data in many/many.tsv | many.tsv) continue ;; esac
     [ -s "$dir/$data" ]
     result $? "${data%.tsv} runs, and what it claims holds" "$(cat "$dir/$data.said")"
     [ "$kind" != v8 ] && [ -s "$dir/$data" ] || continue
     said=$(awk -f tests/tools/same.awk "$test/v8/data/$data" "$dir/$data")
     result $? "the tables of ${data%.tsv} are those of v8" "$said"
 done
-mkdir -p "$dir/many" && cp "$BUILD/data/many/many.tsv" "$dir/many/"
+mkdir -p "$dir/many" && cp "$BUILD/data/many/many.tsv" "$dir/many/" &&
+    cp "$BUILD/data/many.tsv" "$dir/"
 said=$(BUILD=$test/$kind sh tests/tools/workbook.sh check)
 result $? 'the book is in step' "$said"
 for script in $SCRIPTS; do
