@@ -19,6 +19,7 @@ unset key
 before(x) = x < 0.3 ? x : NaN
 array Rule[3] = ["midpoint", "trapezoid", "gauss2"]
 array Mean[3] = ["sampled", "exact", "harmonic"]
+array Style[3] = [1, 4, 5]
 set multiplot layout 1,2 margins 0.09,0.985,0.14,0.91 spacing 0.09,0
 
 set title "all data smooth" offset 0,-0.5
@@ -37,12 +38,12 @@ set title "β jumps inside an element" offset 0,-0.5
 unset ylabel
 set label 1 "energy: slope 0.5" at 0.0065, 0.6 left
 set label 2 "L^2: slope 1.5 with\n“On paper” 6, else 1" at 0.04, 6e-5 left
-set label 3 "sampled" at 0.29, 0.06 left textcolor ls 3
+set label 3 "midpoint" at 0.29, 0.06 left textcolor ls 1
 set label 4 "exact mean" at 0.29, 0.03 left textcolor ls 4
 set label 5 "“On paper” 6" at 0.29, 0.011 left textcolor ls 5
 plot for [k = 1:3] data index "jump" using "h":"L2_".Mean[k] \
-         with linespoints ls k + 2, \
+         with linespoints ls Style[k], \
      for [k = 1:3] data index "jump" using "h":"energy_".Mean[k] \
-         with linespoints ls k + 2, \
+         with linespoints ls Style[k], \
      1.2 * before(x)**0.5 with lines ls 8, 0.06 * before(x)**1.5 with lines ls 8
 unset multiplot
