@@ -29,7 +29,6 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($13 > 1) element = element \", graded\"; \
         how = $4 == \"static\" ? \"static \" $5 : $4 \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
-set style textbox opaque noborder margins 0.5, 0.5
 set multiplot
 set logscale xy
 set format y "10^{%T}"
@@ -64,9 +63,9 @@ do for [s = 1:6] {
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
          corners using (here(s) && column("flops") < 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels left boxed offset 0.8,0.5 font ",11", \
+             with labels left offset 0.8,0.5 font ",11", \
          corners using (here(s) && column("flops") >= 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels right boxed offset -0.8,-0.5 font ",11", \
+             with labels right offset -0.8,-0.5 font ",11", \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
 }
