@@ -31,7 +31,7 @@ insert("index.html", 'href="figures/24_live/motion.gif"',
     '<a href="web/choose.html">ask for the least model of your own scene</a>.</p>');
 insert("lessons/CHOOSE.html", '<h2 id="a-scene-of-your-own">',
     '<p><a href="../web/choose.html">The same as a form</a>, which runs here in the browser.</p>');
-insert("lessons/24_live.html", "see who wins",
+insert("lessons/24_live.html", "take the square with the mouse",
     '<div class="live" data-program="../programs/live.js#24_live" data-on-demand ' +
     'data-args="--n 16 --record input.txt"></div>' +
     '<p><a href="../web/live.html">The square on a page of its own</a>, and ' +
