@@ -94,8 +94,7 @@ static double dot(const struct ladder_state *s, const double a[],
     return sum;
 }
 
-/* e := of (K - D) e = r, which becomes what remains of it; forces NULL: D = 0.
- */
+/* e := of (K - D) e = r, of which what remains is left; forces NULL: D = 0. */
 static int follow(const struct ladder_state *s, const struct matrix *factors,
                   relax_forces *forces, int steps, double r[], double e[])
 {
@@ -399,8 +398,7 @@ void relax_parts(const struct ladder_state *s, relax_forces *mesh,
         part[GEOMETRY] = fmin(part[GEOMETRY], relax_geometry(s, K, stress));
     if (s->model.rung == LINEAR_PLANE && !hand)
         part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
-    if (K && !s->model.moving &&
-        s->scene->time != STANDS)
+    if (K && !s->model.moving && s->scene->time != STANDS)
         part[INERTIA] = fmax(part[INERTIA], relax_inertia(s, K));
     matrix_free(K);
 }
