@@ -3,7 +3,7 @@
 # Reads   data  table tolerance
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,370
+set terminal svg size 780,370
 set output out
 of(rule, what) = strcol("rule") eq rule ? column(what) : NaN
 
