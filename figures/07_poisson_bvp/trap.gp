@@ -33,7 +33,7 @@ h(n) = 1.0 / n
 shown(e) = e < 1e-13 ? 1e-13 : e
 
 set label 3 "nodes, exact load: round-off\n(below 10^{-13}: drawn there)" \
-    at 1.0/3, 2.2e-12 right tc ls 3
+    at 1.0/3, 5e-12 right tc ls 3
 
 set lmargin at screen 0.115
 set rmargin at screen 0.525

@@ -4,7 +4,7 @@
 # Reads   data  table newton
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,410 enhanced font "Helvetica,14" \
+set terminal svg size 800,410 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -21,7 +21,7 @@ set multiplot layout 1,2 margins 0.1,0.985,0.155,0.96 spacing 0.12,0
 unset key
 set label 1 "residual max |q_i|" at 1.2, 6 tc ls 1
 set label 2 "increment\nmax |Δu_i|" at 4.8, 3e-3 tc ls 3
-set label 3 "error max |F_e - F_e^∞|" at 3.6, 1e-6 right tc ls 2
+set label 3 "error max |F_e - F_e^∞|" at 4.5, 1e-6 right tc ls 2
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-9:30]

@@ -36,7 +36,7 @@ do for [panel = 1:2] {
         set label 1 "better start" at 0.032, 2.5 tc rgb Colour[4]
         set label 4 "plain Newton" at 0.85, 1100 right tc rgb Colour[1]
         set label 5 "line search" at 2.2, 4.6 tc rgb Colour[3]
-        set label 7 "load stepping" at 2.3, 45 right tc rgb Colour[2]
+        set label 7 "load stepping" at 0.9, 20 right tc rgb Colour[2]
         set label 8 "cubic law" at 0.13, 6.6 right tc rgb Colour[5]
     }
     set label 3 "failed" at 0.032, 850 textcolor rgb "#555555"
