@@ -3,7 +3,7 @@
 # Reads   data  tables moduli, end_loads, printed_modulus
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 800,360 enhanced font "Helvetica,13" \
+set terminal svg size 740,360 enhanced font "Helvetica,13" \
     background rgb "white"
 set output out
 

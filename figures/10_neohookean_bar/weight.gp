@@ -4,7 +4,7 @@
 # Reads   data  tables weight, weight_curve, order
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 800,410 enhanced font "Helvetica,14" \
+set terminal svg size 740,410 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 # The entry of a column in row r = 0, 1, ... of a table.
@@ -25,7 +25,7 @@ set yrange [-1.6:1.8]
 set xtics 2000
 set label 1 "standing, c < 0" at -2100,-1.42 center
 set label 2 "hanging, c > 0" at 1550,-1.42 center
-set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.6 tc ls 1
+set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.95 tc ls 1
 set label 4 "log" at 2130, 1.63 tc ls 1
 set label 5 "cubic" at 2130, 0.96 tc ls 2
 set label 6 "linear" at 2130, 0.7
