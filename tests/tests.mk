@@ -242,12 +242,17 @@ $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
 	        tests/tools/workbook.sh check); \
 	    then echo 'ok the book is in step with the programs'; \
 	    else echo "FAIL workbook: $$said"; fi > $@
-$(T)/book.result: $(BOOK) tests/tools/book.sh tests/cli/book.sh
+# The book and what was said when it was made, for both tests of its pages.
+MADE := $(T)/made
+$(MADE)/said: $(BOOK) tests/tools/book.sh
+	$(Q)rm -rf $(@D) && mkdir -p $(@D) && $(WHOLE) \
+	    { BUILD=$(@D) sh tests/tools/book.sh > $(PART) 2>&1; $(MOVED); }
+$(T)/book.result: $(MADE)/said tests/cli/book.sh
 	$(call say,test,the book as HTML)
-	$(Q)mkdir -p $(@D) && sh tests/cli/book.sh > $@
-$(T)/wide.result: $(BOOK) tests/tools/book.sh tests/cli/wide.sh
+	$(Q)mkdir -p $(@D) && sh tests/cli/book.sh $(MADE) > $@
+$(T)/wide.result: $(MADE)/said tests/cli/wide.sh
 	$(call say,test,the width of the pages)
-	$(Q)mkdir -p $(@D) && sh tests/cli/wide.sh > $@
+	$(Q)mkdir -p $(@D) && sh tests/cli/wide.sh $(MADE) > $@
 $(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
         $(wildcard tests/tools/skeleton/*)
 	$(call say,test,the form of chapters)

@@ -1,18 +1,8 @@
-/*
- * balance.c - does the balance rule find the cheapest setting, and when does it
- * pay?
- *
- * The settings of trials.h with even linear triangles, which the rule knows, in
- * six scenes, on which it was made, and in two on which it was not: a pull
- * that begins with a jolt, and a weight.  The rule [alg:balance] from three
- * meshes and from two, asked for the errors 0.5, 0.4, ... as far as a setting
- * gets: its flops over those of the cheapest that is as good (same), over those
- * of the cheapest for what was asked (over), and its own price.  Tables: rule,
- * its sums over the scenes, its price from three meshes and from two.
- */
+/* balance.c - see balance.h. */
+#include "balance.h"
+
 #include "rule.h"
 
-#include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -103,14 +93,11 @@ static void judge(int meshes, struct record made, struct record test)
           test.found, test.same);
 }
 
-int main(void)
+void balance_tables(struct trials *const s[WORK_SCENES])
 {
-    struct trials *s[WORK_SCENES];
     struct record made[2] = {{0}, {0}}, test[2] = {{0}, {0}};
     double slowest[2] = {0.0, 0.0};
 
-    for (int k = 0; k < WORK_SCENES; k++)
-        s[k] = trials_alloc((enum work_scene)k, 0);
     table_begin("rule", "scene meshes asked found twice same late asked_twice "
                         "over");
     for (int m = 0; m < 2; m++) {
@@ -136,9 +123,7 @@ int main(void)
             slowest[m] = fmax(slowest[m], print_price(s[k], 3 - m, 0.1));
         table_end();
     }
-    for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
     for (int m = 0; m < 2; m++) judge(3 - m, made[m], test[m]);
     claim(slowest[0] <= 7.0 && slowest[1] <= 1.0, "it pays from %g runs on, "
           "from two meshes from %g", slowest[0], slowest[1]);
-    return table_finish();
 }

@@ -5,8 +5,10 @@
  * front: those that nothing cheaper is as good as (asked 0), the same among
  * even linear triangles (-1), and, with the error that was asked for, what the
  * rule [alg:balance] takes of these from three meshes for 0.5, 0.4, ... as far
- * as a setting gets.  Table cheapest: the first for a few errors.
+ * as a setting gets.  Table cheapest: the first for a few errors.  Then what
+ * balance.h makes of the same runs and of those in two other scenes.
  */
+#include "balance.h"
 #include "rule.h"
 
 #include "base/options.h"
@@ -24,12 +26,13 @@ static void print_front(const struct trials *s, int count, double asked)
 int main(void)
 {
     static const double wanted[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
-    struct trials *s[JOLTED_PULL];
+    struct trials *s[WORK_SCENES];
     int failed = 0, squeezed = 0;
 
+    for (int k = 0; k < WORK_SCENES; k++)
+        s[k] = trials_alloc((enum work_scene)k, k < JOLTED_PULL);
     table_begin("settings", TRIALS_COLUMNS);
-    for (int k = 0; k < JOLTED_PULL; k++) {
-        s[k] = trials_alloc((enum work_scene)k, 1);
+    for (int k = 0; k < JOLTED_PULL; k++)
         for (int i = 0; i < s[k]->all; i++) {
             trials_row(s[k], i, 0.0);
             if (s[k]->work[i].status == OK ||
@@ -38,7 +41,6 @@ int main(void)
             failed++;
             squeezed += k == PUSH && i >= s[k]->count;
         }
-    }
     table_end();
     table_begin("front", TRIALS_COLUMNS);
     for (int k = 0; k < JOLTED_PULL; k++) {
@@ -60,7 +62,8 @@ int main(void)
                 trials_row(s[k], best, wanted[i]);
         }
     table_end();
-    for (int k = 0; k < JOLTED_PULL; k++) trials_free(s[k]);
+    balance_tables(s);
+    for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
     claim(failed == squeezed, "only symplectic Euler fails, and other "
           "elements whose corner is squeezed (%d, %d)", failed, squeezed);
     return table_finish();

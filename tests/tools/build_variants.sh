@@ -96,8 +96,7 @@ long_for() {
     *.motion) echo no_frame_is_lost ;;
     # every ladder is played on a small square, too
     *.without) echo a_rung_is_missed a_rung_is_missed_rarely ;;
-    *.work) echo the_rule_is_balanced the_rule_pays_for_its_probes \
-        sweeps_know_parts_and_the_cheapest ;;
+    *.work) echo the_rule_is_balanced sweeps_know_parts_and_the_cheapest ;;
     esac
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
