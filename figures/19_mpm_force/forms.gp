@@ -25,7 +25,7 @@ set ytics 0.4
 set xlabel "x (m)"
 set ylabel "y (m)"
 unset key
-set label 1 "particle" at 1.36,0.97 left tc rgb "#0072B2"
+set label 1 "particle" at 1.28,1.1 left tc rgb "#0072B2"
 set label 2 "force on a node" at 1.1,1.38 left tc rgb "#D55E00"
 set label 3 "10 N" at 0.62,1.38 left
 set arrow 1 from 0.62,1.325 to 0.86,1.325 filled size 0.03,22 fixed lw 1.6 lc rgb "#D55E00"
