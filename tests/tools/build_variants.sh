@@ -101,7 +101,7 @@ long_for() {
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
         the_best_guess_needs_one_factorisation_a_step dynamics_equal_the_oracle ;;
-    valgrind.cells) echo prices_go_with_columns ;;
+    valgrind.cells) echo a_tenth_of_a_second_is_measured ;;
     valgrind.hang) echo a_limit_goes_on_as_three_meshes_do \
         all_elements_have_one_limit ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
