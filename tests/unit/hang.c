@@ -104,8 +104,8 @@ static void trials_rest_and_move(void)
     }
 }
 
-/* What is held ends where the scene says, what rests has no mass, a system costs
- * what sparse.h counts, and a push is that of work.h. */
+/* What is held ends where the scene says, what rests has no mass, a system
+ * costs what sparse.h counts, and a push is that of work.h. */
 static void trials_are_those_of_their_scenes(void)
 {
     static const int coarsest[] = {4, 4, 8, 4, 4, 4, 4};
