@@ -105,6 +105,8 @@ long_for() {
     valgrind.hang) echo a_limit_goes_on_as_three_meshes_do \
         all_elements_have_one_limit ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
+    valgrind.judge) echo what_gives_up_at_once_explains_nothing \
+        words_must_be_the_reference_s unsolved_runs_keep_their_tables ;;
     valgrind.kept) echo old_factors_find_the_same_step ;;
     valgrind.ladder) echo the_mesh_estimate_meets_the_error ;;
     valgrind.live) echo downhill_goes_down ;;

@@ -51,8 +51,8 @@ void clock_machine(size_t size, char text[]) { snprintf(text, size, "counts"); }
 
 /* By this clock every solve takes as long: the price is that of a column and a
  * system, and so many are solved that they take a tenth of a second.  A motion
- * by the linear law in 50 steps, which is measured after that in 10, takes three
- * times as long: two ticks for 40 steps. */
+ * by the linear law in 50 steps, which is measured after that in 10, takes
+ * three times as long: two ticks for 40 steps. */
 static void a_tenth_of_a_second_is_measured(void)
 {
     const struct ladder_model bar = {BAR, 0, 0}, plane = {CUBIC_PLANE, 0, 2},
