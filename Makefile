@@ -96,7 +96,8 @@ picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 # ..., which may need options to print it: the line "Yours" says which.
 OPTIONS_OF = sed -n 's/^\# Yours *the lesson with //p'
 ASKING  := $(filter-out $(STUDIES),$(call scripts_that_are,asking))
-data_of = $(BUILD)/data/$(if $(filter $1,$(STUDIES) $(ASKING)),$1,$(patsubst \
+# What a study has more of than a chapter shows is drawn by NAME_all.gp.
+data_of = $(BUILD)/data/$(or $(filter $1 $(1:_all=),$(STUDIES) $(ASKING)),$(patsubst \
               %/,%,$(dir $1))).tsv
 FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
            figures/map.svg

@@ -4,7 +4,7 @@
 # Reads   data  tables A, A_corrected (i j value), condition (n kept one)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,340 enhanced font "Helvetica,13" \
+set terminal svg size 760,340 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -18,7 +18,7 @@ unset grid
 set border 15 back ls 9
 unset key
 set xlabel "column j"
-set ylabel "row i" offset 1.5
+set ylabel "row i" offset 1.8
 
 # rows and columns of the prescribed nodes 0, 4, 6
 do for [k in "0 4 6"] {
@@ -28,24 +28,24 @@ do for [k in "0 4 6"] {
         fc rgb "#F0E442" fs transparent solid 0.35 noborder
 }
 entry(v) = v == 0 ? NaN : 1
-set lmargin at screen 0.07
-set rmargin at screen 0.33
+set lmargin at screen 0.065
+set rmargin at screen 0.335
 set tmargin at screen 0.90
 set bmargin at screen 0.2
-set label 1 "A as assembled: singular" at graph 0, graph 1.06
+set label 1 "as assembled: singular" at graph 0, graph 1.06
 plot data index "A" using "j":(entry(column("value"))*column("i")) \
-         with points pt 5 ps 1.8 lc rgb "#0072B2"
-set lmargin at screen 0.40
+         with points pt 5 ps 1.6 lc rgb "#0072B2"
+set lmargin at screen 0.39
 set rmargin at screen 0.66
-set label 1 "A corrected: nodes 0, 4, 6 given"
+set label 1 "corrected at 0, 4, 6"
 plot data index "A_corrected" \
          using "j":(entry(column("value"))*column("i")) \
-         with points pt 5 ps 1.8 lc rgb "#0072B2"
+         with points pt 5 ps 1.6 lc rgb "#0072B2"
 
 unset object
 unset label 1
 set size noratio
-set lmargin at screen 0.745
+set lmargin at screen 0.765
 set rmargin at screen 0.985
 set tmargin at screen 0.96
 set bmargin at screen 0.2
@@ -57,11 +57,11 @@ set logscale xy
 set xtics (4, 8, 16, 32) scale 0.5
 set ytics auto scale 0.5
 set format y "10^{%T}"
-set xlabel "elements n, left end given"
+set xlabel "elements n"
 set ylabel "condition number" offset 1
-set label 1 "diagonal 1" at 3.6, 3e5 tc ls 2
-set label 2 "diagonal kept" at 6, 20 tc ls 1 offset 1, 0
-set label 3 "dashed: 16n²/π²" at 40, 4e3 right offset 0, 1
+set label 1 "diagonal 1" at 3.6, 2.5e5 tc ls 2
+set label 2 "diagonal kept" at 44, 26 right tc ls 1
+set label 3 "16n²/π²" at 15, 1.2e3 right
 # 64 elements are a prediction of the chapter
 plot data index "condition" using "n":"one" every ::::3 \
          with linespoints ls 2, \

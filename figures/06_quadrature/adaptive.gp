@@ -5,7 +5,7 @@
 #               adaptive (evaluations error evaluations_split error_split)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,420 enhanced font "Helvetica,14"
+set terminal svg size 800,420 enhanced font "Helvetica,14"
 set output out
 set logscale xy
 set format y "10^{%T}"
@@ -17,7 +17,7 @@ set xlabel "samples of β and of f, each"
 set ylabel "L^2 error of the solution"
 set yrange [1e-6:0.1]
 set xrange [3:3500]
-set label 1 "midpoint" at 14, 8e-4 right textcolor ls 1
+set label 1 "midpoint" at 16, 6e-4 right textcolor ls 1
 set label 2 "trapezoid" at 6, 4.8e-2 left textcolor ls 2
 set label 3 "Gauss" at 580, 3e-6 left textcolor ls 3
 plot data index "solution" using "n":"midpoint" with linespoints ls 1, \
@@ -31,16 +31,16 @@ set ylabel "|error| of the integral"
 set yrange [1e-14:1]
 set xrange [3:1000]
 set label 1 "midpoint" at 20, 3e-3 left textcolor ls 1
-set label 2 "qag: finds the\nkink by halving" at 200, 1e-10 right textcolor ls 2
+set label 2 "qag: finds the\nkink by halving" at 200, 1e-10 right textcolor rgb "black"
 set label 3 "Gauss" at 14, 8e-6 right textcolor ls 3
-set label 4 "qagp: is told\nwhere the kink is" at 36, 8e-13 right textcolor ls 4
+set label 4 "qagp: is told\nwhere the kink is" at 34, 8e-13 right textcolor rgb "black"
 plot data index "load_kink" using "n":(abs(column("midpoint"))) \
          with linespoints ls 1, \
      data index "load_kink" using (2 * column("n")):(abs(column("gauss2"))) \
          with linespoints ls 3, \
      data index "adaptive" using "evaluations":"error" \
-         with linespoints ls 2, \
+         with linespoints ls 8 lw 2 dt 1 pt 7 ps 0.6, \
      data index "adaptive" every ::0::0 \
          using "evaluations_split":"error_split" \
-         with points ls 4 ps 1.2
+         with points ls 8 pt 13 ps 1.4
 unset multiplot

@@ -5,7 +5,7 @@
 # Reads   data  tables solution, jump
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,460 enhanced font "Helvetica,14"
+set terminal svg size 800,500 enhanced font "Helvetica,14"
 set output out
 
 set logscale xy
@@ -20,7 +20,11 @@ before(x) = x < 0.3 ? x : NaN
 array Rule[3] = ["midpoint", "trapezoid", "gauss2"]
 array Mean[3] = ["sampled", "exact", "harmonic"]
 array Style[3] = [1, 4, 5]
-set multiplot layout 1,2 margins 0.09,0.985,0.14,0.91 spacing 0.09,0
+set multiplot
+set lmargin at screen 0.1
+set rmargin at screen 0.495
+set tmargin at screen 0.91
+set bmargin at screen 0.14
 
 set title "all data smooth" offset 0,-0.5
 set label 1 "energy, any rule:\nslope 1" at 0.0065, 0.35 left
@@ -34,16 +38,39 @@ plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \
          with linespoints ls k, \
      2.4 * before(x) with lines ls 8, 0.12 * before(x)**2 with lines ls 8
 
+# right: the energy above, L2 below, each with an axis of its own
 set title "β jumps inside an element" offset 0,-0.5
 unset ylabel
-set label 1 "energy: slope 0.5" at 0.0065, 0.6 left
-set label 2 "L^2: slope 1.5 with\n“On paper” 6, else 1" at 0.04, 6e-5 left
-set label 3 "midpoint" at 0.29, 0.06 left textcolor ls 1
-set label 4 "exact mean" at 0.29, 0.03 left textcolor ls 4
-set label 5 "“On paper” 6" at 0.29, 0.011 left textcolor ls 5
+unset xlabel
+set yrange [0.03:0.6]
+set ytics (0.05, 0.1, 0.2, 0.4)
+set format y "%g"
+set lmargin at screen 0.585
+set rmargin at screen 0.98
+set tmargin at screen 0.91
+set bmargin at screen 0.59
+set label 1 "energy: slope 0.5" at 0.0065, 0.42 left
+unset label 2
+set label 3 "midpoint" at 0.29, 0.27 left textcolor ls 1
+set label 4 "exact mean" at 0.29, 0.135 left textcolor ls 4
+set label 5 "exercise 6" at 0.29, 0.19 left textcolor ls 5
+plot for [k = 1:3] data index "jump" using "h":"energy_".Mean[k] \
+         with linespoints ls Style[k], \
+     0.95 * before(x)**0.5 with lines ls 8
+
+unset title
+set xlabel "element length h"
+set yrange [2e-5:0.2]
+set ytics auto
+set format y "10^{%T}"
+set tmargin at screen 0.53
+set bmargin at screen 0.14
+set label 1 "L^2: slope 1" at 0.0065, 3e-2 left
+set label 2 "slope 1.5" at 0.055, 2e-4 left
+set label 3 "midpoint" at 0.29, 0.09 left textcolor ls 1
+set label 4 "exact mean" at 0.29, 0.033 left textcolor ls 4
+set label 5 "exercise 6" at 0.29, 0.0125 left textcolor ls 5
 plot for [k = 1:3] data index "jump" using "h":"L2_".Mean[k] \
          with linespoints ls Style[k], \
-     for [k = 1:3] data index "jump" using "h":"energy_".Mean[k] \
-         with linespoints ls Style[k], \
-     1.2 * before(x)**0.5 with lines ls 8, 0.06 * before(x)**1.5 with lines ls 8
+     0.45 * before(x) with lines ls 8, 0.04 * before(x)**1.5 with lines ls 8
 unset multiplot

@@ -3,7 +3,7 @@
 # Reads   data  table trap (nodal errors but for L2, with their orders)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,470 enhanced font "Helvetica,14" \
+set terminal svg size 740,450 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -32,8 +32,8 @@ h(n) = 1.0 / n
 # what is below 1e-13 is drawn there: its digits mean nothing
 shown(e) = e < 1e-13 ? 1e-13 : e
 
-set label 3 "nodes, exact load: round-off\n(below 10^{-13}: drawn there)" \
-    at 1.0/3, 2.2e-12 right tc ls 3
+set label 3 "nodes, exact load:\nround-off (what is below\n10^{-13} is drawn there)" \
+    at 1.0/3, 2.5e-11 right tc ls 3
 
 set lmargin at screen 0.115
 set rmargin at screen 0.525
@@ -43,7 +43,7 @@ set label 1 sprintf("L², exact load: order %.2f", p_L2) at 1.0/3, 2.5e-2 right 
 set label 2 sprintf("nodes, midpoint\nload: order %.2f", p_midpoint) \
     at 1.0/600, 3e-4 tc ls 2
 set label 4 sprintf("nodes, Gauss\nload: order %.2f", p_gauss2) \
-    at 1.0/26, 6e-10 tc ls 4
+    at 1.0/600, 2e-8 tc ls 4
 plot sqrt(7.0/2880) * x**2 with lines ls 8, \
      47.0/11520 * x**4 with lines ls 8, \
      data index "trap" using (h(column("n"))):"L2" with points ls 1 ps 0.7, \
@@ -63,7 +63,7 @@ unset label 4
 set label 1 sprintf("L², fitted: order %.2f", p_fitted_L2) at 1.0/3, 2.5e-2 right tc ls 1
 set label 2 sprintf("nodes, exact\nload: order %.2f", p_exercise) \
     at 1.0/600, 3e-4 tc ls 2
-set label 3 "nodes, fitted: round-off\n(below 10^{-13}: drawn there)"
+set label 3 "nodes, fitted:\nround-off (what is below\n10^{-13} is drawn there)"
 plot data index "trap" using (h(column("n"))):"fitted_L2" with points ls 1 \
          ps 0.7, \
      data index "trap" using (h(column("n"))):"exercise" with points ls 2 \

@@ -7,7 +7,7 @@
 # Writes  out   SVG
 
 load "figures/style.gp"
-set terminal svg size 860,430 enhanced font "Helvetica,14" \
+set terminal svg size 800,430 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -42,9 +42,9 @@ set label 9 machine(data) at screen 0.01,0.025 left font ",11"
 
 set xrange [1e-7:1]
 set xlabel "time of factor + solve (s)"
-set label 1 sprintf("dense: slope %.2f", Dseconds_slope) at 2e-4, 3e-5 tc ls 2
-set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 6e-5, 3e-8 tc ls 1
-set label 3 "rings:\nround-off" at 7e-4, 8e-11 tc ls 1
+set label 1 sprintf("dense: slope %.2f", Dseconds_slope) at 6e-6, 1.9e-4 tc ls 2
+set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 1.2e-5, 2.5e-7 tc ls 1
+set label 3 "rings:\nround-off" at 3e-4, 3e-9 tc ls 1
 set label 4 "1/30 s" at 0.045, 6e-4
 set label 5 "dashed:\n-2/3, -2" at 1.3e-7, 1.2e-10
 set arrow 1 from 1/30., 1e-11 to 1/30., 2*top nohead lw 2 lc rgb "#999999"
@@ -65,9 +65,9 @@ unset arrow
 set xrange [1e1:1e9]
 set xlabel "work of factor + solve (flops)"
 unset ylabel
-set label 1 sprintf("dense: slope %.2f", Dflops_slope) at 3e5, 3e-5 tc ls 2
-set label 2 sprintf("banded:\nslope %.2f", Bflops_slope) at 6e4, 3e-8 tc ls 1
-set label 3 "rings:\nround-off" at 7e5, 8e-11 tc ls 1
+set label 1 sprintf("dense: slope %.2f", Dflops_slope) at 3e4, 1.9e-4 tc ls 2
+set label 2 sprintf("banded:\nslope %.2f", Bflops_slope) at 1.2e4, 2.5e-7 tc ls 1
+set label 3 "rings:\nround-off" at 2.5e5, 3e-9 tc ls 1
 plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2, \
      "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1, \
      "" index "chart_banded" using (any("flops")):"L2" with lines ls 1 lw 1, \

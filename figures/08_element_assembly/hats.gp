@@ -7,7 +7,7 @@
 # Writes  out   SVG
 
 load "figures/style.gp"
-set terminal svg size 860,420 enhanced font "Helvetica,14" \
+set terminal svg size 740,400 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 

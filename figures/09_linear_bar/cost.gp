@@ -4,10 +4,11 @@
 # Reads   data  tables newton, cost
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,400
+set terminal svg size 620,420 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 set logscale y
-set xrange [0.6:5.6]
+set xrange [0.6:5.9]
 set yrange [1e-16:10]
 set format y "10^{%T}"
 set ytics 1e-15,1e3
@@ -15,19 +16,21 @@ set xtics 1
 set xlabel "linear solves"
 set ylabel "relative error of u(L)"
 unset key
-set rmargin 18
 load_of(l) = system(sprintf( \
     "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
      { if (on++ == %d + 1) { print $1; exit } }' '%s'", l, data)) + 0.0
 set label 1 "linear bar" at 1, 4 center
-set label 4 sprintf("%+g N/m³", load_of(1)) at 2.2, 3e-8 left tc ls 1
-set label 5 sprintf("%+g N/m³", load_of(2)) at 3.2, 1.5e-8 left tc ls 2
-set label 6 sprintf("%+g N/m³", load_of(3)) at 4.15, 1e-7 left tc ls 3
-set label 7 "full: hanging (+)\ndashed: standing (-),\nas much force" at 5.65, 1e-5
-set arrow 1 from 0.6, 0.01 to 5.6, 0.01 nohead ls 8
-set label 3 "1 %" at 5.55, 0.03 right
-set label 2 "round-off" at 5.55, 4e-16 right tc rgb "#555555"
-set object 1 rectangle from 0.6, 1e-16 to 5.6, 1e-13 behind \
+# the size of the force behind the lower end of its curve
+do for [l = 1:3] {
+    set label 3 + l sprintf("%g N/m³", load_of(l)) at l + 2.12, 1.5e-15 left \
+        tc ls l
+}
+set label 7 "standing" at 4.12, 2e-7 left tc ls 3
+set label 8 "hanging" at 3.86, 2.5e-10 right tc ls 3
+set arrow 1 from 0.6, 0.01 to 5.9, 0.01 nohead ls 8
+set label 3 "1 %" at 5.85, 0.035 right
+set label 2 "round-off" at 0.68, 1.5e-15 left tc rgb "#555555"
+set object 1 rectangle from 0.6, 1e-16 to 5.9, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
 set object 2 rectangle from 0.8, 1e-13 to 1.2, 10 behind \
     fc rgb "#F0E442" fs transparent solid 0.30 noborder

@@ -4,7 +4,7 @@
 # Reads   data  table newton
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,410 enhanced font "Helvetica,14" \
+set terminal svg size 740,410 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 
@@ -17,11 +17,11 @@ stats data index "newton" every ::1::1 using "increment" name "D" nooutput
 # over its first value, and only what is there before round-off: an error
 # above 1e-10
 clean(name, first) = column("error") > 1e-10 ? column(name) / first : NaN
-set multiplot layout 1,2 margins 0.1,0.985,0.155,0.96 spacing 0.12,0
+set multiplot layout 1,2 margins 0.105,0.975,0.155,0.96 spacing 0.125,0
 unset key
 set label 1 "residual max |q_i|" at 1.2, 6 tc ls 1
 set label 2 "increment\nmax |Δu_i|" at 4.8, 3e-3 tc ls 3
-set label 3 "error max |F_e - F_e^∞|" at 3.6, 1e-6 right tc ls 2
+set label 3 "error max |F_e - F_e^∞|" at 4.35, 1e-6 right tc ls 2
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-9:30]
@@ -39,7 +39,7 @@ plot data index "newton" using "k":(clean("residual", Q_max)) \
 
 unset label
 set label 1 sprintf("dashed, expected:\n%.3f (error before)²", C) at 1.5e-5, 1e-2
-set label 2 "Newton, from\nright to left" at 2e-2, 1e-6 tc ls 2
+set label 2 "Newton, from\nright to left" at 1e-2, 1e-6 tc ls 2
 set logscale xy
 set format x "10^{%T}"
 set xrange [1e-5:1]

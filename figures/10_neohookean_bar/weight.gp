@@ -4,7 +4,7 @@
 # Reads   data  tables weight, weight_curve, order
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,410 enhanced font "Helvetica,14" \
+set terminal svg size 740,410 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 # The entry of a column in row r = 0, 1, ... of a table.
@@ -15,7 +15,7 @@ cell(table, name, r) = system(sprintf( \
       on == 2 && r-- == 0 { print $k; exit }' '%s'", \
     table, name, r, data)) + 0.0
 
-set multiplot layout 1,2 margins 0.1,0.985,0.155,0.96 spacing 0.12,0
+set multiplot layout 1,2 margins 0.1,0.985,0.155,0.96 spacing 0.145,0
 unset key
 
 set xlabel "body force c (N/m³)"
@@ -23,13 +23,13 @@ set ylabel "displacement u(1) of the free end (m)"
 set xrange [-4200:3100]
 set yrange [-1.6:1.8]
 set xtics 2000
-set label 1 "standing" at -3900,1.55
-set label 2 "hanging" at 250,-1.35
-set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.12 tc ls 1
+set label 1 "standing, c < 0" at -2100,-1.42 center
+set label 2 "hanging, c > 0" at 1550,-1.42 center
+set label 3 "log: from rest Newton's\nmethod inverts at -4000" at -4050,0.95 tc ls 1
 set label 4 "log" at 2130, 1.63 tc ls 1
 set label 5 "cubic" at 2130, 0.96 tc ls 2
 set label 6 "linear" at 2130, 0.7
-set label 7 "lines: closed forms;\npoints: 16 elements" at 3000, -0.45 right
+set label 7 "lines: closed forms;\npoints: 16 elements" at 3000, -0.6 right
 plot data index "weight_curve" using "c":"log" with lines ls 1, \
      "" index "weight" using "c":"log_u1" with points ls 1 ps 0.8, \
      data index "weight_curve" using "c":"cubic" with lines ls 2, \

@@ -3,7 +3,7 @@
 # Reads   data  tables load_cures, step_cures
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,450 enhanced font "Helvetica,14" \
+set terminal svg size 760,440 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 array Name[5] = ["plain", "stepping", "search", "start", "cubic"]
@@ -17,7 +17,7 @@ unset key
 cost(k) = strcol(Name[k]) eq "OK" ? column(Name[k]."_iterations") : NaN
 level(k) = 1100 / 1.28**(k - 1)
 lost(k) = strcol(Name[k]) ne "OK" ? level(k) : NaN
-set multiplot layout 1,2 margins 0.085,0.87,0.15,0.96 spacing 0.075,0
+set multiplot layout 1,2 margins 0.095,0.845,0.15,0.96 spacing 0.075,0
 do for [panel = 1:2] {
     table = word("load_cures step_cures", panel)
     set xlabel (panel == 1 ? "load -p / (2μ + λ)" : \
@@ -33,11 +33,11 @@ do for [panel = 1:2] {
         set arrow 2 from 10, 2 to 10, 1500 nohead ls 8
         set label 2 "Δg = 1" at 10.6, 2.7
     } else {
-        set label 1 "better start" at 0.032, 2.5 tc rgb Colour[4]
+        set label 1 "better start" at 0.032, 2.4 tc rgb Colour[4]
         set label 4 "plain Newton" at 0.85, 1100 right tc rgb Colour[1]
         set label 5 "line search" at 2.2, 4.6 tc rgb Colour[3]
-        set label 7 "load stepping" at 2.3, 45 right tc rgb Colour[2]
-        set label 8 "cubic law" at 0.13, 6.6 right tc rgb Colour[5]
+        set label 7 "load stepping" at 0.9, 20 right tc rgb Colour[2]
+        set label 8 "cubic law" at 0.032, 6.8 tc rgb Colour[5]
     }
     set label 3 "failed" at 0.032, 850 textcolor rgb "#555555"
     set arrow 1 from 1, 2 to 1, 1500 nohead ls 8

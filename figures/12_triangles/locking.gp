@@ -3,9 +3,10 @@
 # Reads   data  table locking
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 640,420 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
-set rmargin 16
+set rmargin 14
 # the order that the last three displacements show among themselves
 order(column) = system("awk -F'\t' '$0 == \"# locking\" { on = 1 } \
     NF == 0 { on = 0 } on { a = b; b = c; c = $".column." } \
@@ -21,8 +22,8 @@ unset key
 set label 1 "ν = 0.4999:\nno order yet" at 70, 0.25 tc ls 2
 set label 2 "ν = 0.49:\norder ".order(3) at 70, 0.028 tc ls 3
 set label 3 "ν = 0.3:\norder ".order(2) at 70, 0.003 tc ls 1
-set label 4 "order 1.5" at 15, 0.008 right
+set label 4 "order 1.42, of\nthe corners" at 14, 0.009 right
 plot data index "locking" using "n":"error_0.4999" with linespoints ls 2, \
      data index "locking" using "n":"error_0.49" with linespoints ls 3, \
      data index "locking" using "n":"error_0.3" with linespoints ls 1, \
-     [8:64] 0.7 / x**1.5 with lines ls 8
+     [8:64] 0.55 / x**1.42 with lines ls 8

@@ -5,14 +5,14 @@
 #               round-off, is drawn at 1e-12
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,450 enhanced font "Helvetica,14" \
+set terminal svg size 740,430 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 set multiplot layout 1,2 margins 0.095,0.985,0.15,0.91 spacing 0.08,0
 unset key
 set logscale y
 set format y "10^{%T}"
-set yrange [3e-14:3e3]
+set yrange [3e-14:2e6]
 set ytics 1e2
 set xlabel "iteration k"
 set xrange [-0.3:12.3]
@@ -21,7 +21,7 @@ of(body, slip) = strcol("body") eq body && strcol("slip") eq slip \
     ? (column("residual") > 1e-12 ? column("residual") : 1e-12) : NaN
 array Slip[4] = ["none", "column for row", "half of mu", "both"]
 set label 1 "right tangent" at 5.3, 2e-11 tc ls 1
-set label 3 "half of μ, or both slips: a pivot is negative" at -0.1, 7e2 tc ls 3
+set label 3 "half of μ, or both slips:\na pivot is negative" at -0.1, 2e5 tc ls 3
 do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")

@@ -3,30 +3,31 @@
 # Reads   data  tables energies, spin
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,400
+set terminal svg size 900,430 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
-set multiplot layout 1,2 margins 0.08,0.985,0.14,0.96 spacing 0.11,0
+set multiplot layout 1,2 margins 0.085,0.985,0.16,0.96 spacing 0.125,0
 unset key
 set xlabel "t (s)"
 set ylabel "energy (J)"
 set xrange [0:1.5]
 set yrange [-30:20]
-set label 1 "total, exact: 0" at 1.48, 1.4 right
+set label 1 "total, exact: 0" at 1.48, 1.9 right
 set label 2 "kinetic, Δt = 1/30 s" at 0.22, 14 tc ls 3
-set label 3 "total, Δt = 1/480 s" at 0.9, -4.3 tc ls 1
-set label 4 "1/120 s" at 0.8, -13.6 tc ls 1
-set label 5 "1/30 s" at 0.62, -22.3 tc ls 1
+set label 3 "total, Δt = 1/480 s" at 0.62, -2.6 tc ls 1
+set label 4 "1/120 s" at 0.78, -13.2 tc ls 1
+set label 5 "1/30 s" at 0.58, -21.6 tc ls 1
 plot data index "energies" using "t":"kinetic" with lines ls 3, \
      "" index "energies" using "t":"total" with lines ls 1, \
      "" index "energies" using "t":"total_120" with lines ls 1 dt 4, \
      "" index "energies" using "t":"total_480" with lines ls 1 dt 3, \
      0 ls 8
 set xlabel "Δt (s)"
-set ylabel "angular momentum after 1 s / at the start"
+set ylabel "angular momentum, after 1 s / at first"
 unset label
-set label 1 "predicted:\n(1 + 2 Δt ω^2 t)^{-1/2}, ω = 6 rad/s" at 0.0017, 0.75
-set label 2 "computed" at 0.018, 0.68 left tc ls 2
-set label 3 "exact" at 0.03, 0.985 left
+set label 1 "predicted for 6 rad/s:\n(1 + 2 Δt ω^2 t)^{-1/2}" at 0.0016, 0.72
+set label 2 "computed" at 0.0185, 0.685 left tc ls 2
+set label 3 "exact" at 0.04, 0.98 right
 set logscale x
 set xrange [0.0015:0.045]
 set yrange [0.45:1.02]

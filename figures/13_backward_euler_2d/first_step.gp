@@ -4,7 +4,8 @@
 # Reads   data  tables starts, history_notes, history_demand, history_lift
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,560
+set terminal svg size 900,600 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 # the rows of table `starts` that pass the awk condition, as closed polygons
 polygons(test) = sprintf( \
@@ -27,11 +28,11 @@ set xlabel "x / h"
 set ylabel "y / h"
 unset key
 do for [k = 0:2] {
-    set lmargin at screen 0.065 + 0.32 * k
-    set rmargin at screen 0.345 + 0.32 * k
+    set lmargin at screen 0.078 + 0.316 * k
+    set rmargin at screen 0.355 + 0.316 * k
     if (k > 0) { unset ylabel }
     set label 1 "Δg = ".word("0.5 1.2 1.2", k + 1)." h".(k == 2 ? ", lifted" : \
-        k == 1 ? ": turned inside out" : "") at graph 0, graph 1.07
+        k == 1 ? ": inside out" : "") at graph 0, graph 1.09
     set arrow 1 from 0, -0.1 to 0, 3.1 nohead ls 8
     up = sprintf("$1 == %d && $10 > 1e-9", k)
     turned = sprintf("$1 == %d && $10 <= 1e-9", k)
@@ -48,22 +49,22 @@ set size noratio
 set lmargin at screen 0.095
 set rmargin at screen 0.985
 set tmargin at screen 0.44
-set bmargin at screen 0.10
+set bmargin at screen 0.125
 set grid back ls 9
 unset key
 set logscale y
 set xrange [-0.3:9.5]
 set yrange [2e-14:20]
 set xtics 2
-set ytics 1e3
+set ytics 1e4
 seen(y) = y > 1e-13 ? y : 1e-13
 set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
-set ylabel "residual max|q| / max A_{ii}  (m)"
-set label 2 "as in the notes, then lost" at 5.15, 0.02 tc rgb "#D55E00"
-set label 3 "projected on demand" at 6.1, 1e-4 tc rgb "#009E73"
-set label 4 "lifted" at 2.65, 1e-11 tc rgb "#0072B2"
+set ylabel "max|q| / max A_{ii}  (m)"
+set label 2 "notes' method, then lost" at 5.15, 0.02 tc rgb "#D55E00"
+set label 3 "projected on demand" at 6.15, 4e-6 tc rgb "#009E73"
+set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2"
 set label 5 "n = 56, cubic law" at graph 0, graph 1.08
 plot data index "history_notes" using "iteration":(seen(column("residual"))) \
          with linespoints ls 2, \

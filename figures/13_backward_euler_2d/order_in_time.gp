@@ -3,12 +3,13 @@
 # Reads   data  tables orders_time, in_space
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 640,400 enhanced font "Helvetica,15" \
+    background rgb "white"
 set output out
 stats data index "orders_time" using "order" nooutput name "T"
 stats data index "in_space" using "error" nooutput name "MESH"
 stats data index "orders_time" using "systems":"error" nooutput name "LAST"
-set margins screen 0.125, screen 0.975, screen 0.14, screen 0.96
+set margins screen 0.145, screen 0.975, screen 0.14, screen 0.96
 unset key
 set logscale xy
 set format y "10^{%T}"
@@ -19,7 +20,7 @@ set yrange [5e-4:3e-2]
 set xtics (16, 24, 48, 96, 192)
 set datafile missing "-"
 set label 1 sprintf("error in time: order %.2f in Δt", T_max) at 58, 3.4e-3 tc ls 1
-set label 2 "error of the mesh, n = 4" at 225, 1.12 * MESH_min right
+set label 2 "error of the mesh, n = 4" at 225, 1.15 * MESH_min right
 set label 3 "dashed: slope -1" at 88, 1.6e-3 right
 plot LAST_min_y * LAST_max_x / x ls 8, \
      MESH_min with lines lw 2.5 lc rgb "#999999", \

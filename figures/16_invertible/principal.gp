@@ -3,13 +3,14 @@
 # Reads   data  table principal (law s1 s2 P1 P2 log)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,400
+set terminal svg size 900,440 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 
 set multiplot
 unset key
 set tmargin at screen 0.96
-set bmargin at screen 0.15
+set bmargin at screen 0.16
 set lmargin at screen 0.10
 set rmargin at screen 0.57
 of(l) = stringcolumn("law") eq l ? column("s2") : NaN
@@ -22,13 +23,13 @@ set xrange [-1:1.5]
 set yrange [-35:5]
 set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
     fc rgb "#eeeeee" fs solid noborder behind
-set label 1 "inside out" at -0.03, 3.2 right font ",12" textcolor rgb "#555555"
-set label 2 "log law" at 0.10, -26 left textcolor rgb "#0072B2"
+set label 1 "inside out" at -0.03, 3.2 right textcolor rgb "#555555"
+set label 2 "log law" at 0.12, -26 left textcolor rgb "#0072B2"
 set label 3 "stable" at -0.97, -1.4 left textcolor rgb "#B07800"
-set label 4 "energy" at -0.97, -7.6 left textcolor rgb "#CC79A7"
-set label 5 "cubic" at -0.50, -14.5 right textcolor rgb "#D55E00"
-set label 6 "stress" at -0.485, -25.2 left textcolor rgb "#009E73"
-set label 7 "extended" at -0.30, -29.5 left textcolor rgb "#2E86C1"
+set label 4 "energy" at -0.97, -7.9 left textcolor rgb "#CC79A7"
+set label 5 "cubic" at -0.50, -14.0 right textcolor rgb "#D55E00"
+set label 6 "stress" at -0.58, -33.3 left rotate by 56 textcolor rgb "#009E73"
+set label 7 "extended" at -0.28, -32.5 left rotate by 66 textcolor rgb "#2E86C1"
 plot data index "principal" using (of("stress")):(P("stress")) \
          with lines ls 3, \
      "" index "principal" using (of("energy")):(P("energy")) \
@@ -44,7 +45,7 @@ plot data index "principal" using (of("stress")):(P("stress")) \
 unset label
 unset object
 set label 3 "stable" at 1.17, 0.66 right textcolor rgb "#B07800"
-set label 5 "all others" at 1.2, 0.22 left
+set label 5 "all others" at 1.12, 0.08 left
 set lmargin at screen 0.67
 set rmargin at screen 0.98
 set xrange [0.6:1.4]

@@ -4,7 +4,8 @@
 #               standard_error iterations error)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,440
+set terminal svg size 900,460 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 
 # vertices 0 to 8 of the table's triangles: row and corner where each stands
@@ -44,30 +45,30 @@ unset key
 unset border
 unset tics
 unset grid
-set xrange [-1.85:1.25]
-set yrange [-1.25:1.95]
+set xrange [-2.25:1.35]
+set yrange [-1.45:2.25]
 do for [k = 0:7] {
     set arrow k + 1 from sx(k), sy(k) to sx(k + 1), sy(k + 1) \
         filled size screen 0.012,20 front lw 1.8 \
         lc rgb (k < 4 ? "#D55E00" : "#009E73")
-    name_at = k < 4 ? 0.84 : out_by(k) + 0.12
+    # the two vertices that lie on one another, outside the arrows
+    corner = k % 4
     set label k + 1 sprintf("%d", Way[k + 1]) at \
-        PX[5] + name_at * (PX[Way[k + 1] + 1] - PX[5]), \
-        PY[5] + name_at * (PY[Way[k + 1] + 1] - PY[5]) - (k == 4 ? 0.13 : 0) \
-        center front \
-        font ",13" textcolor rgb (k < 4 ? "#D55E00" : "#009E73")
+        PX[5] + 1.55 * (PX[Way[corner + 1] + 1] - PX[5]) + (k < 4 ? -0.1 : 0.1) - 0.13 * (corner == 0), \
+        PY[5] + 1.55 * (PY[Way[corner + 1] + 1] - PY[5]) center front \
+        textcolor rgb (k < 4 ? "#D55E00" : "#009E73")
 }
 # at rest, in the corner
-set label 20 "at rest" at -1.35, 1.86 center font ",12"
+set label 20 "at rest" at -1.45, 2.13 center
 do for [v = 0:8] {
-    set label 21 + v sprintf("%d", v) at -1.70 + 0.35 * (v % 3), \
-        1.04 + 0.35 * (v / 3) center font ",12" textcolor rgb \
+    set label 21 + v sprintf("%d", v) at -1.90 + 0.45 * (v % 3), \
+        1.00 + 0.43 * (v / 3) center textcolor rgb \
         (v == 4 ? "#000000" : v < 3 || v == 5 ? "#D55E00" : "#009E73")
 }
-set object 1 polygon from -1.62,1.12 to -1.08,1.12 to -1.08,1.66 to \
-    -1.62,1.66 to -1.62,1.12 fs empty border rgb "#999999"
-set label 40 sprintf("in balance, stable, every J > %.2f,\nand %.1f J/m away from rest", \
-    floor(100 * least) / 100.0, energy) at -0.55,1.72 left font ",13"
+set object 1 polygon from -1.76,1.13 to -1.14,1.13 to -1.14,1.73 to \
+    -1.76,1.73 to -1.76,1.13 fs empty border rgb "#999999"
+set label 40 sprintf("in balance, stable,\nevery J > %.2f, %.1f J/m", \
+    floor(100 * least) / 100.0, energy) at -0.55,1.95 left
 sheets = sprintf( \
     "< awk -F'\t' '$0 == \"# wound\" { on = 1; next } NF == 0 { on = 0 } \
      on && $2 ~ /^[-0-9]/ { for (k = 0; k < 4; k++) \
@@ -86,20 +87,20 @@ set datafile columnheaders
 set size noratio
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"
-set grid back ls 9
-set lmargin at screen 0.56
+set grid noxtics ytics back ls 9
+set lmargin at screen 0.575
 set rmargin at screen 0.98
-set tmargin at screen 0.92
-set bmargin at screen 0.17
+set tmargin at screen 0.97
+set bmargin at screen 0.20
 unset key
 # three bars for each law, the worse its error the further to the right
 set xrange [-0.6:2.6]
-set yrange [0:112]
+set yrange [0:150]
 set xtics nomirror ("extended\n0 %%" 0, sprintf("cubic\n%.2f %%%%", CUBIC_max) 1, \
     sprintf("stable\n%.1f %%%%", STABLE_max) 2)
 set ytics nomirror 0,25,100
-set xlabel "law; its stress error at a stretch of 1.1" offset 0,-0.8
-set ylabel "scrambled squares that come back (%)"
+set xlabel "law; stress error at a stretch of 1.1" offset 0,-0.8
+set ylabel "squares that come back (%)" offset 1
 array N[3] = [4, 2, 4]
 array Boundary[3] = ["held", "free", "free"]
 array Style[3] = [3, 1, 2]
@@ -111,18 +112,16 @@ rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
 unsure(k) = column("standard_error")
 set style fill solid 0.85 border
 set boxwidth 0.22
-set label 2 "n = 4, boundary held" at -0.26, 5 rotate by 90 front tc rgb "white"
-set label 3 "n = 2, all scrambled" at 0, 5 rotate by 90 front tc rgb "white"
-set label 4 "n = 4, all" at 0.26, 48 rotate by 90 tc rgb Colour[3]
-set label 1 "above a bar: iterations, the median" at graph 0.99, graph 1.03 \
-    right font ",12"
+set label 1 "n = 4, boundary held" at -0.5, 142 tc rgb Colour[1]
+set label 2 "n = 2, all scrambled" at -0.5, 132 tc rgb Colour[2]
+set label 3 "n = 4, all scrambled" at -0.5, 122 tc rgb Colour[3]
 plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
          with boxes ls Style[k], \
      for [k = 1:3] data index "scramble" using (place(k)): \
          (rate(k) - unsure(k)):(0):(2 * unsure(k)) with vectors heads \
          size graph 0.012,90 lw 1.5 lc rgb "black" notitle, \
      for [k = 1:3] data index "scramble" using (place(k)):(rate(k) + 6): \
-         (sprintf("%.0f", column("iterations"))) with labels font ",12" \
+         (sprintf("%.0f", column("iterations"))) with labels font ",14" \
          textcolor rgb Colour[k] notitle
 unset multiplot
 set output

@@ -3,7 +3,8 @@
 # Reads   data  tables polar, idle, pulled
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,480
+set terminal svg size 940,480 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 set multiplot
 unset key
@@ -26,17 +27,17 @@ rad(d) = d * pi / 180.0
 do for [r = 1:3] { # a little inside the first ring, outside the others
     at = 1000 * r - (r == 1 ? 170 : -120)
     set label r sprintf("%d", 1000 * r) at at * cos(rad(146)), \
-        at * sin(rad(146)) center font ",11" tc rgb "#666666"
+        at * sin(rad(146)) center font ",14" tc rgb "#666666"
 }
 set label 3 "3000 N/m^2"
-set label 5 "pull along the cords" at 2120, 170 center font ",12"
-set label 6 "without cords" at 780, -1230 left font ",12"
-set label 7 "with cords" at 1750, 1080 left font ",12" tc rgb "#0072B2"
+set label 5 "along the cords" at 2080, 190 center
+set label 6 "without cords" at 850, -1230 left
+set label 7 "with cords" at 1750, 1080 left tc rgb "#0072B2"
 set label 8 sprintf("pulled at %.0f° the cords\nadd nothing", idle) \
-    at 1150, 1850 left font ",12"
-set label 9 "pull across" at 60, 1600 center font ",12"
+    at 1150, 1850 left
+set label 9 "across" at 0, 1640 center
 set arrow 1 from -3500, 0 to 3500, 0 nohead ls 9 lw 1
-set arrow 2 from 0, -1500 to 0, 1500 nohead ls 9 lw 1
+set arrow 2 from 0, -1500 to 0, 1480 nohead ls 9 lw 1
 set arrow 5 from 0, 0 to 1990 * cos(rad(idle)), 1990 * sin(rad(idle)) nohead \
     dt 3 lw 1.5
 set clip two
@@ -83,9 +84,9 @@ do for [i = 0:1] {
     angle = 20 * i
     set tmargin at screen (i ? 0.49 : 0.97)
     set bmargin at screen (i ? 0.03 : 0.51)
-    set label 1 (i ? sprintf("pulled at 20° it shears by %.1f°", \
+    set label 1 (i ? sprintf("pulled at 20°: shear %.1f°", \
         -atan(entry(20, 3) / entry(20, 4)) * 180 / pi) \
-        : "pulled along its cords by 20 %") at 0.6, -0.17 center
+        : "pulled along its cords") at 0.6, -0.17 center
     set arrow 3 from (i ? 1.17 : 1.24), 0.46 to (i ? 1.45 : 1.52), 0.46 lw 2 \
         head filled size 0.05, 20
     set arrow 4 from (i ? -0.13 : -0.04), 0.46 to (i ? -0.41 : -0.32), 0.46 \

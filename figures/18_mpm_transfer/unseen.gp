@@ -3,26 +3,26 @@
 # Reads   data  table modes
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,380
+set terminal svg size 780,400
 set output out
 set multiplot layout 1,2 margins 0.08,0.985,0.15,0.90 spacing 0.08,0
 set xrange [0:8]
-set yrange [-1.75:1.75]
+set yrange [-1.75:2.5]
 set xtics 1
 set xlabel "x (cells)"
 set ylabel "velocity (m/s)"
 unset key
 set title "before"
-set label 1 "dashed: what the nodes see" at 7.9, 1.4 right
+set label 1 "dashed: what the nodes see" at 7.9, 2.2 right
 plot data index "modes" using "x":"start" with lines lc rgb "#CCCCCC" lw 1 \
         , \
      "" index "modes" using "x":"start" with points ls 2, \
      cos(pi * x / 8) ls 8
 unset ylabel
 set title "after"
-set label 1 "100 transfers with FLIP" at 7.9, 1.55 right tc ls 2
-set label 2 "one with PIC, and" at 7.9, 1.3 right tc ls 1
-set label 3 "on it one with APIC (B = 0 before)" at 7.9, 1.05 right tc ls 3
+set label 1 "100 transfers with FLIP" at 7.9, 2.3 right tc ls 2
+set label 2 "one with PIC, and" at 7.9, 2.05 right tc ls 1
+set label 3 "on it one with APIC (B = 0 before)" at 7.9, 1.8 right tc ls 3
 plot data index "modes" using "x":"flip" with lines lc rgb "#CCCCCC" lw 1 \
         , \
      "" index "modes" using "x":"flip" with points ls 2, \

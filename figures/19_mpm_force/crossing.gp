@@ -4,26 +4,26 @@
 # Reads   data  tables spacing (order s measured predicted), ppc
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,420
+set terminal svg size 780,420
 set output out
 set multiplot
 set logscale xy
 set xrange [0.1:1.4]
 set yrange [1e-5:2]
-set xtics ("1/10" 0.1, "1/8" 0.125, "1/6" 1./6, "1/5" 0.2, "1/4" 0.25, \
+set xtics ("1/10" 0.1, "1/6" 1./6, "1/4" 0.25, \
     "1/3" 1./3, "1/2" 0.5, "1" 1)
 set format y "10^{%T}"
 set xlabel "spacing of the particles (cells)"
 set ylabel "force left over / stress" offset 1
-set lmargin at screen 0.085
+set lmargin at screen 0.1
 set rmargin at screen 0.50
 set bmargin at screen 0.14
 set tmargin at screen 0.93
 unset key
-set label 1 "linear kernel" at 0.62, 1.2 right tc ls 1
-set label 2 "quadratic" at 0.105, 0.028 tc ls 2
+set label 1 "linear kernel" at 0.36, 1.1 right tc ls 1
+set label 2 "quadratic" at 0.108, 0.033 tc ls 2
 set label 3 "cubic" at 0.7, 7e-3 center tc ls 3
-set label 4 "grey: predicted" at 1.3, 2e-5 right font ",12"
+set label 4 "grey: predicted" at 1.35, 1.7e-5 right
 of(s, column_) = column("order") == s ? column(column_) : NaN
 plot for [s = 2:3] data index "spacing" using "s":(of(s, "predicted")) \
          with lines lw 2.5 lc rgb "#BBBBBB", \
@@ -33,12 +33,12 @@ unset label
 unset ylabel
 set format y ""
 set format x "%g"
-set lmargin at screen 0.55
+set lmargin at screen 0.56
 set rmargin at screen 0.985
 set xrange [10:9000]
 set xtics (16, 64, 256, 1024, 4096)
 set xlabel "nodes visited per cell of the plane"
-set label 1 "linear kernel" at 1100, 0.2 tc ls 1
+set label 1 "linear" at 1150, 0.16 tc ls 1
 set label 2 "quadratic" at 750, 0.04 tc ls 2
 set label 3 "cubic" at 400, 4e-4 tc ls 3
 set arrow 1 from 64, 1.3e-5 to 64, 1.5 nohead ls 8

@@ -1,10 +1,11 @@
 # forms.gp - one particle hands its stress to nine nodes; and by how much the
-# force is wrong when it is written down wrongly.
+# force is wrong when it is written down wrongly.  Forces below 1 N have no arrow.
 # Reads   data  tables nodes, particle, forms
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 780,420
 set output out
+f(x) = sqrt(column("f_x")**2 + column("f_y")**2)
 array Torque[4]
 do for [k = 1:4] {
     stats data index "forms" every 5::k using "torque" nooutput
@@ -12,7 +13,7 @@ do for [k = 1:4] {
 }
 set multiplot
 unset grid
-set lmargin at screen 0.075
+set lmargin at screen 0.085
 set rmargin at screen 0.44
 set tmargin at screen 0.93
 set bmargin at screen 0.12
@@ -25,17 +26,17 @@ set xlabel "x (m)"
 set ylabel "y (m)"
 unset key
 set label 1 "particle" at 1.36,0.97 left tc rgb "#0072B2"
-set label 2 "force on a node" at 1.2,1.36 left tc rgb "#D55E00"
+set label 2 "force on a node" at 1.1,1.38 left tc rgb "#D55E00"
 set label 3 "10 N" at 0.62,1.38 left
-set arrow 1 from 0.62,1.325 to 0.82,1.325 filled size 0.035,20 lw 2 lc rgb "#D55E00"
+set arrow 1 from 0.62,1.325 to 0.86,1.325 filled size 0.03,22 fixed lw 1.6 lc rgb "#D55E00"
 plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
          with lines ls 9 lw 1, \
      for [i = 0:2] data index "nodes" every 3::i using "x":"y" \
          with lines ls 9 lw 1, \
      data index "particle" using "x":"y" with filledcurves closed \
          fc rgb "#56B4E9" fs transparent solid 0.5, \
-     data index "nodes" using "x":"y":(0.02*column("f_x")):(0.02*column("f_y")) \
-         with vectors head filled size 0.035,20 lw 2 lc rgb "#D55E00", \
+     data index "nodes" using (f(0) < 1 ? NaN : column("x")):"y":(0.024*column("f_x")):(0.024*column("f_y")) \
+         with vectors head filled size 0.03,22 fixed lw 1.6 lc rgb "#D55E00", \
      data index "nodes" using "x":"y" with points ls 1 lc rgb "black"
 unset label
 unset arrow
@@ -51,9 +52,9 @@ set border 1
 set xlabel "error of the force (%)"
 set ylabel ""
 # mistake k: what is written wrongly, and whether a torque is left
-array Wrong[4] = ["(F^n)^T forgotten", "F^T in place of (F^n)^T", \
-                  "stress of t^n instead of the new one", \
-                  "volume of t^n instead of the new one"]
+array Wrong[4] = ["without (F^n)^T", "with F^T, not (F^n)^T", \
+                  "stress of t^n, not the new one", \
+                  "volume of t^n, not the new one"]
 do for [k = 1:4] {
     set arrow k from 0, k to 92, k nohead ls 9
     set label k Wrong[k] at 0.5, k - 0.33

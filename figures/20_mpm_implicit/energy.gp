@@ -2,9 +2,9 @@
 # Reads   data  tables energy, elements
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,410
+set terminal svg size 780,410
 set output out
-set multiplot layout 1,2 margins 0.095,0.985,0.14,0.93 spacing 0.06,0
+set multiplot layout 1,2 margins 0.11,0.985,0.14,0.93 spacing 0.06,0
 set logscale xy
 set xrange [6:420]
 set yrange [0.008:1.9]

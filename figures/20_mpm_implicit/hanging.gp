@@ -3,7 +3,7 @@
 # Reads   data  tables elements, once (kernels by a mirror, then held), reset
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 820,430
 set output out
 set multiplot
 set tmargin at screen 0.92

@@ -3,25 +3,25 @@
 # Reads   data  tables growth, crossovers
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,390
+set terminal svg size 760,400
 set output out
 stats data index "crossovers" using "flops" nooutput name "F"
 stats data index "crossovers" using "entries" nooutput name "E"
 of(k) = strcol("storage") eq k ? column("n") : NaN
 set datafile missing "-"
-set multiplot layout 1,2 margins 0.08,0.985,0.14,0.96 spacing 0.10,0
+set multiplot layout 1,2 margins 0.09,0.985,0.14,0.97 spacing 0.11,0
 set logscale xy
 set format y "10^{%T}"
 set xtics (2, 4, 8, 16, 32, 64, 128, 256)
-set xrange [3:6000]
+set xrange [3:320]
 set xlabel "squares per side n"
 set ylabel "flops to factor K"
 set yrange [1e3:1e15]
-set label 1 "n^6, full matrix" at 290,7.5e14 left font ",12" tc ls 2
-set label 2 "n^4, band" at 290,3.4e10 left font ",12" tc ls 1
-set label 3 "n^3, dissection" at 290,1.7e9 left font ",12" tc ls 3
+set label 1 "full matrix, n^6" at 95,1.5e14 right tc ls 2
+set label 2 "band, n^4" at 145,2e10 right tc ls 1
+set label 3 "dissection, n^3" at 300,9e6 right tc ls 3
 set arrow 1 from F_max, 1e3 to F_max, 1.6e6 nohead ls 8
-set label 4 sprintf("%d", F_max) at F_max * 1.08, 3e3 left font ",12"
+set label 4 sprintf("%d", F_max) at F_max * 1.08, 3e3 left
 unset key
 plot data index "growth" using (of("full")):"flops" with linespoints ls 2, \
      data index "growth" using (of("band")):"flops" with linespoints ls 1, \
@@ -29,11 +29,11 @@ plot data index "growth" using (of("full")):"flops" with linespoints ls 2, \
          with linespoints ls 3
 set ylabel "numbers stored for L"
 set yrange [1e2:1e11]
-set label 1 "n^4, full matrix" at 290,1.7e10
-set label 2 "n^3, band" at 290,6.7e7
-set label 3 "n^2 log n, dissection" at 290,0.9e7
+set label 1 "full matrix, n^4" at 95,5e9
+set label 2 "band, n^3" at 300,2.6e8
+set label 3 "dissection, n^2·log n" at 310,1.1e5
 set arrow 1 from E_max, 1e2 to E_max, 3e4 nohead ls 8
-set label 4 sprintf("%d", E_max) at E_max * 1.08, 2.5e2 left font ",12"
+set label 4 sprintf("%d", E_max) at E_max * 1.08, 2.5e2 left
 plot data index "growth" using (of("full")):"entries" with linespoints ls 2, \
      data index "growth" using (of("band")):"entries" with linespoints ls 1, \
      data index "growth" using (of("dissection")):"entries" \

@@ -5,7 +5,7 @@
 # Writes  out   SVG
 load "figures/style.gp"
 set datafile missing "-"
-set terminal svg size 860,370
+set terminal svg size 780,370
 set output out
 array Name[3] = ["jacobi", "incomplete", "multigrid"]
 array Style[3] = [5, 4, 6]
@@ -37,11 +37,11 @@ set label 3 "V-cycle" at 64, 13 tc ls 6
 set label 4 "incomplete\nCholesky" at 72, 130 tc ls 4
 set label 5 "Jacobi" at 72, 440 tc ls 5
 set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.95 \
-    font ",11"
-set label 2 "slope 1" at 200,120 font ",11"
+   
+set label 2 "slope 1" at 175,40
 plot for [k = 1:3] data index "iterations" using "n":Name[k] \
          with linespoints ls Style[k], \
      for [k = 1:3] "" index "iterations" using "n":Name[k]."_rough" \
          with linespoints ls Style[k] dt 2, \
-     [128:250] 0.75 * x with lines ls 8
+     [128:250] 0.35 * x with lines ls 8
 unset multiplot

@@ -3,14 +3,14 @@
 # Reads   data  table tolerance
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,370
+set terminal svg size 780,370
 set output out
 of(rule, what) = strcol("rule") eq rule ? column(what) : NaN
 
 set multiplot layout 1,2 margins 0.075,0.985,0.145,0.96 spacing 0.085,0
 set logscale x
 unset key
-set label 1 "K kept while that pays (chord)" at 1e-9, 4.5 tc ls 2
+set label 1 "one K for several increments" at 1e-9, 4.5 tc ls 2
 set label 2 "K anew for each increment" at 1e-9, 2.9 tc ls 1
 set xrange [3e-11:1.2]
 set xtics ("10^{-10}" 1e-10, "10^{-8}" 1e-8, "10^{-6}" 1e-6, "10^{-4}" 1e-4, \

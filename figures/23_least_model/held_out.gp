@@ -5,7 +5,7 @@
 if (!exists("data")) data = "build/data/23_least_model/held_out.tsv"
 if (!exists("out"))  out  = "figures/23_least_model/held_out.svg"
 load "figures/style.gp"
-set terminal svg size 760,560
+set terminal svg size 600,480
 set output out
 set logscale xy
 set xrange [0.02:300]
@@ -13,7 +13,7 @@ set yrange [0.02:300]
 set xlabel "true error of the displacement (%)"
 set ylabel "estimated error (%)"
 set format xy "%g"
-set key above left vertical maxrows 2 reverse Left samplen 2
+set key inside top left vertical maxrows 4 reverse Left samplen 1 font ",12" nobox
 is(h) = strcol("ten") eq h || strcol("three") eq h || strcol("one") eq h ? \
         column("estimate") : NaN
 set arrow 1 from 0.02, 10 to 20, 10 nohead ls 9 lw 1.5
@@ -22,7 +22,7 @@ set arrow 3 from 0.02, 1 to 2, 1 nohead ls 9 lw 1.5
 set arrow 4 from 20, 10 to 20, 0.02 nohead lc rgb "#D55E00" dt 3
 set arrow 5 from 6, 3 to 6, 0.02 nohead lc rgb "#D55E00" dt 3
 set arrow 6 from 2, 1 to 2, 0.02 nohead lc rgb "#D55E00" dt 3
-set label 1 "twice 1 %" at 2.1, 0.03 font ",11" textcolor rgb "#D55E00"
+set label 1 "twice 1 %" at 1.9, 0.03 right font ",11" textcolor rgb "#D55E00"
 set label 2 "3 %" at 6.3, 0.03 font ",11" textcolor rgb "#D55E00"
 set label 3 "10 %" at 21, 0.03 font ",11" textcolor rgb "#D55E00"
 plot data index "rungs" using "error":"estimate" with points pt 7 ps 0.35 lc rgb "#BBBBBB" \
@@ -31,6 +31,6 @@ plot data index "rungs" using "error":"estimate" with points pt 7 ps 0.35 lc rgb
      data index "rungs" using "error":(is("right")) with points ls 1 ps 0.8 \
          title "accepted", \
      "" index "rungs" using "error":(is("lower")) with points pt 6 ps 0.9 lw 1.5 \
-         lc rgb "#E69F00" title "accepted, a lower rung would have done", \
+         lc rgb "#E69F00" title "a lower rung would do", \
      "" index "rungs" using "error":(is("wrong")) with points pt 2 ps 1.6 lw 3 \
-         lc rgb "#D55E00" title "accepted, wrong by more than twice"
+         lc rgb "#D55E00" title "wrong by more than twice"

@@ -5,7 +5,7 @@
 if (!exists("data")) data = "build/data/23_least_model/twelve.tsv"
 if (!exists("out"))  out  = "figures/23_least_model/twelve.svg"
 load "figures/style.gp"
-set terminal svg size 760,560
+set terminal svg size 600,460
 set output out
 set logscale xy
 set xrange [0.012:200]

@@ -2,9 +2,9 @@
 # Reads   data  tables limit, slope
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,380
+set terminal svg size 580,740
 set output out
-set multiplot layout 1,2
+set multiplot layout 2,1 margins 0.13,0.97,0.08,0.985 spacing 0,0.11
 set key off
 set lmargin 9
 set xlabel "squares per side n"
@@ -13,7 +13,7 @@ set xrange [14:34]
 set yrange [0:9]
 set xtics (16, 24, 32)
 set label 1 "predicted, 2.2 h per frame" at 21.3,6.9 tc rgb "black"
-set label 2 "measured: frames are lost above" at 14.8,3.4 tc rgb "#D55E00"
+set label 2 "measured: frames are lost above" at 15,3.6 tc rgb "#D55E00"
 plot data index "limit" using "n":"predicted" with lines ls 8, \
      "" index "limit" using "n":"cubic" with linespoints ls 2
 unset label

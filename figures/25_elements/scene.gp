@@ -3,7 +3,7 @@
 # Reads   data  tables lines, missing
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 720,400
 set output out
 array Body[2] = ["coarse", "fine"]
 array Cells[2] = ["8 x 8", "32 x 32"]
@@ -13,7 +13,7 @@ times = 45
 of(b, l, v) = strcol("body") eq b && column("line") == l ? v : NaN
 px(b, l) = of(b, l, column("X") + times * column("u_x"))
 py(b, l) = of(b, l, column("Y") + times * column("u_y"))
-set multiplot layout 1,2 margins 0.02,0.98,0.03,0.9 spacing 0.03,0
+set multiplot layout 1,2 margins 0.03,0.99,0.03,0.9 spacing 0.03,0
 unset key
 unset border
 unset tics

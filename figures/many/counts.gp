@@ -4,7 +4,7 @@
 # Reads   data  tables runs, messages of many.tsv
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,370
+set terminal svg size 580,760
 set output out
 set datafile missing NaN
 unset key
@@ -16,7 +16,7 @@ set logscale x
 set xrange [55:590]
 set xtics (64, 128, 256, 512)
 set xlabel "squares per side n"
-set multiplot layout 1,2 margins 0.075,0.985,0.145,0.96 spacing 0.1,0
+set multiplot layout 2,1 margins 0.12,0.97,0.08,0.985 spacing 0,0.10
 set yrange [0:20]
 set ylabel "iterations per linear system" offset 1
 set label 1 "geometric multigrid" at 66,5.4 tc ls 6

@@ -4,7 +4,7 @@
 #               path_log_halved
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,620
+set terminal svg size 640,640
 set output out
 array Name[5] = ["path_notes", "path_demand", "path_always", \
     "path_log_notes", "path_log_halved"]
@@ -12,22 +12,22 @@ array Style[5] = [2, 3, 4, 1, 6]
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
 lost(value) = strcol("reason") ne "OK" ? value : NaN
 set multiplot
-set lmargin at screen 0.09
+set lmargin at screen 0.115
 set rmargin at screen 0.985
 set xrange [0:2.02]
 set arrow 1 from pi / 2, graph 0 to pi / 2, graph 1 nohead ls 8
 set tmargin at screen 0.97
 set bmargin at screen 0.54
 unset key
-set label 2 "cubic, always projecting" at 0.45, 75 right tc ls 4
-set label 3 "cubic, on demand" at 1.65, 2.8 tc ls 3
+set label 2 "cubic, always projecting" at 0.03, 120 tc ls 4
+set label 3 "cubic, on demand" at 1.53, 2.55 right tc ls 3
 set label 4 "log, all cures,\nhalved steps" at 1.34, 420 right tc ls 6
-set label 5 "log, notes' Newton" at 0.575, 1300 right tc ls 1
-set label 6 "cubic, notes' Newton" at 0.795, 1300 tc ls 2
+set label 5 "log, notes' method" at 0.56, 1300 right tc ls 1
+set label 6 "cubic, notes' method" at 0.81, 1300 tc ls 2
 set logscale y
 set yrange [2:2000]
 set format x ""
-set label 1 "failed:" at 0.03, 1300 textcolor rgb "#555555"
+set label 1 "failed" at 0.03, 520 textcolor rgb "#555555"
 set ylabel "linear systems per step"
 plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
          with linespoints ls Style[k], \
@@ -43,10 +43,10 @@ set xlabel "t (s); the ends have moved by sin t each and meet at π/2"
 set ylabel "least J after the step"
 set yrange [-0.12:1.02]
 set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
-set label 7 "log, all cures, halved steps" at 0.8, 0.27 tc ls 6
-set label 8 "cubic, both ways of projecting" at 1.62, 0.21 center tc ls 4
-set label 9 "cubic, notes' Newton" at 0.71, -0.08 right tc ls 2
-set label 10 "log, notes' Newton" at 0.62, 0.40 tc ls 1
+set label 7 "log, all cures,\nhalved steps" at 0.87, 0.34 tc ls 6
+set label 8 "cubic, both ways of projecting" at 1.58, 0.22 center tc ls 4
+set label 9 "cubic, notes' method" at 0.69, -0.07 right tc ls 2
+set label 10 "log, notes' method" at 0.64, 0.42 tc ls 1
 plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
          with linespoints ls Style[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \

@@ -5,21 +5,21 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 1000,420
+set terminal svg size 620,880
 set output out
 set datafile missing "-"
 array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
                  "multigrid"]
-array Text[6] = ["full Cholesky", "band", "nested dissection", \
-                 "CG, Jacobi", "CG, incomplete Cholesky", "CG, V-cycle"]
+array Text[6] = ["full Cholesky", "band", "dissection", \
+                 "CG, Jacobi", "CG, incomplete", "CG, V-cycle"]
 array Style[6] = [2, 1, 3, 5, 4, 6]
 of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
 
-set multiplot layout 1,2 margins 0.07,0.77,0.165,0.965 spacing 0.09,0
+set multiplot layout 2,1 margins 0.12,0.80,0.10,0.985 spacing 0,0.09
 unset key
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set label 9 machine(data) at screen 0.01,0.012 left font ",11"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
@@ -27,17 +27,20 @@ set xrange [7:300]
 set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
+array Work[6] = [5e9, 2.4e9, 1.6e9, 8e8, 3.5e8, 1.2e8]
+do for [k = 1:6] {
+    color = Style[k]
+    set label 10 + k sprintf("n^{%.2f}", slope(k, 3)) at (k == 1 ? 34 : k == 2 ? 140 : 330), Work[k] tc ls color
+}
 plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
-unset label 9
+unset label
 # where the name of a solver stands, with the slope of its work
 array Height[6] = [300, 36, 80, 900, 420, 190]
 do for [k = 1:6] {
     color = Style[k]
-    set label k sprintf("%s (%.2f)", Text[k], slope(k, 3)) \
-        at (k == 1 ? 9 : 320), Height[k] tc ls color
+    set label k Text[k] at (k == 1 ? 9 : 330), Height[k] tc ls color
 }
-set label 7 "(slope of the flops)" at 320, 3e3
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
 plot for [k = 1:6] data index "solvers" using (of(k)):"milliseconds" \

@@ -1,35 +1,39 @@
 # guesses.gp - linear systems per step by where it starts, with
-# new factors each time (left) and with kept ones [alg:chord] (right).
+# new factors each time (above) and with kept ones [alg:chord] (below).
 # Reads   data  tables newton_last, newton_velocity, newton_velocity_lift,
 #               newton_extrapolated_lift (n full_mean full_max chord_mean
 #               chord_max); from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,390
+set terminal svg size 600,780
 set output out
 array Table[4] = ["newton_last", "newton_velocity", "newton_velocity_lift", \
                   "newton_extrapolated_lift"]
-array Name[4] = ["u_0", "u_0 + Δt v_0", "the same, lifted", \
-                 "u_0 + Δt (2 v_0 - v_{before}), lifted"]
+array Name[4] = ["u_0", "u_0 + Δt v_0", "the same, lifted", "parabola, lifted"]
 array Style[4] = [2, 4, 3, 1]
 
-set multiplot layout 1,2 margins 0.06,0.775,0.15,0.965 spacing 0.075,0
+set multiplot layout 2,1 margins 0.11,0.74,0.075,0.985 spacing 0,0.10
 unset key
 set logscale x
 set xtics (8, 16, 32, 64, 96)
 set xrange [7:112]
 set yrange [0:11.5]
 set xlabel "squares per side n"
-set ylabel "linear systems per step (mean), new factors"
+set ylabel "systems per step: new factors"
+array First[4] = [5, 3.75, 3.05, 2.3]
+do for [k = 1:4] {
+    color = Style[k]
+    set label k Name[k] at 120, First[k] tc ls color
+}
 plot for [k = 1:4] data index Table[k] using "n":"full_mean" \
          with linespoints ls Style[k]
-array Height[4] = [8.7, 4.9, 3.6, 2.85]
+array Height[4] = [8.7, 4.9, 3.4, 2.7]
 do for [k = 1:4] {
     color = Style[k]
     set label k Name[k] at 120, Height[k] tc ls color
 }
-set label 5 "dotted: with new factors" at 120, 1.2
-set ylabel "linear systems per step (mean), factors kept"
+set label 5 "dotted:\nfactorisations" at 120, 1.7
+set ylabel "systems per step: factors kept"
 plot for [k = 1:4] data index Table[k] using "n":"chord_mean" \
          with linespoints ls Style[k], \
      for [k = 1:4] data index Table[k] using "n":"chord_factorisations" \

@@ -1,51 +1,60 @@
-# solvers.gp - a factorisation, a solve and a whole step by the band, by nested
-# dissection, and by CHOLMOD where there is one.
-# Expected: slopes 4 and 3 of the factorisation for large n, 3 and 2 of the solve.
-# Reads   data  tables solvers (solver n factor_ms solve_ms step_ms), crossover,
-#               machine; from `make bench`
+# solvers.gp - a whole step by the band, by nested dissection, and by CHOLMOD
+# where there is one; and one solve with their factors, relative to dissection.
+# Expected: slopes 4 and 3 of the step for large n; a solve in single precision
+# with its refinements costs more, and a band more from n = 36 on.
+# Reads   data  tables solvers (solver n solve_ms step_ms), crossover, machine;
+#               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,420
+set terminal svg size 780,420
 set output out
 array Name[4] = ["band", "dissection", "single", "cholmod"]
-array Text[4] = ["blocked band", "nested dissection by fronts", \
-                 "dissection in single precision", \
-                 "CHOLMOD, same order"]
 array Style[4] = [1, 3, 2, 4]
 of(k) = strcol("solver") eq Name[int(k)] ? column("n") : NaN
-has(k) = system(sprintf("grep -c '^%s\t' '%s'", Name[k], data)) > 0
-there = ""
-do for [k = 1:4] { if (has(k)) { there = there." ".k } }
+cholmod = system("grep -c '^cholmod\t' '".data."'") > 0
 stats data index "crossover" using "step_n" nooutput name "C"
+stats data index "solvers" using (strcol("solver") eq "dissection" ? \
+      column("solve_ms") : NaN) nooutput name "S"
 set datafile missing "-"
+# Each solver has a row for each n, in one order; dissection's come second.
+array Base[S_records]
+stats data index "solvers" using (strcol("solver") eq "dissection" ? \
+      (Base[int($0) % S_records + 1] = column("solve_ms")) : NaN) nooutput
+over(k) = strcol("solver") eq Name[int(k)] ? \
+          column("solve_ms") / Base[int($0) % S_records + 1] : NaN
 
-set multiplot layout 1,2 margins 0.07,0.775,0.165,0.965 spacing 0.09,0
+set multiplot layout 1,2 margins 0.085,0.985,0.175,0.975 spacing 0.09,0
 unset key
 set label 9 machine(data) at screen 0.01,0.025 left font ",10"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
 set xrange [7:300]
-set yrange [1e-3:2e3]
-set xlabel "squares per side n"
-set ylabel "factorisation; dashed: solve (ms)"
-plot for [k in there] data index "solvers" using (of(k)):"factor_ms" \
-         with linespoints ls Style[int(k)], \
-     for [k in there] data index "solvers" using (of(k)):"solve_ms" \
-         with linespoints ls Style[int(k)] dt 2 lw 1.2
-unset label 9
-array Height[4] = [800, 125, 70, 230]
-do for [k in there] {
-    i = int(k)
-    color = Style[i]
-    set label 10 + i Text[i] at 320, Height[i] tc ls color
-}
-set ylabel "whole time step (ms)"
 set yrange [1e-2:2e3]
-set label 2 "1/30 s" at 7.4,46 left font ",11"
-set label 3 sprintf("from n = %d on dissection is faster", C_max) \
-    at graph 0.40,0.07 left font ",11"
-plot for [k in there] data index "solvers" using (of(k)):"step_ms" \
-         with linespoints ls Style[int(k)], \
+set xlabel "squares per side n"
+set ylabel "whole time step (ms)"
+set arrow 1 from C_max, graph 0 to C_max, graph 0.45 nohead ls 8
+set label 1 "1/30 s" at 7.6,52 left
+set label 2 "band" at 165,400 right tc ls 1
+set label 3 "dissection" at 105,4.2 left tc ls 3
+set label 4 (cholmod ? "CHOLMOD" : "") at 7.6,0.6 left tc ls 4
+set label 5 sprintf("dissection is\nfaster from\nn = %d on", C_max) \
+    at C_max * 1.12,0.085 left
+plot for [k in cholmod ? "1 2 4" : "1 2"] data index "solvers" \
+         using (of(k)):"step_ms" with linespoints ls Style[int(k)], \
      1000.0 / 30.0 with lines ls 8
+unset label
+unset arrow
+unset logscale y
+set format y "%g"
+set yrange [0:5.2]
+set ytics 1
+set ylabel "one solve, relative to dissection"
+set label 1 "single precision,\nrefined" at 11,4.3 left tc ls 2
+set label 2 "band" at 205,4.75 right tc ls 1
+set label 3 "dissection" at 280,0.74 right tc ls 3
+set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.85 left tc ls 4
+plot for [k in cholmod ? "1 3 4" : "1 3"] data index "solvers" \
+         using (of(k)):(over(k)) with linespoints ls Style[int(k)], \
+     1 with lines ls 3
 unset multiplot

@@ -6,12 +6,10 @@
 #               (method n step_ms) of figures/many/peer.c; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 620,900
 set output out
 array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
-array Name[5] = ["readable: GSL, band", "lapack: ".lapack(data).", band", \
-                 "blocked: our band", "best: with lift and chord rule", \
-                 "sparse: the same by dissection"]
+array Name[5] = ["readable", "lapack: ".lapack(data), "blocked", "best", "sparse"]
 array Style[5] = [2, 4, 6, 1, 3]
 # The largest n of a method that is ready in time, 0 where there is none.
 within(k) = system(sprintf("awk -F'\t' '$1 == \"%s\" && /\tyes\t/ \
@@ -25,14 +23,14 @@ peer = system(sprintf("grep -c '^# peer' '%s'", data)) > 0
 rows = peer ? "notes method" : ""
 
 # where the name of a method stands, right of its last point
-array Height[5] = [3200, 1150, 190, 88, 11]
+array Height[5] = [4500, 1100, 300, 62, 14]
 set multiplot
 unset key
-set tmargin at screen 0.95
-set bmargin at screen 0.17
-set lmargin at screen 0.075
-set rmargin at screen 0.40
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set lmargin at screen 0.12
+set rmargin at screen 0.76
+set tmargin at screen 0.98
+set bmargin at screen 0.56
+set label 9 machine(data) at screen 0.01,0.010 left font ",11"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128)
@@ -40,35 +38,33 @@ set xrange [7:140]
 set yrange [1e-3:8e3]
 set xlabel "squares per side n"
 set ylabel "median time per step (ms)"
-set label 10 "1/30 s" at 7.4,55 left font ",11"
-set label 11 "dash-dotted: limits of the core, band" at 150, 24 font ",11"
-set label 12 "(in real time up to n)" at 150, 7500 font ",11"
+set label 10 "1/30 s" at 7.4,55 left
+set label 11 "limits of the core, band" at 26, 0.011
 do for [k in there] {
     i = int(k)
-    color = Style[i]
-    set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] \
-        font ",11" tc ls color
+    set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] tc ls Style[i]
 }
 by(word) = strcol("method") eq word ? column("n") : NaN
 if (peer) {
-    set label 13 "PETSc, notes (triangles)" at 150, 470 font ",11" tc ls 5
-    set label 14 "PETSc, method (diamonds)" at 150, 46 font ",11" tc ls 5
+    set label 13 "PETSc, notes" at 150, 570 tc rgb "#666666"
+    set label 14 "PETSc, method" at 150, 125 tc rgb "#666666"
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
      for [word in rows] data index "peer" using (by(word)):"step_ms" \
-         with points ls 5 pt (word eq "notes" ? 11 : 12) ps 1, \
+         with points pt (word eq "notes" ? 11 : 13) ps 1 lc rgb "#666666", \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label
-set lmargin at screen 0.715
-set rmargin at screen 0.985
+set tmargin at screen 0.45
+set bmargin at screen 0.09
 set xtics auto
 set format x "10^{%T}"
 set xrange [1e-2:1e3]
 set yrange [5e-5:5e-3]
 set xlabel "median time per step (ms)"
-set ylabel "difference from half the elements, rms (m)"
+set ylabel "change of u by half the elements, rms (m)"
+set label 10 "1/30 s" at 36, 3e-3
 set arrow 3 from 1000.0 / 30, graph 0 to 1000.0 / 30, graph 1 nohead ls 8
 plot for [k in there] data index "accuracy" \
          using (column(Method[int(k)]."_ms")):"rms" \
@@ -76,5 +72,5 @@ plot for [k in there] data index "accuracy" \
      data index "accuracy" using (0.75 * (column("best_ms") < column("sparse_ms") ? \
              column("best_ms") : column("sparse_ms"))):"rms": \
          (sprintf(column("n") == 8 ? "n = %d" : "%d", column("n"))) \
-         with labels right font ",11"
+         with labels right
 unset multiplot

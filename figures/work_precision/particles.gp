@@ -5,7 +5,7 @@
 if (!exists("data")) data = "build/data/work_precision/particles.tsv"
 if (!exists("out"))  out  = "figures/work_precision/particles.svg"
 load "figures/style.gp"
-set terminal svg size 900,430
+set terminal svg size 580,840
 set output out
 array Body[2] = ["bar", "block"]
 array Title[2] = ["a bar that hangs", "a block that swings"]
@@ -21,23 +21,23 @@ of(b, k) = strcol("body") eq Body[int(b)] && \
 set multiplot
 set logscale xy
 set format xy "10^{%T}"
-set tmargin at screen 0.92
-set bmargin at screen 0.13
-set xlabel "flops, counted"
+set lmargin at screen 0.13
+set rmargin at screen 0.97
 unset key
 do for [b = 1:2] {
     set title Title[b]
-    set ylabel b == 1 ? "relative error of u" : ""
-    set lmargin at screen b == 1 ? 0.085 : 0.575
-    set rmargin at screen b == 1 ? 0.48 : 0.98
+    set ylabel "relative error of u"
+    set xlabel b == 2 ? "flops, counted" : ""
+    set tmargin at screen b == 1 ? 0.955 : 0.47
+    set bmargin at screen b == 1 ? 0.56 : 0.07
     if (b == 1) {
         set xrange [1e3:5e6]
         set yrange [5e-7:2e-2]
         set label 1 "finite\nelements" at 1.2e3, 1.2e-4
-        set label 2 "linear kernel" at 6e3, 3.6e-3 tc rgb Color[2]
+        set label 2 "linear kernel" at 1.1e4, 4.5e-3 tc rgb Color[2]
         set label 3 "quadratic" at 2.3e5, 6.5e-6 tc rgb Color[3]
         set label 4 "cubic" at 3.5e5, 1.8e-6 tc rgb Color[4]
-        set label 5 "quadratic, ten grids" at 9e4, 4.5e-3 tc rgb Color[3]
+        set label 5 "quadratic, ten grids" at 1.6e5, 3.6e-3 tc rgb Color[3]
         set label 6 "cubic,\nten grids" at 1.1e6, 2.2e-4 tc rgb Color[4]
     } else {
         unset label
@@ -45,11 +45,11 @@ do for [b = 1:2] {
         set yrange [1e-3:0.3]
         set label 1 "finite\nelements" at 1.2e5, 7e-3
         set label 2 "elements, implicit" at 1.9e5, 0.16 tc rgb "#555555"
-        set label 3 "FLIP" at 1e6, 0.115 tc rgb Color[5]
+        set label 3 "FLIP" at 8.5e5, 0.115 tc rgb Color[5]
         set label 4 "quadratic, implicit" at 4e6, 0.1 tc rgb Color[9]
         set label 5 "quadratic" at 7e5, 0.036 right tc rgb Color[3]
         set label 6 "cubic" at 1e8, 7.7e-3 tc rgb Color[4]
-        set label 7 "known to" at 4e4, 1.5e-3 font ",11"
+        set label 7 "known to" at 4e4, 1.45e-3
     }
     plot data index "fewest" using (3e4):(b == 1 ? 1e-9 : column("floor")):(6e8):(0) \
              with vectors nohead ls 8 dt 3 notitle, \

@@ -40,8 +40,8 @@ mkdir -p "$dir/many" && cp "$BUILD/data/many/many.tsv" "$dir/many/" &&
 said=$(BUILD=$test/$kind sh tests/tools/workbook.sh check)
 result $? 'the book is in step' "$said"
 for script in $SCRIPTS; do
-    study=$script
-    [ -f "figures/$script.c" ] || study=${script%/*}
+    study=${script%_all}
+    [ -f "figures/$study.c" ] || study=${script%/*}
     cmp -s "$dir/$study.tsv" "$BUILD/data/$study.tsv" ||
         for drawn in "$test"/figures.$(echo "$script" | tr / .).*; do
             case $drawn in *.svg | *.gif) ;; *) continue ;; esac

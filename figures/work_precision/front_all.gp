@@ -1,0 +1,72 @@
+# front_all.gp - as front.gp, for all six scenes: error against counted flops of every setting in six scenes (grey), the
+# front, whose corners say law, method, n x steps and the element unless it is an
+# even linear one, what the balance rule takes, the floor of the reference; how
+# many settings fail.
+# Reads   data  tables settings, front (scene asked law method error flops
+#               reason element grade floor; asked 0: the front, -1: that of
+#               even linear triangles, else the rule)
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 860,1080
+set output out
+array Scene[6] = ["slow_pull", "fast_pull", "shake", "swing", "buckle", "push"]
+array Title[6] = ["slow pull", "fast pull", "shake", "release and swing", \
+    "press to buckling: n × n/8 cells", "push"]
+here(s) = strcol("scene") eq Scene[int(s)]
+lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
+    t == \"# settings\" && $1 == \"%s\" && $10 != \"OK\" { n++ } \
+    END { print n + 0 }' '%s'", Scene[s], data))
+# of marks within seven pixels of each other, the first
+apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
+    NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
+        !seen[$1, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
+# of the corners those that have room for a label: 0.35 of the error of the last one
+corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflops\terror\tlabel\"; next } \
+    NF == 0 { on = 0 } on && $1 != \"scene\" && $2 == 0 { \
+        if ($1 != scene) last = 9; scene = $1; \
+        if ($8 > 0.35 * last) next; last = $8; \
+        element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
+        if ($13 > 1) element = element \", graded\"; \
+        how = $4 == \"static\" ? \"static \" $5 : $4 \" \" $5 \"×\" $6; \
+        print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
+set multiplot
+set logscale xy
+set format y "10^{%T}"
+set format x "10^{%T}"
+set xrange [4e3:2e8]
+set yrange [1.5e-4:3]
+set xtics 1e4, 10, 1e8
+unset key
+do for [s = 1:6] {
+    column_ = (s - 1) % 2
+    row = (s - 1) / 2
+    set lmargin at screen 0.085 + 0.49 * column_
+    set rmargin at screen 0.085 + 0.49 * column_ + 0.415
+    set tmargin at screen 0.965 - 0.325 * row
+    set bmargin at screen 0.965 - 0.325 * row - 0.265
+    set label 1 Title[s] at graph 0.5, 1.05 center font ",14"
+    set xlabel row == 2 ? "flops counted" : ""
+    set ylabel column_ == 0 ? "relative error of u at the end" : ""
+    set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",12" \
+        textcolor rgb "#555555"
+    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.81 tc rgb "#CC79A7"
+    plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
+             with vectors nohead ls 8 dt 3, \
+         apart using (here(s) ? column("flops") : NaN):"error" \
+             with points pt 7 ps 0.25 lc rgb "#B0B0B0", \
+         data index "front" using (here(s) && column("asked") == -1 ? column("flops") : NaN):"error" \
+             with steps lw 2 dt 3 lc rgb "#009E73", \
+         data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
+             with steps lw 1.5 lc rgb "#009E73", \
+         data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
+             with points pt 7 ps 0.5 lc rgb "#009E73", \
+         corners using (here(s) && column("flops") < 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
+             with labels left offset 0.8,0.5 font ",11", \
+         corners using (here(s) && column("flops") >= 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
+             with labels right offset -0.8,-0.5 font ",11", \
+         data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
+             with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
+}
+unset multiplot
