@@ -20,7 +20,9 @@ anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call 
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O2
 
-RUNS := $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
+# the longest first
+RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/knot, \
+            $(COUNTED)) $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)

@@ -295,7 +295,8 @@ $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
 # and on what each lesson's own judge says of its data
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
-$(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md
+$(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md \
+        $(T)/lint.result
 # Objects that are the same without the flags for this machine, where the others
 # are those of the Makefile.  Of clang's words about its objects valgrind knows
 # only the older ones, so that they are compiled anew.
@@ -333,9 +334,12 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang sanitize valgrind)
-# first what is long, one after the other, or waits, while the rest computes
+# First what is long, one after the other, or waits, while the rest computes; then
+# what rests on all studies of another compiler; the many short ones come last, so
+# that no processor is without one before the end.
 FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits \
-            web-live)
+            web-live habits new grade wide) $(SAME_RESULTS) \
+        $(patsubst %,$(T)/%.result,cli diff json pictures book lint)
 test: $(FIRST) $(RESULTS)
 	@sh tests/tools/sizes.sh table
 	@cat $^ | sh tests/tools/count.sh

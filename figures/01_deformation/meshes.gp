@@ -4,7 +4,7 @@
 # Reads   data  tables square, strip (one row per triangle)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,345
+set terminal svg size 860,345 enhanced font "Helvetica,14"
 set output out
 unset key
 unset grid
@@ -53,8 +53,8 @@ set yrange [-1.2:1.2]
 set xtics 1
 set ytics 1
 
-set lmargin at screen 0.05
-set rmargin at screen 0.345
+set lmargin at screen 0.055
+set rmargin at screen 0.325
 set xlabel "X (m)"
 set ylabel "Y (m)" offset 2
 set label 1 "undeformed: where J < 0" at graph 0, graph 1.05
@@ -71,8 +71,8 @@ plot polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
      -edge(x) with lines lw 2 dt 2 lc rgb "black"
 
 unset object 1
-set lmargin at screen 0.38
-set rmargin at screen 0.675
+set lmargin at screen 0.39
+set rmargin at screen 0.66
 set xlabel "x (m)"
 set ylabel "y (m)" offset 2
 set label 1 "pushed: inverted triangles" at graph 0, graph 1.05
@@ -83,7 +83,7 @@ plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
      edges("square", 3) using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2"
 
-set lmargin at screen 0.70
+set lmargin at screen 0.725
 set rmargin at screen 0.995
 set xrange [-1.45:1.45]
 set yrange [-0.4:2.5]

@@ -4,19 +4,19 @@
 # Reads   data  tables angles, thresholds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,370
+set terminal svg size 780,370 enhanced font "Helvetica,14"
 set output out
 unset key
 
-set multiplot layout 1,2 margins 0.08,0.985,0.15,0.96 spacing 0.105,0
+set multiplot layout 1,2 margins 0.095,0.972,0.175,0.955 spacing 0.13,0
 set xlabel "rotation (degrees)"
 set ylabel "size of entry 11 (%)"
 set xrange [0:40]
 set yrange [-0.8:24]
 set xtics 10
 set ytics 5
-set label 1 "linear strain: 1 - cos θ" at 26.5, 14 right tc ls 2
-set label 2 "Green and left strain: 0" at 39.5, 1.5 right tc ls 1
+set label 1 "linear: 1 - cos θ" at 27.5, 14 right tc ls 2
+set label 2 "Green, left strain: 0" at 39.5, 1.6 right tc ls 1
 plot data index "angles" using "degrees":(100 * abs(column("linear"))) \
          with linespoints ls 2 notitle, \
      data index "angles" using "degrees":(100 * abs(column("green"))) \
@@ -25,11 +25,11 @@ plot data index "angles" using "degrees":(100 * abs(column("linear"))) \
          "degrees":(0) with vectors nohead ls 8 notitle, \
      data index "thresholds" using "degrees":(100 * column("level")): \
          (0):(-100 * column("level")) with vectors nohead ls 8 notitle, \
-     data index "thresholds" using (column("degrees") - 0.6): \
-         (100 * column("level") + 0.75): \
-         (sprintf("%g %% at %.2f°", 100 * column("level"), \
+     data index "thresholds" using (0.3): \
+         (100 * column("level") + 0.9): \
+         (sprintf("%g %%: %.1f°", 100 * column("level"), \
                   column("degrees"))) \
-         with labels right font ",12" notitle
+         with labels left notitle
 
 set ylabel "largest change of an entry"
 set xrange [0:180]
@@ -37,8 +37,8 @@ set yrange [-0.3:2.75]
 set xtics 45
 set ytics 0.5
 set label 1 "linear" at 88, 1.6 right tc ls 2
-set label 2 "left, (FF^T - I)/2: turns along" at 179, 0.5 right tc ls 3
-set label 3 "Green, (F^TF - I)/2: none" at 179, -0.16 right tc ls 1
+set label 2 "left: turns along" at 179, 0.5 right tc ls 3
+set label 3 "Green: none" at 179, -0.14 right tc ls 1
 plot data index "angles" using "degrees":"linear_change" \
          with linespoints ls 2 pi 5 notitle, \
      data index "angles" using "degrees":"left_change" \

@@ -3,7 +3,7 @@
 # Reads   data  tables curve_log, curve_cubic, curve_linear, difference, passes
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,420 enhanced font "Helvetica,14"
+set terminal svg size 800,420 enhanced font "Helvetica,14"
 set output out
 unset key
 set multiplot layout 1,2

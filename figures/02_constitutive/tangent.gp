@@ -2,7 +2,7 @@
 # Reads   data  tables tangent_cubic, tangent_log, thresholds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,400
+set terminal svg size 800,400 enhanced font "Helvetica,14"
 set output out
 
 stats data index "thresholds" using "nu_cubic" nooutput
@@ -21,18 +21,18 @@ set multiplot
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
     fc rgb "#f6dcd0" fs solid noborder behind
 set label 1 "softening: dP/dF < 0" at graph 0.03, graph 0.05 \
-    font ",12" textcolor rgb "#8a3c00"
+    textcolor rgb "#8a3c00"
 set xlabel "deformation gradient F (-)"
 set tmargin at screen 0.96
-set bmargin at screen 0.15
+set bmargin at screen 0.16
 
 unset key
-set label 2 "cubic law" at 4.9, 2.25 right
+set label 2 "cubic law" at 4.95, -0.65 right
 set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
 set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
 set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 2.35, -0.15 left tc rgb Cubic[3]
 set label 6 "0.02" at 4.55, 0.6 tc rgb Cubic[4]
-set lmargin at screen 0.09
+set lmargin at screen 0.11
 set rmargin at screen 0.49
 set xrange [0:5]
 set yrange [-0.8:2.4]

@@ -36,7 +36,7 @@ set xlabel "iterations"
 set ylabel "error, relative to the first" offset 0.5
 set label 1 "measured:" at 50, 1e-6 right
 set label 2 sprintf("old entry: %d", Count[1]) at 50, 1e-7 right textcolor ls 1
-set label 3 sprintf("with 1: %d", Count[2]) at 80, 1e-8 left textcolor ls 2
+set label 3 sprintf("1: %d", Count[2]) at 85, 1e-8 left textcolor ls 2
 set label 4 "bounds" at 2.2e3, 0.8 left
 plot for [k = 1:2] bound(k, x) with lines ls k dt 2, \
      for [k = 1:2] data index "path" \

@@ -40,10 +40,10 @@ set lmargin at screen 0.10
 set rmargin at screen 0.48
 set ylabel "storage, bytes" offset 0.5
 set yrange [100:1e13]
-set label 1 "dense: 8 N^2" at 13, 2e12 tc ls 2
-set label 2 "banded, p = √N: 8 N(p + 1)" at 13, 3e11 tc ls 6
-set label 3 "banded, p = 1: 16 N" at 4e3, 1e4 tc ls 1
-set label 4 "16 GiB" at 13, 5e10
+set label 1 "dense" at 1e5, 2e11 right tc ls 2
+set label 2 "p = √N" at 2.4e4, 7e6 left tc ls 6
+set label 3 "p = 1" at 1.5e4, 4e4 left tc ls 1
+set label 4 "16 GiB" at 13, 4.5e10
 plot data index "costs" using "N":"dense_bytes" with linespoints ls 2 lw 1, \
      data index "costs" using "N":"plane_bytes" with linespoints ls 6 lw 1, \
      data index "costs" using "N":"line_bytes" with linespoints ls 1 lw 1, \
@@ -53,9 +53,9 @@ set lmargin at screen 0.60
 set rmargin at screen 0.98
 set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
-set label 1 sprintf("dense, last: N^{%.2f}", p_dense) at 3e2, 3e-1 right tc ls 2
-set label 2 sprintf("banded, p = 1: N^{%.2f}", p_banded) at 3e3, 4e-6 tc ls 1
-set label 3 "dashed: slopes 3 and 1" at 1.2e6, 3e-7 right
+set label 1 sprintf("dense: N^{%.2f}", p_dense) at 13, 3e0 left tc ls 2
+set label 2 sprintf("p = 1: N^{%.2f}", p_banded) at 1.2e4, 2e-5 left tc ls 1
+set label 3 "dashed: slopes 3 and 1" at 1.2e6, 2.5e-7 right
 plot data index dense using "N":"seconds" with linespoints ls 2 lw 1, \
      s_first * (x / N_first)**3 with lines ls 8, \
      data index banded using "N":"seconds" with linespoints ls 1 lw 1, \

@@ -10,7 +10,7 @@ set output out
 set logscale xy
 set format y "10^{%T}"
 unset key
-set multiplot layout 1,2 margins 0.095,0.975,0.15,0.91 spacing 0.12,0
+set multiplot layout 1,2 margins 0.105,0.975,0.15,0.91 spacing 0.125,0
 
 set title "smooth problem" offset 0,-0.5
 set xlabel "samples of β and of f, each"

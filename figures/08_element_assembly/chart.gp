@@ -43,7 +43,7 @@ set label 9 machine(data) at screen 0.01,0.025 left font ",11"
 set xrange [1e-7:1]
 set xlabel "time of factor + solve (s)"
 set label 1 sprintf("dense: slope %.2f", Dseconds_slope) at 6e-6, 1.9e-4 tc ls 2
-set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 1.2e-5, 2.5e-7 tc ls 1
+set label 2 sprintf("banded:\nslope %.2f", Bseconds_slope) at 1.8e-5, 2.5e-7 tc ls 1
 set label 3 "rings:\nround-off" at 3e-4, 3e-9 tc ls 1
 set label 4 "1/30 s" at 0.045, 6e-4
 set label 5 "dashed:\n-2/3, -2" at 1.3e-7, 1.2e-10
@@ -66,7 +66,7 @@ set xrange [1e1:1e9]
 set xlabel "work of factor + solve (flops)"
 unset ylabel
 set label 1 sprintf("dense: slope %.2f", Dflops_slope) at 3e4, 1.9e-4 tc ls 2
-set label 2 sprintf("banded:\nslope %.2f", Bflops_slope) at 1.2e4, 2.5e-7 tc ls 1
+set label 2 sprintf("banded:\nslope %.2f", Bflops_slope) at 2e4, 2.5e-7 tc ls 1
 set label 3 "rings:\nround-off" at 2.5e5, 3e-9 tc ls 1
 plot data index "chart_dense" using (ok("flops")):"L2" with linespoints ls 2, \
      "" index "chart_banded" using (ok("flops")):"L2" with linespoints ls 1, \

@@ -18,7 +18,7 @@ set xtics ("-20 %%" -0.2, "-10 %%" -0.1, "0" 0, "10 %%" 0.1, "20 %%" 0.2)
 set xlabel "strain e = F - 1"
 set ylabel "relative error of the linear stress"
 set label 3 "log" at -0.205, 20.8 tc ls 1
-set label 4 "cubic" at -0.235, 17.5 tc ls 2
+set label 4 "cubic" at -0.175, 14.5 right tc ls 2
 set label 5 sprintf("dashed: %.2f |e|", SLOPE_max) at 0, 20.8 center
 set label 1 "compression" at graph 0.03, graph 0.13 tc rgb "#555555"
 set label 2 "tension" at graph 0.97, graph 0.13 right tc rgb "#555555"

@@ -5,7 +5,7 @@
 #               iterations error seconds ns_per_unknown), large, machine
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430 enhanced font "Helvetica,14" \
+set terminal svg size 800,430 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 array Table[4] = ["chart_readable", "chart_gsl", "chart_fused", "chart_both"]
@@ -27,7 +27,7 @@ last(t) = int(system(sprintf("awk -v t='# %s' '$0 == t { on = 1 } \
 slope(t) = log(cell(t, "error", last(t)) / cell(t, "error", 2)) / \
            log(cell(t, "seconds", last(t)) / cell(t, "seconds", 2))
 
-set multiplot layout 1,2 margins 0.11,0.79,0.195,0.96 spacing 0.115,0
+set multiplot layout 1,2 margins 0.115,0.765,0.195,0.96 spacing 0.125,0
 unset key
 set label 9 machine(data) at screen 0.01,0.025 left font ",11"
 set logscale xy
@@ -38,7 +38,7 @@ set xlabel "time of the whole solve (s)"
 set ylabel "relative error of u(1)"
 set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead ls 8
 set label 1 "1/30 s" at 0.027, 3e-4 right
-set label 2 "all slopes near -2\n(dashed)" at 4e-7, 1e-11
+set label 2 "all slopes near -2\n(dashed)" at 4e-7, 5e-13
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s], \
      4e-17 * x**-2 with lines ls 8

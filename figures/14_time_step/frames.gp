@@ -6,7 +6,8 @@
 if (!exists("data")) data = "build/data/14_time_step/frames.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/frames.svg"
 load "figures/style.gp"
-set terminal svg size 860,470
+set terminal svg size 860,500 enhanced font "Helvetica,17" \
+    background rgb "white"
 set output out
 array Word[8] = ["grab", "pull", "hold", "shake", "slam", "push", "hold", \
                  "let go"]
@@ -15,9 +16,9 @@ do for [m = 1:8] {
     stats data index "script" using "until" every ::m-1::m-1 nooutput
     Until[m] = STATS_max
     set arrow m from Until[m], graph 0 to Until[m], graph 1 nohead ls 9 lw 1
-    set label m Word[m] rotate by (m == 5 ? 90 : 0) at (m == 1 ? 0.5 * Until[m] \
-        : 0.5 * (Until[m] + Until[m - 1])), graph (m == 5 ? 0.93 : 0.955) \
-        center font ",12"
+    set label m Word[m] rotate by (m == 1 || m == 5 ? 90 : 0) at (m == 1 ? 0.5 * Until[m] \
+        : 0.5 * (Until[m] + Until[m - 1])), graph (m == 1 || m == 5 ? 0.92 : 0.95) \
+        center font ",16"
 }
 stats data index "loop" using "p50" nooutput
 p50 = STATS_max * 1e3
@@ -32,25 +33,25 @@ by(a, b) = column("attempts") >= a && column("attempts") <= b \
 lost(x) = stringcolumn("status") ne "OK" ? column("seconds") * 1e3 : 1/0
 set label 20 machine(data) at screen 0.99,0.025 right font ",10" \
     textcolor rgb "#555555"
-set bmargin 5
+set bmargin 5.5
 set logscale y
 set xrange [0:3.4]
-set yrange [0.4:3000]
+set yrange [0.4:4000]
 unset key
-set label 22 "1/30 s" at 0.02, 45
-set label 23 "FAST" at 0.9, 1.5 textcolor ls 1
-set label 24 "ROBUST" at 2.72, 8 textcolor ls 2
+set label 22 "1/30 s" at 0.24, 48
+set label 23 "at once (FAST)" at 0.3, 1.6 textcolor ls 1
+set label 24 "second\nattempt\n(ROBUST)" at 2.85, 16 textcolor ls 2
 stats data index "frames" using (by(3, 9)) nooutput name "PARTS"
 slowest(x) = by(3, 9) == PARTS_max ? x : 1/0
 set xlabel "time in the script (s)"
 set ylabel "time for the frame (ms)"
 set label 21 sprintf("n = %d: median %.1f ms, 99 of 100 within %.0f ms, worst \
-%.0f ms", n, p50, p99, worst) at screen 0.01,0.025 left font ",12"
+%.0f ms", n, p50, p99, worst) at screen 0.01,0.025 left font ",16"
 plot 1000.0 / 30 with lines ls 8 lw 1.5, \
      data index "frames" using "t":(by(1, 1)) with points ls 1, \
      data index "frames" using "t":(by(2, 2)) with points ls 2, \
      data index "frames" using "t":(by(3, 9)) with points ls 3 ps 0.9, \
-     data index "frames" using (slowest(column("t") + 0.03)):(by(3, 9)): \
-         ("in sub-steps") with labels left tc ls 3, \
+     data index "frames" using (slowest(column("t") + 0.05)):(by(3, 9)): \
+         ("in parts") with labels left tc ls 3, \
      data index "frames" using "t":(lost(0)) with points ls 4 pt 2 ps 0.9
 set output

@@ -7,7 +7,8 @@
 if (!exists("data")) data = "build/data/14_time_step/long.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/long.svg"
 load "figures/style.gp"
-set terminal svg size 900,460
+set terminal svg size 900,480 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 array Key[4] = ["symplectic", "backward", "midpoint", "bdf2"]
 array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
@@ -24,17 +25,17 @@ set ytics 1
 do for [m = 1:4] {
     col = (m - 1) % 2
     line = (m - 1) / 2
-    set lmargin at screen 0.055 + 0.225 * col
-    set rmargin at screen 0.265 + 0.225 * col
-    set tmargin at screen 0.93 - 0.43 * line
-    set bmargin at screen 0.56 - 0.43 * line
-    set label 1 Name[m] at graph 0.5, graph 1.06 center
+    set lmargin at screen 0.075 + 0.215 * col
+    set rmargin at screen 0.275 + 0.215 * col
+    set tmargin at screen 0.92 - 0.42 * line
+    set bmargin at screen 0.57 - 0.42 * line
     set format x line == 1 ? "%g" : ""
     set format y col == 0 ? "%g" : ""
     set xlabel line == 1 ? "u" : ""
     set ylabel col == 0 ? "v / ω" : ""
     stats data index "cat" using "area" every ::row(m, 3)::row(m, 3) nooutput
-    set label 2 sprintf("area %.2f", STATS_max) at 1.5, 1.4 right font ",12"
+    set label 1 sprintf("%s: %.2f", Name[m], STATS_max) at graph 0.5, graph 1.08 \
+        center
     plot data index "cat" using "u":"v" every ::row(m, 0)::row(m, 0)+29 \
              with filledcurves closed lc rgb "#bbbbbb", \
          for [j = 1:3] data index "cat" using "u":"v" \
@@ -42,18 +43,17 @@ do for [m = 1:4] {
              with filledcurves closed ls Style[m] fs transparent solid 0.35, \
          for [j = 1:3] data index "cat" using "u":"v" \
              every ::row(m, j)::row(m, j)+29 with lines ls Style[m] lw 1
-    unset label 2
 }
 unset label
 set lmargin at screen 0.60
 set rmargin at screen 0.985
 set tmargin at screen 0.93
-set bmargin at screen 0.14
+set bmargin at screen 0.16
 unset key
 set label 3 "symplectic Euler" at 1e3, 1.12 center front
 set label 4 "midpoint" at 7e4, 0.96 right tc ls 3 front
 set label 5 "BDF2" at 5e2, 0.36 left tc ls 4 front
-set label 6 "backward Euler" at 15, 0.28 left tc ls 1 front
+set label 6 "backward\nEuler" at 26, 0.32 left tc ls 1 front
 set size noratio
 set logscale x
 set format x "10^{%T}"

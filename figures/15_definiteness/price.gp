@@ -3,7 +3,8 @@
 # Reads   data  tables steps, approach, price
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,370
+set terminal svg size 900,410 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 total(m) = system("awk -F'\t' '$0 == \"# price\" { on = 1 } NF == 0 { on = 0 } \
     on && $1 == \"".m."\" { print $3 }' '".data."'")
@@ -12,23 +13,23 @@ divides = system("awk -F'\t' '$0 == \"# approach\" { on = 1 } \
     END { printf \"%.1f\", before / last }' '".data."'")
 set multiplot
 set tmargin at screen 0.96
-set bmargin at screen 0.15
-set lmargin at screen 0.08
+set bmargin at screen 0.17
+set lmargin at screen 0.09
 set rmargin at screen 0.52
 set logscale y
 set format y "%g"
 set xrange [0:60]
-set yrange [3:300]
+set yrange [2:300]
 set xlabel "step"
 set ylabel "linear systems in the step"
 unset key
-set label 1 "always: ".total("always")." in all" at 30, 110 tc ls 4 offset 1.5, 1
+set label 1 "always: ".total("always")." in all" at 31, 180 tc ls 4
 set label 2 "on demand: ".total("on demand")." in all" at 33, 8 tc ls 3
-set label 3 "never: fails after its last point" at 1, 4 tc ls 2
+set label 3 "never: then it fails" at 1, 3.4 tc ls 2
 plot data index "steps" using "k":"always" with linespoints ls 4, \
      data index "steps" using "k":"demand" with linespoints ls 3, \
      data index "steps" using "k":"never" with linespoints ls 2
-set lmargin at screen 0.62
+set lmargin at screen 0.64
 set rmargin at screen 0.98
 set xrange [0:12]
 set yrange [1e-13:1]
@@ -37,8 +38,8 @@ set ytics 1e-16, 1e4
 set xlabel "linear systems"
 set ylabel "distance to the solution (m)"
 unset label
-set label 1 "always: at last each\ndivides it by ".divides at 6.3, 1e-4 tc ls 4
-set label 2 "never, on demand:\nthe digits double" at 3.3, 1e-9 tc ls 3
+set label 1 "always: each\ndivides it by ".divides at 5.7, 1e-3 tc ls 4
+set label 2 "never, on demand:\nthe digits double" at 2.4, 5e-11 tc ls 3
 plot data index "approach" using "k":"always" with linespoints ls 4, \
      data index "approach" using "k":"demand" with linespoints ls 3
 unset multiplot

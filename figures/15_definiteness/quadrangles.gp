@@ -3,7 +3,8 @@
 # Reads   data  tables stretches, factors, twist, flip, scale_low, scale_high
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,300
+set terminal svg size 900,320 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 factor(m) = system("awk -F'\t' '$1 == \"".m."\" { printf \"%.0f\", $2 }' '".data."'")
 stats data index "stretches" using "s1" name "ONE" nooutput
@@ -18,14 +19,14 @@ unset key
 set label 11 "■" at screen 0.38, 0.06 textcolor rgb "#CCCCCC"
 set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", ONE_max, TWO_max) \
     at screen 0.405, 0.06
-set label 13 "moved along it" at -0.14, -0.87 right font ",12" tc ls 1
-set label 14 "and against it" at 0.02, -0.87 font ",12" tc ls 2
+set label 13 "along it" at -0.92, -0.87 left tc ls 1
+set label 14 "against it" at 0.15, -0.87 tc ls 2
 set multiplot layout 1,4 margins 0.02,0.98,0.13,0.86 spacing 0.02,0
 do for [k = 1:4] {
     m = word("twist flip scale_low scale_high", k)
     set label 1 (k == 1 ? "twist" : k == 2 ? "flip" : \
-        k == 3 ? "scaling, the lower" : "scaling, the higher") \
-        at graph 0.5, 1.10 center font ",15"
+        k == 3 ? "scaling, lower" : "scaling, higher") \
+        at graph 0.5, 1.10 center font ",18"
     set label 2 factor(m)." N/m²" at graph 0.5, 1.0 center \
         textcolor rgb (k == 1 ? "#D55E00" : "#0072B2")
     plot data index m using "x":"y" with filledcurves closed \

@@ -10,6 +10,7 @@ result() { # result STATUS WHAT WHY
 }
 copy=$BUILD/test/new
 sh tests/tools/copy.sh "$copy" 03_dirichlet_correction || exit 1
+cp "$BUILD/test/lint.result" "$copy/lint.before" || exit 1
 cd "$copy" || exit 1
 refused() { # refused WHAT NUMBER NAME TEXT
     before=$(find . -type f | grep -c .)
@@ -25,7 +26,6 @@ refused 'a name with a slash' 98 a/b 'NAME is a word'
 refused 'a number of three digits' 198 spring 'two digits'
 
 last=$(ls lessons/[0-9]*.md | tail -n 1)
-sh tests/tools/lint.sh >lint.before
 said=$("$MAKE" new-98 NAME=spring 2>&1)
 result $? 'the files are written, filled and drawn' "$said"
 ! echo "$said" | grep -q 'your file'

@@ -101,10 +101,12 @@ long_for() {
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
         the_best_guess_needs_one_factorisation_a_step dynamics_equal_the_oracle ;;
-    valgrind.cells) echo prices_go_with_columns ;;
+    valgrind.cells) echo a_tenth_of_a_second_is_measured ;;
     valgrind.hang) echo a_limit_goes_on_as_three_meshes_do \
         all_elements_have_one_limit ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
+    valgrind.judge) echo what_gives_up_at_once_explains_nothing \
+        words_must_be_the_reference_s unsolved_runs_keep_their_tables ;;
     valgrind.kept) echo old_factors_find_the_same_step ;;
     valgrind.ladder) echo the_mesh_estimate_meets_the_error ;;
     valgrind.live) echo downhill_goes_down ;;
