@@ -3,7 +3,7 @@
 # Reads   data  table split (setting error model space time solver)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,440
+set terminal svg size 660,470
 set output out
 array Part[4] = ["model", "space", "time", "solver"]
 array Title[4] = ["model: law, static", "space: h", \
@@ -12,11 +12,11 @@ array Color[4] = ["#CC79A7", "#009E73", "#F0E442", "#666666"]
 sum(k) = (k > 0 ? column("model") : 0) + (k > 1 ? column("space") : 0) + \
          (k > 2 ? column("time") : 0) + (k > 3 ? column("solver") : 0)
 share(k) = 100.0 * sum(k) / sum(4)
-set lmargin at screen 0.395
+set lmargin at screen 0.50
 set rmargin at screen 0.985
-set tmargin at screen 0.86
+set tmargin at screen 0.87
 set style fill solid 0.9 border lc rgb "white"
-set key at screen 0.5, 0.985 center top horizontal maxrows 1 samplen 1.5
+set key at screen 0.5, 0.995 center top horizontal maxrows 2 samplen 1.5
 set border 0
 unset grid
 set yrange [9.6:-0.9]
