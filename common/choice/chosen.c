@@ -66,9 +66,10 @@ void chosen_say_numbers(const struct scene_file *file,
     N /= ladder_buckles(scene);
     printf("Scene %s, %g m long, in numbers without dimension\n", file->name,
            2.0 * file->metre);
-    printf("  largest strain %.2g, largest turn %.2g rad: where they are 0.1, "
-           "linear\n  elasticity errs by 5 to 10 %% (lesson 9)\n", strain,
-           turn);
+    printf("  largest strain %.2g: at 0.1 the linear stress is 10 %% off "
+           "(lesson 9)\n", strain);
+    printf("  largest turn %.2g rad: at 0.2 the linear displacement is 10 %% "
+           "off (lesson 23)\n", turn);
     printf("  length over height %.3g, Poisson's ratio %g%s (lesson 12)\n",
            scene->slender, scene->nu,
            scene->nu >= 0.45 ? ": linear triangles lock, quadratic ones do not"

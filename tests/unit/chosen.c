@@ -83,7 +83,8 @@ static void numbers_are_those_of_the_body(void)
     begin(still, (struct ladder_model){CUBIC_PLANE, 0, 0});
     deform(1.2, -0.31);
     says(numbers, "Scene some, 3 m long, ");
-    says(numbers, "largest strain 0.22, largest turn 0.31 rad:");
+    says(numbers, "  largest strain 0.22: at 0.1 the linear stress is 10 % ");
+    says(numbers, "  largest turn 0.31 rad: at 0.2 the linear displacement");
     says(numbers, "length over height 4, Poisson's ratio 0.3 (lesson 12)\n");
     says(numbers, "  hardly loaded along its axis (lesson 23)\n");
     is_silent_on(numbers, "omega T");
@@ -106,6 +107,22 @@ static void numbers_are_those_of_the_body(void)
         is_silent_on(numbers, "along its axis");
         ladder_free(s);
     }
+}
+
+/* Turned by the angle that is printed a body moves by Q X - X, but linearly by
+ * the angle times X across: 10 % off, as geometry says of it as well. */
+static void linear_geometry_errs_as_is_printed(void)
+{
+    double angle = 0.0;
+    begin(still, (struct ladder_model){LINEAR_PLANE, 0, 0});
+    const char *line = strstr(printed(numbers), "largest turn ");
+    ck_assert(line &&
+              sscanf(line, "largest turn %*g rad: at %lf", &angle) == 1);
+    close_to(hypot(1.0 - cos(angle), angle - sin(angle)) /
+             (2.0 * sin(0.5 * angle)), 0.1, 5e-4);
+    deform(1.0, angle);
+    close_to(estimate_geometry(s), 0.1, 5e-4);
+    ladder_free(s);
 }
 
 /* Shifted by c: omega^2 = f.u / u.M u = 10 / c, of 2 kg pulled by 20 N. */
@@ -301,6 +318,7 @@ static void a_motion_has_its_doubts(void)
 #define NAMED(law) {#law, law}
 static const struct unit_law laws[] = {
     NAMED(numbers_are_those_of_the_body),
+    NAMED(linear_geometry_errs_as_is_printed),
     NAMED(a_motion_has_its_numbers),
     NAMED(a_climb_is_told_step_by_step),
     NAMED(a_model_is_told_with_its_solver),
