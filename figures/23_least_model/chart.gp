@@ -22,9 +22,10 @@ set label 1 "1: nothing saved" at 1.15, 11.75 font ",12"
 # what the marks are, at those of the first rows
 set label 2 "0.1 %" at 0.5, -0.75 center tc ls 3
 set label 3 "1 %" at 26, -0.75 center tc ls 2
-set label 4 "found, for an error of 10 %" at 1.1e4, -0.75 center tc ls 1
+set label 4 "found, for an error of 10 %" at 1.1e4, -0.75 center tc ls 1 boxed
 set label 5 "known" at 5e5, 0 right tc ls 1
-set label 6 "saved by the solver: band for dense" at 6.5e3, 1 left
+set style textbox opaque noborder margins 0.3, 0
+set label 6 "saved by a band over a full matrix" at 6.5e3, 1 left boxed
 set label 7 "no mark: the meshes here are too coarse" at 7e6, 11.75 right font ",12"
 set ytics scale 0
 unset grid

@@ -13,7 +13,7 @@ set yrange [0.012:400]
 set xlabel "true error of the displacement (%)"
 set ylabel "estimated error (%)"
 set format xy "%g"
-set key at graph 0.02, graph 0.98 left top vertical maxrows 4 reverse Left samplen 2
+set key at graph 0.02, graph 0.98 left top vertical maxrows 3 reverse Left samplen 2
 of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate") : NaN
 set label 1 "3 times the truth" at 1.4, 6.2 rotate by 41 font ",11" textcolor rgb "#555555"
 set label 2 "a third of it" at 0.16, 0.035 rotate by 41 font ",11" textcolor rgb "#555555"
@@ -28,7 +28,7 @@ plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) *
      data index "rungs" using "error":(of("bar")) with points ls 3 ps 1.0 title "bar", \
      "" index "rungs" using "error":(of("linear")) with points pt 13 ps 1.0 lc rgb "black" title "linear", \
      "" index "rungs" using "error":(of("cubic")) with points ls 2 ps 0.9 title "cubic", \
-     "" index "rungs" using "error":(of("log")) with points ls 1 ps 0.9 title "log", \
+     "" index "rungs" using "error":(of("log")) with points ls 1 ps 0.9 notitle, \
      "" index "chosen" using "error":"estimate" with points pt 6 ps 1.9 lw 1.5 lc rgb "black" \
          title "enough for 10 %", \
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
