@@ -2,12 +2,12 @@
 # Reads   data  table body
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 600,480
+set terminal svg size 560,450
 set output out
 set palette defined (0 "#002F4F", 0.5 "#0072B2", 1 "#FFFFFF", 1.5 "#D55E00", \
                      2 "#7A3300")
 set cbrange [0:2]
-set cblabel "J"
+set label 1 "J" at graph 1.095, 1.05 center
 set cbtics 0.5
 triangles = sprintf("< awk -F'\t' '$1 == \"triangle\" { \
     print $3, $4, $2; print $5, $6, $2; print \"\"; \
@@ -20,8 +20,12 @@ unset key
 unset grid
 set border 15 front ls 9
 set size ratio -1
-set xrange [-1.2:1.4]
-set yrange [-1.3:1.3]
+set xrange [-1.05:1.2]
+set yrange [-1.05:1.05]
+set lmargin at screen 0.09
+set rmargin at screen 0.86
+set tmargin at screen 0.93
+set bmargin at screen 0.13
 set xtics 1
 set ytics 1
 set xlabel "{x_1} (m)"

@@ -2,6 +2,8 @@
 # Reads   data  tables limit, slope
 # Writes  out   SVG
 load "figures/style.gp"
+stats data index "limit" using (column("n") * column("predicted")) nooutput
+law = STATS_mean # 2.2 h per frame, h = 2 / n
 set terminal svg size 580,740
 set output out
 set multiplot layout 2,1 margins 0.13,0.97,0.08,0.985 spacing 0,0.11
@@ -14,15 +16,15 @@ set yrange [0:9]
 set xtics (16, 24, 32)
 set label 1 "predicted, 2.2 h per frame" at 21.3,6.9 tc rgb "black"
 set label 2 "measured: frames are lost above" at 15,3.6 tc rgb "#D55E00"
-plot data index "limit" using "n":"predicted" with lines ls 8, \
-     "" index "limit" using "n":"cubic" with linespoints ls 2
+plot law / x with lines ls 8, \
+     data index "limit" using "n":"cubic" with linespoints ls 2
 unset label
 set xlabel "J of a stretched triangle"
 set ylabel "G' (N/m^2)" offset 1
 set xrange [1:3]
 set yrange [-500:1500]
 set xtics 0.5
-set label 1 "μ: above, K has a negative part" at 1.05,460
+set label 1 "μ: above, a part of K is not positive" at 1.05,460
 set label 2 "cubic law" at 1.72,1050 tc rgb "#D55E00"
 set label 3 "log law" at 2.5,-70 tc rgb "#0072B2"
 plot data index "slope" using "J":"mu" with lines ls 8, \

@@ -24,7 +24,7 @@ set xrange [14:230]
 set yrange [0.2:8e3]
 set xlabel "squares per side n"
 set ylabel "worst frame (ms)" offset 1
-set label 1 "whole swing, as many systems as it takes" at 15,2500 tc ls 2
+set label 1 "whole swing, up to 300 systems a frame" at 15,2500 tc ls 2
 set label 2 "at most 8 systems a frame" at 26,5 tc ls 1
 set label 3 "1/30 s" at 15,45
 set label 4 sprintf("in time up to n = %.0f", most("capped_most")) \
