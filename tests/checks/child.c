@@ -193,6 +193,16 @@ static int count_files(const char *folder)
     return n;
 }
 
+/* Wall seconds since `*last`, of which no more are counted than a judge needs
+ * between two looks: in the rest it was stopped itself, or frozen, and its
+ * children may have been so as well. */
+static double waited_since(double *last)
+{
+    const double now = wall(), passed = now - *last;
+    *last = now;
+    return passed < 0.25 ? passed : 0.25;
+}
+
 /* What the child's processes ran into in the `interval` since the last look,
  * where the system lets us see them. */
 static enum limit limit_seen(double interval, double *seconds)
@@ -265,22 +275,20 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     close(report[1]);
     if (!running.inside) hurry(1);
 
-    const double start = wall();
-    double looked = start, seconds = 0.0;
+    double last = wall(), waited = 0.0, looked = 0.0, seconds = 0.0;
     for (long pause = 200;; pause = pause < 20000 ? 2 * pause : pause) {
         const pid_t ended = waitpid(child, &status, WNOHANG | WUNTRACED);
         if (ended < 0 && errno != EINTR)
             quit("cannot wait: %s", strerror(errno));
         if (ended == child && !WIFSTOPPED(status)) break;
         stop_if_told(child);
-        const double now = wall();
+        waited += waited_since(&last);
         if (ended == child) limit = LIMIT_STOPPED;
-        if (!running.inside && limit == NO_LIMIT && now - looked > 0.1) {
-            limit = limit_seen(now - looked, &seconds);
-            looked = now;
+        if (!running.inside && limit == NO_LIMIT && waited - looked > 0.1) {
+            limit = limit_seen(waited - looked, &seconds);
+            looked = waited;
         }
-        if (limit == NO_LIMIT && now - start > SECONDS_WAITING)
-            limit = LIMIT_IDLE;
+        if (limit == NO_LIMIT && waited > SECONDS_WAITING) limit = LIMIT_IDLE;
         if (limit != NO_LIMIT) kill(running.inside ? child : -child, SIGKILL);
         doze(pause);
     }

@@ -4,7 +4,19 @@
  */
 #include "../checks/confine.c"
 
+/* The judge's clock, which may jump. */
+#include <time.h>
+static double jump_by;
+static int told_time(clockid_t which, struct timespec *now)
+{
+    static int asked;
+    const int status = clock_gettime(which, now);
+    if (jump_by > 0.0 && ++asked > 5) now->tv_sec += (time_t)jump_by;
+    return status;
+}
+#define clock_gettime told_time
 #include "../checks/child.c"
+#undef clock_gettime
 
 #include "../checks/sight.c"
 
@@ -505,7 +517,30 @@ static void messages_agree_but_for_round_off(void)
     ck_assert(say_the_same("nan is", "nan is"));
 }
 
+/* A program that sleeps for a moment, in which the judge does not see the clock
+ * for long: what it waits for is no idleness of the program. */
+static void sleeps(void *context)
+{
+    (void)context;
+    doze(400000);
+    _exit(0);
+}
+static void a_judge_that_was_frozen_ends_nothing(void)
+{
+    char out[sizeof judging.work + 8], err[sizeof judging.work + 8];
+    begin();
+    snprintf(out, sizeof out, "%s/out", judging.work);
+    snprintf(err, sizeof err, "%s/err", judging.work);
+    jump_by = 1000.0;
+    const struct ending ending = child_run(sleeps, NULL, out, err);
+    jump_by = 0.0;
+    ck_assert_int_eq(ending.limit, NO_LIMIT);
+    ck_assert_int_eq(ending.status, 0);
+}
+
 static const struct unit_law laws[] = {
+    {"a_judge_that_was_frozen_ends_nothing",
+     a_judge_that_was_frozen_ends_nothing},
     {"suspects_are_caught_by_what_failed_first",
      suspects_are_caught_by_what_failed_first},
     {"what_gives_up_at_once_explains_nothing",
