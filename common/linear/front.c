@@ -207,14 +207,16 @@ INLINE void add_up(vec t[W], double y[W])
 INLINE void forward(const int single, const struct front *f, double x[])
 {
     const int all = blocks(f->pivots) + blocks(f->rest);
+    const vec none = {0.0};
     ptrdiff_t l = 0;
     for (int J = 0; J < f->pivots; J += W) {
         const int w = f->pivots - J < W ? f->pivots - J : W;
         double *y = &x[J];
-        vec part[W] = {{0.0}};
-        for (int c = 0; c < w; c++, l += V)
-            part[c] = numbers(single, f, l) * VEC(x[J]);
+        vec part[W];
+        UNROLL for (int c = 0; c < W; c++)
+            part[c] = c < w ? numbers(single, f, l + c * V) * VEC(x[J]) : none;
         add_up(part, y);
+        l += V * w;
         for (int i = J / V + 1; i < all; i++, l += V * w) {
             vec t = VEC(x[i * V]);
             fetch(single, f, l, AHEAD);
@@ -222,8 +224,8 @@ INLINE void forward(const int single, const struct front *f, double x[])
                 UNROLL for (int c = 0; c < W; c++)
                     t -= numbers(single, f, l + c * V) * y[c];
             else
-                for (int c = 0; c < w; c++)
-                    t -= numbers(single, f, l + c * V) * y[c];
+                UNROLL for (int c = 0; c < W; c++)
+                    if (c < w) t -= numbers(single, f, l + c * V) * y[c];
             VEC(x[i * V]) = t;
         }
     }
@@ -233,11 +235,13 @@ INLINE void forward(const int single, const struct front *f, double x[])
 INLINE void backward(const int single, const struct front *f, double x[])
 {
     const int all = blocks(f->pivots) + blocks(f->rest);
+    const vec none = {0.0};
     ptrdiff_t l = (ptrdiff_t)front_size(f->pivots, f->rest);
     for (int K = blocks(f->pivots) - 1; K >= 0; K--) {
         const int w = f->pivots - K * W < W ? f->pivots - K * W : W;
         double y[W];
-        vec part[W] = {{0.0}}, t = {0.0};
+        vec part[W], t = none;
+        UNROLL for (int c = 0; c < W; c++) part[c] = none;
         for (int i = all - 1; i > K; i--) {
             l -= V * w;
             fetch(single, f, l, -AHEAD);
@@ -245,14 +249,15 @@ INLINE void backward(const int single, const struct front *f, double x[])
                 UNROLL for (int c = 0; c < W; c++)
                     part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);
             else
-                for (int c = 0; c < w; c++)
-                    part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);
+                UNROLL for (int c = 0; c < W; c++)
+                    if (c < w)
+                        part[c] +=
+                            numbers(single, f, l + c * V) * VEC(x[i * V]);
         }
         add_up(part, y);
-        for (int c = w - 1; c >= 0; c--) {
-            l -= V;
-            t += numbers(single, f, l) * (x[K * V + c] - y[c]);
-        }
+        l -= V * w;
+        for (int c = w - 1; c >= 0; c--)
+            t += numbers(single, f, l + c * V) * (x[K * V + c] - y[c]);
         VEC(x[K * V]) = t;
     }
 }

@@ -1,6 +1,7 @@
 /* matrix.c - see matrix.h.  dense.h factors what is full, banded.h narrow
  * bands, tiles.h wide ones, indefinite.h the rest; a sparse matrix brings
  * its own functions (struct matrix_sparse). */
+#define _DEFAULT_SOURCE /* madvise */
 #include "linear/matrix.h"
 
 #include "base/table.h"
@@ -15,6 +16,10 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+
+/* Bytes of a large page; so many numbers are large. */
+enum { LARGE_PAGE = 1 << 21 };
 
 /* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
  * storage hold i >= j only. */
@@ -33,12 +38,17 @@ static int is_wide(const struct matrix *A) /* for tiles.h */
     return A->storage == BANDED && A->p >= TILES_WIDE;
 }
 
-/* n zeros that start at a line of the cache: see tiles.h. */
+/* n zeros that start at a line of the cache: see tiles.h.  Many of them are in
+ * large pages, where the system has such: fewer addresses to look up. */
 static double *allocate_lines(size_t n)
 {
-    const size_t bytes = (n * sizeof(double) + 63) / 64 * 64;
-    double *a = n < SIZE_MAX / 16 ? aligned_alloc(64, bytes) : NULL;
+    const size_t line = n < LARGE_PAGE ? 64 : LARGE_PAGE;
+    const size_t bytes = (n * sizeof(double) + line - 1) / line * line;
+    double *a = n < SIZE_MAX / 16 ? aligned_alloc(line, bytes) : NULL;
     if (!a) die("out of memory: %zu numbers", n);
+#ifdef MADV_HUGEPAGE
+    if (line == LARGE_PAGE) (void)madvise(a, bytes, MADV_HUGEPAGE);
+#endif
     return memset(a, 0, bytes);
 }
 
@@ -241,10 +251,14 @@ size_t matrix_bytes(const struct matrix *A)
 
 double matrix_max_diagonal(const struct matrix *A)
 {
+    const int each = A->storage == SPARSE ? 2 : 1; /* a block has two */
     double largest = 0.0;
-    for (int r = 0; r < A->n; r++) {
-        const double A_rr = *entry(A, r, r);
-        if (A_rr > largest) largest = A_rr;
+    for (int r = 0; r < A->n; r += each) {
+        const double *A_rr = entry(A, r, r);
+        for (int k = 0; k < each; k++) {
+            const double A_kk = A_rr[(size_t)k * A->stride];
+            if (A_kk > largest) largest = A_kk;
+        }
     }
     return largest;
 }

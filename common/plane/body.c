@@ -297,13 +297,21 @@ void body_scatter(const struct body *body, const double some[], double all[])
         all[r] = body->equation[r] >= 0 ? some[body->equation[r]] : 0.0;
 }
 
+/* Numbers above 0 are in the order of their bits, INFINITY and NaN last, and
+ * the largest of the bits is found without a branch. */
 double body_max_free(const struct body *body, const double v[])
 {
-    double largest = 0.0;
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++)
-        if (body->equation[r] >= 0 && !(fabs(v[r]) <= largest))
-            largest = isfinite(v[r]) ? fabs(v[r]) : INFINITY;
-    return largest;
+    unsigned long long most = 0;
+    double largest;
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
+        const double size = fabs(v[r]);
+        unsigned long long bits;
+        memcpy(&bits, &size, sizeof bits);
+        if (body->equation[r] < 0) bits = 0;
+        if (bits > most) most = bits;
+    }
+    memcpy(&largest, &most, sizeof largest);
+    return isfinite(largest) ? largest : INFINITY;
 }
 
 enum status body_increment(const struct body *body, struct matrix *A,

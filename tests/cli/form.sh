@@ -1,6 +1,6 @@
 #!/bin/sh
 # form.sh - the rules of the form of chapters and answers let the skeleton of a
-# new lesson pass, and find each mistake that is made in it.
+# new lesson pass, and find each mistake that is made in it; those of pictures, too.
 #
 # Prints "ok form: ..." or "FAIL form: ...".
 set -u
@@ -236,3 +236,19 @@ rule 'minutes and hours are filled, and nothing else' \
     [ "$said" = 'a <!-- hours 1-2 7 -->3<!-- /hours --> b' ] || echo "$said"
     said=$(filled '01 100 02 40 03 1000 07 55 ' "$tmp/sum")
     [ "$said" = 'a <!-- hours 1-2 7 -->3 1/2<!-- /hours --> b' ] || echo "$said")"
+
+cat >"$tmp/axes.gp" <<'X'
+set xlabel "a & b < c"
+if (left) { set ylabel (left ? "error of u_h (m)" : "") }
+set ylabel y_name
+set ylabel "error of u_h (m)"
+X
+labels_of() { # labels_of SVG: the labels that are not there
+    printf "$1" >"$tmp/axes.svg"
+    awk -f tests/tools/labels.awk "$tmp/axes.gp" "$tmp/axes.svg" | sed 's/.*"\(.*\)".*set/\1: set/'
+}
+texts='<text>a &amp; b &lt; c</text><text>error of u\n<text>error of u'
+rule 'a label of an axis that is not in the picture is found' \
+    "$(labels_of "$texts"
+    [ "$(labels_of "${texts%\\n*}")" = 'error of u: set 2 times and drawn 1 times' ] || echo 'one of two'
+    [ "$(labels_of "${texts#*</text>}")" = 'a &amp; b &lt; c: set 1 times and drawn 0 times' ] || echo 'none')"

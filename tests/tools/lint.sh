@@ -355,6 +355,10 @@ rule 'a figure has at most 250 kB, one of make bench 280, a moving one 900' \
         ! -name fronts.svg;
         find figures/speed figures/work_precision/fronts.svg -name '*.svg' -size +280k
         find figures -name '*.gif' -size +900k)"
+rule 'every label of an axis is in the picture, where the margin may have no room for it' \
+    "$(for f in $plots; do
+        [ ! -f "${f%.gp}.svg" ] || echo "$f" "${f%.gp}.svg"
+    done | xargs awk -f tests/tools/labels.awk)"
 rule 'a figure that shows seconds names the machine' \
     "$(grep -lE 'seconds|\(ms\)|\(ns\)' $plots | while read -r f; do
         grep -q 'machine(' "$f" || echo "$f"; done)"

@@ -546,6 +546,17 @@ static void memory_starts_at_a_line_of_the_cache(void)
         }
 }
 
+/* 2 MB, which is no large page everywhere, but then does no harm. */
+static void many_numbers_start_at_a_large_page(void)
+{
+    struct matrix *A = matrix_alloc(BANDED, (1 << 18) + 1, 7);
+    const size_t last = (1 << 21) + 7;
+    ck_assert_uint_eq(matrix_bytes(A), 8 * (last + 1));
+    ck_assert_uint_eq((uintptr_t)A->a % (1 << 21), 0);
+    for (size_t k = 0; k <= last; k++) ck_assert(A->a[k] == 0.0);
+    matrix_free(A);
+}
+
 static void ask_for_too_large_a_matrix(void)
 {
     matrix_alloc(DENSE, 2000000000, 0);
@@ -652,6 +663,7 @@ static const struct unit_law laws[] = {
     {"costs_are_counted", costs_are_counted},
     {"memory_starts_at_a_line_of_the_cache",
      memory_starts_at_a_line_of_the_cache},
+    {"many_numbers_start_at_a_large_page", many_numbers_start_at_a_large_page},
     {"a_matrix_without_memory_is_an_error",
      a_matrix_without_memory_is_an_error},
     {"a_solve_stays_within_its_vector", a_solve_stays_within_its_vector},
