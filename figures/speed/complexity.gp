@@ -10,14 +10,14 @@ set output out
 set datafile missing "-"
 array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
                  "multigrid"]
-array Text[6] = ["full Cholesky", "band", "dissection", \
-                 "CG, Jacobi", "CG, incomplete", "CG, V-cycle"]
+array Text[6] = ["full", "band", "dissection", "CG, Jacobi", \
+                 "CG, incomplete", "CG, V-cycle"]
 array Style[6] = [2, 1, 3, 5, 4, 6]
 of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
 
-set multiplot layout 2,1 margins 0.12,0.80,0.10,0.985 spacing 0,0.09
+set multiplot layout 2,1 margins 0.12,0.73,0.10,0.985 spacing 0,0.09
 unset key
 set label 9 machine(data) at screen 0.01,0.012 left font ",11"
 set logscale xy
@@ -27,15 +27,16 @@ set xrange [7:300]
 set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
-array Work[6] = [5e9, 2.4e9, 1.6e9, 8e8, 3.5e8, 1.2e8]
+array Work[6] = [4e9, 6e9, 2.6e9, 1.2e9, 5.4e8, 2.4e8]
 do for [k = 1:6] {
     color = Style[k]
-    set label 10 + k sprintf("n^{%.2f}", slope(k, 3)) at (k == 1 ? 34 : k == 2 ? 140 : 330), Work[k] tc ls color
+    set label 10 + k sprintf("%s  n^{%.2f}", Text[k], slope(k, 3)) \
+        at (k == 1 ? 36 : k == 2 ? 130 : 330), Work[k] tc ls color
 }
 plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
 unset label
-# where the name of a solver stands, with the slope of its work
+# where the name of a solver stands
 array Height[6] = [300, 36, 80, 900, 420, 190]
 do for [k = 1:6] {
     color = Style[k]
