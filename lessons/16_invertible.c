@@ -15,7 +15,7 @@
  *         |/    log law is left  stable    G(J) a parabola everywhere
  *
  * Run       make lesson-16; make lesson-16 ARGS=-h lists its options
- * PREDICT 1 laws, of cubic, extended, stable, that open a point: ...
+ * PREDICT 1 how many of the five laws push a crushed point apart: ...
  * PREDICT 3 `stable` is off the log law at s2 = 1.1, --s1 1, by (%): ...
  * Plot: principal s2 P2 key=law
  */
@@ -123,6 +123,24 @@ static void diagonal(const double s[2], void *law, double out[2])
     out[1] = P.m[1][1];
 }
 
+/* Every law, s2 from low to high; log: P2, if s2 > 0. */
+static void print_principal(const char *table, struct principal_law law[],
+                            const struct material *log, double s1, double low,
+                            double high)
+{
+    table_begin(table, "law s1 s2 P1 P2 log");
+    for (int k = 0; k < N_FORM; k++)
+        for (int i = 0; i <= 100; i++) {
+            const double s[2] = {s1, low + 0.01 * (high - low) * i};
+            const mat2 F = {{{s[0], 0.0}, {0.0, fmax(s[1], 1e-9)}}};
+            double P[2];
+            diagonal(s, &law[k], P);
+            table_row(form_name[k], s[0], s[1], P[0], P[1],
+                      cell_if(s[1] > 1e-9, material2_pk1(log, F).m[1][1]));
+        }
+    table_end();
+}
+
 /* One triangle, its vertex 0 held. */
 static void print_single(const struct mesh *mesh, enum law law, double nu)
 {
@@ -156,17 +174,8 @@ int main(int argc, char *argv[])
     for (int k = 0; k < N_FORM; k++)
         law[k] = (struct principal_law){(enum form)k, m.mu, m.lambda, eps};
 
-    table_begin("principal", "law s1 s2 P1 P2 log"); /* log: P2, if s2 > 0 */
-    for (int k = 0; k < N_FORM; k++)
-        for (int i = 0; i <= 100; i++) {
-            const double s[2] = {s1, -1.0 + 0.025 * i};
-            const mat2 F = {{{s[0], 0.0}, {0.0, fmax(s[1], 1e-9)}}};
-            double P[2];
-            diagonal(s, &law[k], P);
-            table_row(form_name[k], s[0], s[1], P[0], P[1],
-                      cell_if(s[1] > 1e-9, material2_pk1(&m, F).m[1][1]));
-        }
-    table_end();
+    print_principal("principal", law, &m, s1, -1.0, 1.5);
+    print_principal("near_rest", law, &m, 1.0, 0.6, 1.4);
     table_begin("loop", "law work");
     for (int k = 0; k < N_FORM; k++)
         table_row(form_name[k], circuit_work(diagonal, &law[k], 4, loop));

@@ -120,7 +120,7 @@ struct cloud cloud_ringing(int order, int cells, double a,
 
 struct cloud cloud_outlying(int order, double eps)
 {
-    const double h = 0.125, last = (9.0 + eps) * h;
+    const double h = 0.125, last = ((order == 2 ? 9.5 : 9.0) + eps) * h;
     /* all places are multiples of the last digit of `last`, none is rounded */
     return bar(order, h, last - 1.0 + 0.25 * h, 16, 1.5);
 }

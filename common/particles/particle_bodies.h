@@ -5,7 +5,7 @@
  *     strained   a free bar of ten particles, irregular, strained and moving
  *     block      4 x 4 particles in the plane, strained and turning
  *     ringing    a free bar in its first mode, v = a cos(pi X)
- *     outlying   a free bar whose last particle has just passed a node
+ *     outlying   a free bar whose last particle has just reached a node
  *
  * All of them have density 1 (or nearly) and a grid with room for their motion.
  *
@@ -51,8 +51,8 @@ struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
 struct cloud cloud_ringing(int order, int cells, double a,
                            enum transfer transfer);
 
-/* Length 1, 8 cells, two particles per cell, the last one eps h beyond node 9.
- */
+/* Length 1, 8 cells, two particles per cell, the last one eps h beyond the
+ * place from which it reaches a further node: 9 h, or 9.5 h if order is 2. */
 struct cloud cloud_outlying(int order, double eps);
 
 /* sum_p V_p psi(F_p) */

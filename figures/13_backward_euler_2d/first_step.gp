@@ -46,7 +46,7 @@ do for [k = 0:2] {
 unset label 1
 unset arrow 1
 set size noratio
-set lmargin at screen 0.095
+set lmargin at screen 0.11
 set rmargin at screen 0.985
 set tmargin at screen 0.44
 set bmargin at screen 0.125
@@ -61,7 +61,7 @@ seen(y) = y > 1e-13 ? y : 1e-13
 set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
-set ylabel "max|q| / max A_{ii}  (m)"
+set ylabel "residual (m)" offset 1
 set label 2 "notes' method, then lost" at 5.15, 0.02 tc rgb "#D55E00"
 set label 3 "projected on demand" at 6.15, 4e-6 tc rgb "#009E73"
 set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2"

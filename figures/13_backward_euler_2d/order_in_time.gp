@@ -9,7 +9,7 @@ set output out
 stats data index "orders_time" using "order" nooutput name "T"
 stats data index "in_space" using "error" nooutput name "MESH"
 stats data index "orders_time" using "systems":"error" nooutput name "LAST"
-set margins screen 0.145, screen 0.975, screen 0.14, screen 0.96
+set margins screen 0.145, screen 0.975, screen 0.18, screen 0.96
 unset key
 set logscale xy
 set format y "10^{%T}"

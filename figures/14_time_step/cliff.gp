@@ -23,8 +23,8 @@ unset key
 set label 1 "1 % above the critical step" at 28, 1.2e6 textcolor ls 2
 set label 2 sprintf("dashed: times %.3f per step, expected", growth) \
     at 28, 1.2e5
-set label 3 "1 % below" at 295, 0.45 right textcolor ls 1
-set label 4 "its bound" at 295, 450 right
+set label 3 "1 % below" at 295, 27 right textcolor ls 1
+set label 4 "bound of the blue curve" at 295, 480 right textcolor ls 1
 plot data index "cliff_above" using "k":"energy" with lines ls 2, \
      E_last * growth**(x - k_last) with lines ls 8, \
      data index "cliff_below" using "k":"energy" with lines ls 1, \

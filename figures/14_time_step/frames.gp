@@ -36,7 +36,7 @@ set label 20 machine(data) at screen 0.99,0.025 right font ",10" \
 set bmargin 5.5
 set logscale y
 set xrange [0:3.4]
-set yrange [0.4:4000]
+set yrange [0.1:1000]
 unset key
 set label 22 "1/30 s" at 0.24, 48
 set label 23 "at once (FAST)" at 0.3, 1.6 textcolor ls 1

@@ -51,9 +51,9 @@ set tmargin at screen 0.93
 set bmargin at screen 0.16
 unset key
 set label 3 "symplectic Euler" at 1e3, 1.12 center front
-set label 4 "midpoint" at 7e4, 0.96 right tc ls 3 front
-set label 5 "BDF2" at 5e2, 0.36 left tc ls 4 front
-set label 6 "backward\nEuler" at 26, 0.32 left tc ls 1 front
+set label 4 "midpoint: line at 1" at 7e4, 0.74 right tc ls 3 front
+set label 5 "BDF2" at 2.5e2, 0.42 left tc ls 4 front
+set label 6 "backward\nEuler" at 45, 0.25 left tc ls 1 front
 set size noratio
 set logscale x
 set format x "10^{%T}"

@@ -43,8 +43,8 @@ static int print_map(const struct material *material)
     const double step = 0.005;
     int most = 0;
     table_begin(material_law(material->law), "s1 low high negative");
-    for (int i = 0; i < 100; i++) {
-        const double s1 = 0.03 * (i + 0.5);
+    for (int i = 0; i < 200; i++) {
+        const double s1 = 0.015 * (i + 0.5);
         int j = material->law == LOG ? 0 : -200;
         while (j < 600) {
             const int from = j;

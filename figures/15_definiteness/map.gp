@@ -18,26 +18,32 @@ set xlabel "singular value s_1"
 set samples 400
 set style fill solid noborder
 colour(n) = n == 0 ? 0xE3EEF6 : n == 1 ? 0xF2C9A8 : 0xD55E00
+# s_1 is the larger one: what lies beyond is the same state, exchanged
+set object 1 polygon from 0,0 to 3,3 to 3,3.01 to 0,3.01 to 0,0 front \
+    fc rgb "#EEEEEE" fs solid noborder
+set object 2 polygon from 0,0 to 1,-1 to 0,-1 to 0,0 front \
+    fc rgb "#EEEEEE" fs solid noborder
+set label 9 "the same, exchanged" at 0.1, 2.6 left front textcolor rgb "#555555"
 set multiplot layout 1,2 margins 0.07,0.98,0.12,0.92 spacing 0.08,0
 set label 1 "log law" at graph 0.5, 1.05 center font ",15"
 set label 2 "not defined" at 1.5, -0.5 center front
-set label 3 "none is negative" at 2.0, 1.9 center front
-set label 4 "one: the twist" at 0.35, 0.5 left front
+set label 3 "none is negative" at 2.2, 1.25 center front
+set label 4 "one: the twist" at 0.8, 0.3 left front
 set label 5 "J = 1" at 2.5, 0.55 front
 set ylabel "singular value s_2"
-plot data index "log" using 1:2:($1 - 0.0155):($1 + 0.0155):2:3:(colour($4)) \
+plot data index "log" using 1:2:($1 - 0.0078):($1 + 0.0078):2:3:(colour($4)) \
          with boxxyerror lc rgb variable, \
      [0.33:3] 1 / x with lines lc rgb "black" lw 2
 set label 1 "cubic law"
 set label 2 "two: the twist, a scaling" at 1.5, -0.5 center textcolor rgb "white" front
 set label 8 "J = 1" at 2.5, 0.55 front
-set label 3 "none" at 1.25, 1.2 center front
-set label 4 "one" at 0.55, 0.7 center front
+set label 3 "none" at 1.5, 1.0 center front
+set label 4 "one: the twist" at 0.78, 0.36 left front
 set label 6 sprintf("J = %.4f", high) at 2.9, 1.2 right textcolor rgb "white" front
-set label 7 "two: the flip, a scaling" at 2.0, 2.3 center textcolor rgb "white" front
+set label 7 "two: the flip,\na scaling" at 2.9, 2.05 right textcolor rgb "white" front
 unset ylabel
 unset label 5
-plot data index "cubic" using 1:2:($1 - 0.0155):($1 + 0.0155):2:3:(colour($4)) \
+plot data index "cubic" using 1:2:($1 - 0.0078):($1 + 0.0078):2:3:(colour($4)) \
          with boxxyerror lc rgb variable, \
      [0.33:3] 1 / x with lines lc rgb "black" lw 2, \
      [0.75:3] high / x with lines lc rgb "black" lw 2 dt 2

@@ -24,11 +24,11 @@ set xlabel "step"
 set ylabel "linear systems in the step"
 unset key
 set label 1 "always: ".total("always")." in all" at 31, 180 tc ls 4
-set label 2 "on demand: ".total("on demand")." in all" at 33, 8 tc ls 3
+set label 2 "on demand: ".total("on demand")." in all" at 29, 8 tc ls 3
 set label 3 "never: then it fails" at 1, 3.4 tc ls 2
 plot data index "steps" using "k":"always" with linespoints ls 4, \
      data index "steps" using "k":"demand" with linespoints ls 3, \
-     data index "steps" using "k":"never" with linespoints ls 2
+     data index "steps" using "k":"never" with linespoints ls 2 pt 4 ps 1.1 lw 1
 set lmargin at screen 0.64
 set rmargin at screen 0.98
 set xrange [0:12]

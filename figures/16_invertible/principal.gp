@@ -1,6 +1,6 @@
 # principal.gp - what five laws make of a triangle that is pushed flat and on:
-# P^2 over s2, and the same near rest.
-# Reads   data  table principal (law s1 s2 P1 P2 log)
+# P^2 over s2, and P^2 in uniaxial strain near rest.
+# Reads   data  tables principal, near_rest (law s1 s2 P1 P2 log)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 900,440 enhanced font "Helvetica,16" \
@@ -12,7 +12,7 @@ unset key
 set tmargin at screen 0.96
 set bmargin at screen 0.16
 set lmargin at screen 0.10
-set rmargin at screen 0.57
+set rmargin at screen 0.555
 of(l) = stringcolumn("law") eq l ? column("s2") : NaN
 P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
 log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
@@ -44,21 +44,21 @@ plot data index "principal" using (of("stress")):(P("stress")) \
          with lines ls 1
 unset label
 unset object
-set label 3 "stable" at 1.17, 0.66 right textcolor rgb "#B07800"
-set label 5 "all others" at 1.12, 0.08 left
-set lmargin at screen 0.67
+set label 3 "stable" at 1.17, 0.45 right textcolor rgb "#B07800"
+set label 5 "all others" at 1.12, 0.02 left
+set lmargin at screen 0.70
 set rmargin at screen 0.98
 set xrange [0.6:1.4]
-set yrange [-0.9:0.9]
+set yrange [-0.9:0.6]
 set xtics 0.2
-set xlabel "s_2, near rest"
-unset ylabel
-plot data index "principal" using (of("extended")):(P("extended")) \
+set xlabel "s_2   (with s_1  = 1)"
+set ylabel "P_2  (kN/m^2)" offset 0.5
+plot data index "near_rest" using (of("extended")):(P("extended")) \
          with lines ls 6, \
-     "" index "principal" using (of("cubic")):(P("cubic")) with lines ls 2, \
-     "" index "principal" using (of("stable")):(P("stable")) \
+     "" index "near_rest" using (of("cubic")):(P("cubic")) with lines ls 2, \
+     "" index "near_rest" using (of("stable")):(P("stable")) \
          with lines ls 5, \
-     "" index "principal" using (of("cubic")):(log_P("cubic")) \
+     "" index "near_rest" using (of("cubic")):(log_P("cubic")) \
          with lines ls 1
 unset multiplot
 set output

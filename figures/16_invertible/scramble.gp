@@ -58,6 +58,9 @@ do for [k = 0:7] {
         PY[5] + 1.55 * (PY[Way[corner + 1] + 1] - PY[5]) center front \
         textcolor rgb (k < 4 ? "#D55E00" : "#009E73")
 }
+set label 9 "4" at PX[5], PY[5] + 0.01 center front
+set object 2 circle at PX[5], PY[5] size 0.1 front fc rgb "white" \
+    fs solid border lc rgb "black"
 # at rest, in the corner
 set label 20 "at rest" at -1.45, 2.13 center
 do for [v = 0:8] {

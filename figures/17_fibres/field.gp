@@ -30,7 +30,7 @@ first(field) = system(sprintf( \
 array Block[3] = ["rest", "both", "left"]
 array Title[3] = ["at rest", "activated, both ends held", "activated, left end held"]
 array Says[3]
-Says[1] = sprintf("fibres bent by %.0f°", first(3))
+Says[1] = sprintf("angle to the axis: %.1f°", first(3))
 Says[2] = sprintf("%.1f°, pulls with %.0f N/m", last("both", 3), last("both", 4))
 Says[3] = sprintf("%.1f°, %.0f %% shorter", last("left", 3), -last("left", 5) / 2 * 100)
 set tmargin at screen 0.97

@@ -17,17 +17,18 @@ set ylabel "stress on the ends (N/m^2)" offset 1
 set xrange [1:1.42]
 set yrange [590:860]
 failed = system("awk -F'\t' '$1 == \"search\" && $7 != \"OK\" { print $2 }' '".data."'") + 0.0
-before = system("awk -F'\t' '$1 == \"search\" && $7 == \"OK\" { v = $3 } END { print v }' '".data."'") + 0.0
+on_curve = system(sprintf("awk -F'\t' '$0 == \"# uniform\" { on = 1 } NF == 0 { on = 0 } \
+    on && ($1 - %f)^2 < 1e-9 { print $2 }' '%s'", failed, data)) + 0.0
 by(method, x) = strcol("method") eq method ? x : NaN
-set label 1 "if it stayed uniform" at 1.255, 795 left font ",12"
-set label 2 "line search: ends with NOT\\_SPD" at failed + 0.006, 826 left font ",12" tc rgb "#D55E00"
+set label 1 "if it stayed uniform" at 1.265, 780 left font ",12"
+set label 2 "line search: ends with NOT\\_SPD" at failed + 0.004, 806 left font ",12" tc rgb "#D55E00"
 set label 3 "projected on demand: at each drop\nmore of the strip has left the limb" at 1.05, 640 \
     left font ",12" tc rgb "#0072B2"
 plot data index "uniform" using "l":"P" with lines ls 8 lw 1.5, \
      "" index "pull" using "l":(by("demand+search", column("P"))) with linespoints ls 1, \
      "" index "pull" using "l":(by("search", strcol("reason") eq "OK" ? column("P") : NaN)) \
          with points pt 6 ps 1.2 lw 1.5 lc rgb "#D55E00", \
-     "+" using (failed):(815) every ::0::0 with points pt 2 ps 1.6 lw 2.5 lc rgb "#D55E00"
+     "+" using (failed):(on_curve) every ::0::0 with points pt 2 ps 1.6 lw 2.5 lc rgb "#D55E00"
 unset label
 unset border
 unset tics

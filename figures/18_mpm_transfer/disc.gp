@@ -2,9 +2,9 @@
 # Reads   data  tables disc, left
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,270
+set terminal svg size 620,600
 set output out
-array Way[4] = ["FLIP", "APIC", "95 % FLIP", "PIC"]
+array Way[4] = ["FLIP", "APIC", "PIC", "95 % FLIP"]
 left(way) = real(system(sprintf("awk -F'\t' '/^# left/ { on = 1 } \
     on && $1 == \"%s\" { print $2; exit }' '%s'", way, data)))
 unset key
@@ -19,18 +19,17 @@ set palette defined (0 "#C6DBEF", 0.5 "#4292C6", 1 "#08306B")
 set cbrange [0:0.3]
 set multiplot
 do for [k = 1:4] {
-    set lmargin at screen 0.005 + 0.225 * (k - 1)
-    set rmargin at screen 0.225 + 0.225 * (k - 1)
-    set tmargin at screen 0.89
-    set bmargin at screen 0.02
+    set lmargin at screen 0.01 + 0.43 * ((k - 1) % 2)
+    set rmargin at screen 0.43 + 0.43 * ((k - 1) % 2)
+    set tmargin at screen 0.945 - 0.5 * ((k - 1) / 2)
+    set bmargin at screen 0.505 - 0.5 * ((k - 1) / 2)
     set label 1 sprintf("%s: %.1f %% of the spin", Way[k], 100 * left(Way[k])) \
-        at graph 0.5, graph 1.07 center
+        at graph 0.5, graph 1.045 center
     if (k == 4) {
-        set colorbox user origin screen 0.925, screen 0.16 \
-            size screen 0.014, screen 0.58
+        set colorbox user origin screen 0.885, screen 0.08 \
+            size screen 0.02, screen 0.33
         set cbtics 0.1 offset -0.5 textcolor rgb "black"
         set cblabel "speed (m/s)" offset -0.5 }
-    set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5
     # a bar as long as what is left, in a frame that is the whole spin
     set object 2 rectangle from -0.2, -0.335 to 0.2, -0.31 fs empty \
         border lc rgb "#999999"

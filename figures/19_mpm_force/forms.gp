@@ -28,6 +28,7 @@ unset key
 set label 1 "particle" at 1.28,1.1 left tc rgb "#0072B2"
 set label 2 "force on a node" at 1.1,1.38 left tc rgb "#D55E00"
 set label 3 "10 N" at 0.62,1.38 left
+set label 4 "below 1 N: not drawn" at 1.8,0.22 right tc rgb "#D55E00"
 set arrow 1 from 0.62,1.325 to 0.86,1.325 filled size 0.03,22 fixed lw 1.6 lc rgb "#D55E00"
 plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
          with lines ls 9 lw 1, \
@@ -54,7 +55,7 @@ set ylabel ""
 # mistake k: what is written wrongly, and whether a torque is left
 array Wrong[4] = ["without (F^n)^T", "with F^T, not (F^n)^T", \
                   "stress of t^n, not the new one", \
-                  "volume of t^n, not the new one"]
+                  "volume of t^n, not V^0, before P"]
 do for [k = 1:4] {
     set arrow k from 0, k to 92, k nohead ls 9
     set label k Wrong[k] at 0.5, k - 0.33

@@ -20,6 +20,8 @@ set rmargin at screen 0.45
 set title "one grid: all the load in one step"
 set label 1 "finite\nelements" at 15, 1.6e-4
 set label 2 "nodes held: order 1" at 120, 6e-2 tc rgb "#777777"
+set label 4 "quadratic" at 350, 2.2e-3 right tc rgb "#777777"
+set label 5 "cubic" at 600, 5e-3 tc rgb "#777777"
 set label 6 "mirror: order 2" at 130, 2.6e-4
 set label 7 "linear" at 205, 1.1e-5 right tc ls 1
 set label 8 "quadratic" at 340, 6.5e-6 right tc ls 2

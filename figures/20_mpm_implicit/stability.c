@@ -1,12 +1,14 @@
 /*
  * stability.c - how small must an explicit step be when the last particle of a
- * bar has only just passed a node?
+ * bar has only just reached a node?
  * 8 cells, two particles per cell, both ends free, the last particle eps h
- * beyond a node, which has hardly any mass then.  `grid` is the limit of the
- * nodes by themselves, 2 / omega; `flip` that of a step with its transfers: no
- * eigenvalue of it, as a linear map of all v_p and F_p, is beyond 1.  Times in
- * h / c, c the speed of sound; systems: of one implicit step of 1/30 s; steps:
- * the explicit ones, with FLIP, for 1/30 s; flops: of either.
+ * within reach of a node, which has hardly any mass then.  `grid` is the limit
+ * of the nodes by themselves, 2 / omega; `flip` that of a step with its
+ * transfers: no eigenvalue of it, as a linear map of all v_p and F_p, is beyond
+ * 1.  Times in h / c, c the speed of sound; steps: the explicit ones (FLIP) for
+ * 1/30 s; systems: of one implicit step of 1/30 s, until du is 1e-10 of the
+ * first (where the light node moves far, the program goes on, for round-off);
+ * flops: of either.
  */
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
@@ -94,6 +96,9 @@ static int systems(struct outlying at, double flops[2])
                         cos(acos(-1.0) / P * (p + 0.5));
     flops[0] = step_flops_explicit(c);
     struct particle_report r = particles_step(c.grid, c.p, material, &step);
+    while (r.iterations > 1 &&
+           r.increment[r.iterations - 2] <= 1e-10 * r.increment[0])
+        r.iterations--;
     flops[1] = step_flops_implicit(c, material, NO_WALL, &r);
     cloud_free(c);
     return r.status == OK ? r.iterations : 0;
@@ -126,7 +131,7 @@ int main(void)
                 claim(fabs(grid / (2.0 * sqrt(eps[k])) - 1.0) < 2e-3 &&
                           fabs(flip / grid * sqrt(2.0) - 1.0) < 1e-3,
                       "linear: 2 sqrt(eps), with transfers 1/sqrt(2) of it");
-            claim(order == 1 || (grid > 1.2 && grid < 1.5), "any eps");
+            claim(order == 1 || (grid > 0.95 && grid < 1.5), "any eps");
         }
     table_end();
     return table_finish();

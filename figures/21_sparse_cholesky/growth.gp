@@ -31,7 +31,7 @@ set ylabel "numbers stored for L"
 set yrange [1e2:1e11]
 set label 1 "full matrix, n^4" at 95,5e9
 set label 2 "band, n^3" at 300,2.6e8
-set label 3 "dissection, n^2·log n" at 310,1.1e5
+set label 3 "dissection, n^2·log n" at 285,3.2e4
 set arrow 1 from E_max, 1e2 to E_max, 3e4 nohead ls 8
 set label 4 sprintf("%d", E_max) at E_max * 1.08, 2.5e2 left
 plot data index "growth" using (of("full")):"entries" with linespoints ls 2, \

@@ -72,7 +72,7 @@ int main(void)
     for (int k = 0; k < SCENES_HERE; k++) {
         for (int w = 0; w < WAYS; w++)
             c[k][w] = run(reading[k], (enum chord)w, answer);
-        for (int w = 0; w < WAYS; w++)
+        for (int w = KEPT_IN_STEP; w < WAYS; w++)
             table_row(scene_name(reading[k]), way[w],
                       (double)c[k][w].systems / STEPS, c[k][w].most,
                       (double)c[k][w].factorisations / STEPS,

@@ -44,10 +44,10 @@ set margins screen 0.01, screen 0.485, screen 0.01, screen 0.375
 set title "L, numbered row by row:\n".blocks(0)
 plot for [k = 1:2] runs("rows", word("fill entry", k)) \
          using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \
-         lc rgb word("#D55E00 #0072B2", k)
+         lc rgb word("#D55E00 #555555", k)
 set margins screen 0.515, screen 0.99, screen 0.01, screen 0.375
 set title "L, numbered by dissection:\n".blocks(1)
 plot for [k = 1:2] runs("dissection", word("fill entry", k)) \
          using 1:(0.5*($2 + $3)):(0.4):(0.5*($3 - $2) + 0.4) with boxxy \
-         lc rgb word("#D55E00 #0072B2", k)
+         lc rgb word("#D55E00 #555555", k)
 unset multiplot

@@ -22,8 +22,8 @@ do for [k = 1:2] {
     set title sprintf("%s: at most %.0f vertices\none above the other", \
                       k == 1 ? "row by row" : "by dissection", height(order)) \
         offset 0,-0.5 noenhanced
-    plot walk(order, "edge") using 1:2:3:4 with vectors nohead ls 1 lw 1.5, \
-         "" using 1:2 with points pt 7 ps 0.35 lc rgb "#0072B2", \
-         walk(order, "root") using 1:2 with points pt 7 ps 1 lc rgb "#D55E00"
+    plot walk(order, "edge") using 1:2:3:4 with vectors nohead ls (k == 1 ? 1 : 3) lw 1.5, \
+         "" using 1:2 with points pt 7 ps 0.35 lc rgb "#000000", \
+         walk(order, "root") using 1:2 with points pt 7 ps 1.2 lc rgb "#000000"
 }
 unset multiplot

@@ -11,7 +11,7 @@ stats data index "limits" using "squeeze" every ::0::0 nooutput name "E"
 array Name[3] = ["rough", "middle", "fine"]
 ends(k, word) = strcol(Name[k]) eq word ? column(Name[k]."_iterations") : NaN
 
-set multiplot layout 1,2 margins 0.1,0.985,0.145,0.96 spacing 0.085,0
+set multiplot layout 1,2 margins 0.1,0.97,0.145,0.96 spacing 0.085,0
 set xrange [0.56:0.68]
 set xtics 0.56, 0.03, 0.68
 set xlabel "squeeze of the body"
@@ -20,7 +20,7 @@ set format y "%g"
 set yrange [-0.009:0.0045]
 set arrow 1 from E_max,-0.009 to E_max,0.0045 nohead ls 8 lc rgb "#999999"
 set arrow 2 from 0.56,0 to 0.68,0 nohead ls 8
-set label 1 "K is positive definite" at 0.5625,-0.0012
+set label 1 "K is positive\ndefinite" at 0.5625,-0.0012
 set label 2 "indefinite" at E_max+0.003,0.0009
 unset key
 plot data index "squeeze" using "squeeze":"least" with lines ls 1 lw 3
@@ -28,14 +28,14 @@ unset label 1
 unset label 2
 unset arrow 2
 set label 4 "to 10^{-1}" at 0.5625,16.5 tc ls 1
-set label 5 "to 10^{-4}" at 0.5625,41 tc ls 2
+set label 5 "to 10^{-4}" at 0.5625,43.3 tc ls 2
 set label 6 "to 10^{-10}" at 0.5625,63.5 tc ls 3
-set label 7 "NOT\\_SPD, all three" at 0.679,16 right
+set label 7 "NOT\\_SPD (crosses): to 10^{-4}\nand 10^{-10},  from 0.614 on\nto 10^{-1}  as well" \
+    at 0.606,37.5
 set yrange [0:70]
 set ylabel "iterations of CG"
 set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"
-set label 3 "CG to 10^{-1}  solves\nwhat is indefinite" at 0.632,34
-set arrow 3 from 0.631,31 to 0.6125,18.5 size 0.002,20 lw 0.8
+set label 3 "CG to 10^{-1}\nsolves what\nis indefinite" at 0.605,11.5 tc ls 1
 plot for [k = 1:3] data index "squeeze" using "squeeze":(ends(k, "OK")) \
          with lines ls k lw 3, \
      for [k = 1:3] "" index "squeeze" using "squeeze":(ends(k, "NOT_SPD")) \

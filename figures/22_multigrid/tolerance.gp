@@ -25,7 +25,7 @@ plot data index "tolerance" using (of("newton", "tolerance")):"increments" \
          with linespoints ls 2 dt 2
 unset label
 set ylabel "iterations of CG per step" offset 0.5
-set yrange [0:33]
+set yrange [0:40]
 plot data index "tolerance" using (of("newton", "tolerance")):"per_step" \
          with linespoints ls 1 lw 2.5, \
      "" index "tolerance" using (of("chord", "tolerance")):"per_step" \

@@ -9,7 +9,7 @@ set output out
 set datafile missing NaN
 unset key
 first_steps(method, p) = strcol("method") eq method && column("steps") == 6 \
-        && column("processes") == p ? column("iterations") : NaN
+        && column("n") != 192 && column("processes") == p ? column("iterations") : NaN
 sent(p, what) = strcol("method") eq "geometric" && column("processes") == p \
         && column("n") >= 64 ? column(what) : NaN
 set logscale x

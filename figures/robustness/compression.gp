@@ -47,6 +47,7 @@ set label 7 "log, all cures,\nhalved steps" at 0.87, 0.34 tc ls 6
 set label 8 "cubic, both ways of projecting" at 1.58, 0.22 center tc ls 4
 set label 9 "cubic, notes' method" at 0.69, -0.07 right tc ls 2
 set label 10 "log, notes' method" at 0.64, 0.42 tc ls 1
+set label 11 "inverted, yet OK" at 1.555, -0.07 right tc ls 4
 plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
          with linespoints ls Style[k], \
      for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \

@@ -10,7 +10,7 @@ limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on && $1 == 16 { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
 # n where the number of iterations is another one than one step before, and no line
-# is near; of those from 10 on 12, 16 and 20
+# is near; of those from 10 on 12, 16 and 20, above their squares
 was = row = 0
 changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
     was = k, row = column("n"), \
@@ -46,9 +46,12 @@ do for [k = 1:2] {
     plot data index name using "dt":(ended("OK")):"iterations" \
              with points pt 5 ps 1.05 lc palette, \
          data index name using "dt":(changed(0)): \
-             (sprintf("%d", column("iterations"))): \
+             (column("iterations") < 10 ? sprintf("%d", column("iterations")) : ""): \
              (column("iterations") < 8 ? 0 : 0xFFFFFF) with labels \
              font ",13" textcolor rgb variable, \
+         data index name using "dt":(1.14 * changed(0)): \
+             (column("iterations") < 10 ? "" : sprintf("%d", column("iterations"))) \
+             with labels font ",13", \
          data index name using "dt":(ended("fails")) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
          data index name using "dt":(ended("INVERTED")) \

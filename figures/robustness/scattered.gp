@@ -4,7 +4,7 @@
 # Reads   data  tables scattered, tangled
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,500
+set terminal svg size 620,760
 set output out
 polygons(test, first) = sprintf( \
     "< awk -F'\t' '$0 == \"# tangled\" { on = 1; next } NF == 0 { on = 0 } \
@@ -36,10 +36,10 @@ unset border
 unset tics
 unset grid
 set style fill solid noborder
-set lmargin at screen 0.175
-set rmargin at screen 0.715
-set tmargin at screen 0.80
-set bmargin at screen 0.04
+set lmargin at screen 0.215
+set rmargin at screen 0.99
+set tmargin at screen 0.895
+set bmargin at screen 0.415
 set xrange [0:5.14]
 set yrange [4.5:-0.5]
 array Way[5] = ["as in the notes", "line search", "projection\non demand", \
@@ -60,23 +60,23 @@ plot for [k = 1:4] data index "scattered" using (to(k)):(row(strcol("method"))):
          (row(strcol("method"))):(said(k)) with labels
 unset label
 set size ratio -1
-set lmargin at screen 0.75
-set rmargin at screen 0.99
-set tmargin at screen 0.93
-set bmargin at screen 0.52
+set tmargin at screen 0.35
+set bmargin at screen 0.02
+set lmargin at screen 0.03
+set rmargin at screen 0.49
 set xrange [-3.3:2.6]
 set yrange [-2.4:3]
-set label 1 "a start, 4h (orange: inverted)" at graph 0.5, graph 1.04 center
+set label 1 "a start, 4h (orange: inverted)" at screen 0.26, screen 0.375 center
 plot polygons("$7 > 0", 1) using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("$7 <= 0", 1) using 1:2 with filledcurves closed \
          fc rgb "#F2C6A8", \
      polygons("1", 1) using 1:2 with lines lw 1 lc rgb "#0072B2"
-set tmargin at screen 0.43
-set bmargin at screen 0.02
+set lmargin at screen 0.52
+set rmargin at screen 0.98
 set xrange [-1.3:1.05]
 set yrange [-1.05:1.1]
-set label 1 "its end: folded, and stable"
+set label 1 "its end: folded, and stable" at screen 0.74, screen 0.375 center
 plot polygons("1", 8) using 1:2 with filledcurves closed \
          fc rgb "#C00072B2", \
      polygons("1", 8) using 1:2 with lines lw 1.2 lc rgb "#0072B2"

@@ -4,7 +4,7 @@
 #               (n gigaflop_per_second), machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 960,400
+set terminal svg size 620,860
 set output out
 array Solver[4] = ["gsl_dense", "gsl_banded", "lapack_dpbtrf", "ours"]
 array Name[4] = ["GSL, full matrix", "GSL, band", "dpbtrf of ".lapack(data), \
@@ -15,11 +15,11 @@ there = ""
 do for [k = 1:4] { if (has(Solver[k])) { there = there." ".k } }
 of(k) = strcol("solver") eq Solver[int(k)] ? column("n") : NaN
 
-set multiplot layout 1,2 margins 0.07,0.82,0.175,0.965 spacing 0.085,0
+set multiplot layout 2,1 margins 0.12,0.70,0.09,0.985 spacing 0,0.09
 unset key
 set label 2 "slope 4" at 75, 1.2
 if (has("gsl_dense")) { set label 3 Name[1] at 35, 1.1e3 tc ls Style[1] }
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set label 9 machine(data) at screen 0.01,0.012 left font ",11"
 set logscale xy
 set xtics (16, 32, 64, 128)
 set xrange [14:150]
@@ -27,11 +27,21 @@ set format y "10^{%T}"
 set yrange [2e-2:5e3]
 set xlabel "squares per side n"
 set ylabel "time to factor and solve (ms)"
+# the last point of each but the full matrix
+do for [k in there] {
+    i = int(k)
+    if (i > 1) {
+        stats data index "band" using (strcol("solver") eq Solver[i] && \
+            column("n") == 128 ? column("milliseconds") : NaN) \
+            nooutput name "last"
+        color = Style[i]
+        set label 10 + i Name[i] at 158, last_max tc ls color
+    }
+}
 plot for [k in there] data index "band" using (of(k)):"milliseconds" \
          with linespoints ls Style[int(k)], \
      8e-8 * x**4 with lines ls 8
 unset label
-# the last point of each but the full matrix
 do for [k in there] {
     i = int(k)
     if (i > 1) {

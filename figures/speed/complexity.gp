@@ -17,7 +17,9 @@ of(k) = strcol("solver") eq Name[k] ? column("n") : NaN
 slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
     { on = 1 } on && $1 == \"%s\" { print $%d }' '%s'", Name[k], what, data)))
 
-set multiplot layout 2,1 margins 0.12,0.80,0.10,0.985 spacing 0,0.09
+# The name of a solver stands at the height where its curve ends, or a little
+# above or below; a thin line leads to it where another curve lies between.
+set multiplot layout 2,1 margins 0.115,0.735,0.10,0.985 spacing 0,0.09
 unset key
 set label 9 machine(data) at screen 0.01,0.012 left font ",11"
 set logscale xy
@@ -27,20 +29,32 @@ set xrange [7:300]
 set yrange [2e4:2e10]
 set xlabel "squares per side n"
 set ylabel "flops of a solve, counted"
-array Work[6] = [5e9, 2.4e9, 1.6e9, 8e8, 3.5e8, 1.2e8]
+array X[6] = [31, 128, 320, 320, 320, 320]
+array Work[6] = [5.5e9, 4.4e9, 2.55e9, 1.26e9, 6.3e8, 3e8]
 do for [k = 1:6] {
     color = Style[k]
-    set label 10 + k sprintf("n^{%.2f}", slope(k, 3)) at (k == 1 ? 34 : k == 2 ? 140 : 330), Work[k] tc ls color
+    set label 10 + k sprintf("%s, n^{%.2f}", Text[k], slope(k, 3)) \
+        at X[k], Work[k] tc ls color left
 }
+do for [k = 4:5] {
+    color = Style[k]
+    set arrow k from 136, Work[k] to 305, Work[k] nohead ls color lw 0.8
+}
+set label 11 right
+set label 12 right
 plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
-unset label
-# where the name of a solver stands, with the slope of its work
-array Height[6] = [300, 36, 80, 900, 420, 190]
+do for [k = 9:16] { unset label k }
+unset arrow
+array Time[6] = [170, 52, 104, 1250, 215, 430]
+array From[6] = [31, 136, 320, 136, 320, 320]
 do for [k = 1:6] {
     color = Style[k]
-    set label k Text[k] at (k == 1 ? 9 : 330), Height[k] tc ls color
+    set label 10 + k Text[k] at From[k], Time[k] tc ls color
 }
+color = Style[5]
+set arrow 5 from 136, 350 to 305, 225 nohead ls color lw 0.8
+set label 11 right
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
 plot for [k = 1:6] data index "solvers" using (of(k)):"milliseconds" \

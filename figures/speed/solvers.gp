@@ -9,7 +9,7 @@ load "figures/style.gp"
 set terminal svg size 780,420
 set output out
 array Name[4] = ["band", "dissection", "single", "cholmod"]
-array Style[4] = [1, 3, 2, 4]
+array Style[4] = [1, 3, 6, 4]
 of(k) = strcol("solver") eq Name[int(k)] ? column("n") : NaN
 cholmod = system("grep -c '^cholmod\t' '".data."'") > 0
 stats data index "crossover" using "step_n" nooutput name "C"
@@ -50,7 +50,7 @@ set format y "%g"
 set yrange [0:5.2]
 set ytics 1
 set ylabel "one solve, relative to dissection"
-set label 1 "single precision,\nrefined" at 11,4.3 left tc ls 2
+set label 1 "single precision,\nrefined" at 11,4.3 left tc ls 6
 set label 2 "band" at 205,4.75 right tc ls 1
 set label 3 "dissection" at 280,0.74 right tc ls 3
 set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.85 left tc ls 4

@@ -49,6 +49,7 @@ do for [s = 1:2] {
     set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
     set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.81 tc rgb "#CC79A7"
+    set label 6 (s == 2 ? "known to" : "") at 6e3, 7.5e-4
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
          apart using (here(s) ? column("flops") : NaN):"error" \

@@ -3,31 +3,34 @@
 # Reads   data  table split (setting error model space time solver)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 660,470
+set terminal svg size 620,440
 set output out
 array Part[4] = ["model", "space", "time", "solver"]
-array Title[4] = ["model: law, static", "space: h", \
-    "time: step and integrator", "solver: tolerance"]
+# each part has its name once, in the bar where it is first the largest
+row(k) = k == 1 ? 0 : k == 2 ? 1 : k == 3 ? 4 : 2
 array Color[4] = ["#CC79A7", "#009E73", "#F0E442", "#666666"]
 sum(k) = (k > 0 ? column("model") : 0) + (k > 1 ? column("space") : 0) + \
          (k > 2 ? column("time") : 0) + (k > 3 ? column("solver") : 0)
 share(k) = 100.0 * sum(k) / sum(4)
 set lmargin at screen 0.50
 set rmargin at screen 0.985
-set tmargin at screen 0.87
+set tmargin at screen 0.945
 set style fill solid 0.9 border lc rgb "white"
-set key at screen 0.5, 0.995 center top horizontal maxrows 2 samplen 1.5
+unset key
 set border 0
 unset grid
 set yrange [9.6:-0.9]
 set xrange [0:114]
-set xlabel "share of the parts (%)"
+set xlabel "share of the sum of their sizes (%)"
 set ytics scale 0 font ",12"
 set xtics 0, 20, 100 nomirror
-set label 1 "error" at 102, -0.75 font ",12"
+set label 1 "error" at 102, -0.75
 plot for [k = 1:4] data index "split" \
          using (0):0:(share(k - 1)):(share(k)):($0 - 0.38):($0 + 0.38): \
          ytic(strcol("setting")) \
-         with boxxyerror lc rgb Color[k] title Title[k], \
+         with boxxyerror lc rgb Color[k], \
+     for [k = 1:4] data index "split" \
+         using ($0 == row(k) ? 50 : NaN):0:(Part[k]) with labels \
+         textcolor rgb (k == 4 ? "white" : "black"), \
      data index "split" using (102):0:(sprintf("%.2g", column("error"))) \
-         with labels left font ",12" notitle
+         with labels left

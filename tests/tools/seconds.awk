@@ -22,8 +22,9 @@ function print_step(    n, name) {
             digits(of("solvers", "solvers", "kept_single " n, "step_ms")) " |"
 }
 function print_strategy(    n, all, code) {
-    print "| $n$ | PETSc, `notes` | PETSc, `method` | ours | kept | strategy | " \
-        "times code | ratio | with kept factors |"
+    print "| $n$ | PETSc, `notes` | PETSc, `method` | ours | kept | " \
+        "strategy (`notes` over `method`) | code (`method` over ours) | " \
+        "both | both, with kept factors |"
     print "|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2) {
         all = peer("notes", n, "over_ours")

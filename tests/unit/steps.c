@@ -292,12 +292,14 @@ static void bodies_are_what_they_say(void)
     close_to(flip.p->v[6], ring.p->v[6], 1e-15);
     cloud_free(ring);
     cloud_free(flip);
-    for (double eps = 0.9; eps > 1e-14; eps *= 0.0613) { /* to the last digit */
-        struct cloud out = cloud_outlying(1, eps);
-        for (int q = 0; q < 16; q++)
-            close_to(out.p->x[2 * q] / h, 9.0 + eps - 0.5 * (15 - q), 0x1p-60);
-        cloud_free(out);
-    }
+    for (double eps = 0.9; eps > 1e-14; eps *= 0.0613) /* to the last digit */
+        for (int order = 1; order <= 3; order++) {
+            const double last = (order == 2 ? 9.5 : 9.0) + eps;
+            struct cloud out = cloud_outlying(order, eps);
+            for (int q = 0; q < 16; q++)
+                close_to(out.p->x[2 * q] / h, last - 0.5 * (15 - q), 0x1p-60);
+            cloud_free(out);
+        }
 }
 
 static void failures_are_named(void)
