@@ -160,7 +160,7 @@ static struct point system_solve(struct system *s)
  * and of one with a NaN in b, which stays there; the flops of both storages. */
 static void print_runs(struct system *s)
 {
-    static const char *const name[] = {"right", "not symmetric", "NaN in b"};
+    static const char *const name[] = {"correct", "not symmetric", "NaN in b"};
     table_begin("runs", "system status valid dense_flops banded_flops");
     for (int trial = 0; trial < 3; trial++) {
         if (trial == 1) matrix_add(s->A, 0, 1, s->A->a[0]);

@@ -36,7 +36,7 @@ top = 1e-3
 set yrange [1e-11:2*top]
 set ytics 10
 set mytics 1; set mxtics 1
-set ylabel "L² error (-)"
+set ylabel "L² error (dimensionless)"
 unset key
 set label 9 machine(data) at screen 0.01,0.025 left font ",11"
 

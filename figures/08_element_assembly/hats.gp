@@ -23,8 +23,8 @@ stats data index "K_local" using (column("e") == mark ? column("x1") : 1/0) \
 set multiplot layout 1,2
 set lmargin 10; set rmargin 2; set tmargin 1.5; set bmargin 4
 set style fill transparent solid 0.25 noborder
-set xlabel "x (-)"
-set ylabel "hat functions (-)"
+set xlabel "x (dimensionless)"
+set ylabel "hat functions (dimensionless)"
 set xrange [-0.03:1.03]
 set yrange [0:1.2]
 set ytics 0.25

@@ -13,7 +13,7 @@
 #include <math.h>
 
 enum trial { AS_IT_MUST_BE, NOTHING_HELD, ROW_ONLY, NAN_IN_LOAD };
-static const char *const name[] = {"right", "nothing held", "row only",
+static const char *const name[] = {"correct", "nothing held", "row only",
                                    "NaN in the load"};
 enum { n = 64 };
 
@@ -57,7 +57,7 @@ int main(void)
     }
     table_end();
     claim(valid[0] && !valid[1] && !valid[2] && !valid[3],
-          "only the right system is valid");
+          "only the correct system is valid");
     claim(status[ROW_ONLY] == OK && off[ROW_ONLY] > 0.8,
           "with the row alone Cholesky says OK, and u is wrong by 0.8 (%g)",
           off[ROW_ONLY]);

@@ -33,7 +33,7 @@ unset label 1
 unset label 2
 unset label 3
 set label 4 "printed modulus, ν = 0.3" at 0.6, 0.42 right tc ls 2
-set label 5 "right" at 0.6, 0.085 tc ls 1
+set label 5 "correct" at 0.6, 0.085 tc ls 1
 set label 6 "printed sign of the end load" at 0.98, -0.15 right tc ls 3
 unset object 1
 set xrange [0:1]

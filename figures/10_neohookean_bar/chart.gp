@@ -39,6 +39,8 @@ set ylabel "relative error of u(1)"
 set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead ls 8
 set label 1 "1/30 s" at 0.027, 3e-4 right
 set label 2 "all slopes near -2\n(dashed)" at 4e-7, 5e-13
+set label 3 "readable" at 2.8e-4, 3e-6 tc ls 2
+set label 4 "both ends" at 7e-5, 5e-10 right tc ls 1
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s], \
      4e-17 * x**-2 with lines ls 8

@@ -21,7 +21,7 @@ set multiplot layout 1,2 margins 0.105,0.975,0.155,0.96 spacing 0.125,0
 unset key
 set label 1 "residual max |q_i|" at 1.2, 6 tc ls 1
 set label 2 "increment\nmax |Δu_i|" at 4.8, 3e-3 tc ls 3
-set label 3 "error max |F_e - F_e^∞|" at 4.35, 1e-6 right tc ls 2
+set label 3 "error max |F_e - F@_e^*|" at 4.35, 1e-6 right tc ls 2
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-9:30]

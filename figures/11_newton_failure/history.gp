@@ -16,6 +16,7 @@ set border 11 back ls 9
 set y2tics
 set xlabel "linear systems"
 set label 1 "F" at 8, 5e-3 right tc ls 1
+set label 3 "grey: reference" at 11.5, 3e-4 tc rgb "#777777"
 set label 2 "residual" at 5, 0.75 tc ls 2
 set ylabel "F"
 set y2label "|residual| (N/m²)"

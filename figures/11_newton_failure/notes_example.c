@@ -23,18 +23,20 @@ int main(void)
     const double pull = exp(0.5 + law[0].mu / law[0].lambda) - 1.0;
     int as_predicted = 1, cubic_fails = 0;
 
-    table_begin_note("example", "n dt last largest_step log_iterations "
+    table_begin_note("example", "n dt last push pull log_iterations "
                      "log_fails cubic_iterations cubic_fails",
-                     "last: the time of the last step; fails: the time of the "
+                     "last: the time of the last step; push, pull: the largest "
+                     "and the least dg / h; fails: the time of the "
                      "first failure");
     for (int k = 0; k < N_SCENE; k++) {
         const double dt = scene[k].dt;
-        double last = 0.0, largest = 0.0, fails[2] = {0.0, 0.0};
+        double last = 0.0, push = 0.0, pulled = 0.0, fails[2] = {0.0, 0.0};
         int most[2] = {0, 0}, too_far = 0;
         for (int i = 1; last < 6.3 - 1e-9; i++) {
             last = i * dt;
             const double jump = (sin(last) - sin(last - dt)) * scene[k].n;
-            largest = fmax(largest, fabs(jump));
+            push = fmax(push, jump);
+            pulled = fmin(pulled, jump);
             too_far |= jump >= 1.0 || jump <= -pull;
             for (int l = 0; l < 2; l++) {
                 if (fails[l] > 0.0) continue;
@@ -44,7 +46,7 @@ int main(void)
                 if (end.status != OK) fails[l] = last;
             }
         }
-        table_row(scene[k].n, dt, last, largest,
+        table_row(scene[k].n, dt, last, push, pulled,
                   cell_if(fails[0] == 0.0, most[0]),
                   cell_if(fails[0] > 0.0, fails[0]),
                   cell_if(fails[1] == 0.0, most[1]),

@@ -8,7 +8,7 @@ load "figures/style.gp"
 set terminal svg size 740,430 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
-set multiplot layout 1,2 margins 0.095,0.985,0.15,0.91 spacing 0.08,0
+set multiplot layout 1,2 margins 0.115,0.985,0.15,0.91 spacing 0.08,0
 unset key
 set logscale y
 set format y "10^{%T}"
@@ -26,8 +26,8 @@ do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
     set ylabel (left ? "residual max |q_i| (N/m)" : "")
-    set label 2 (left ? "column for row" : "column for row: no end in 40") \
-        at (left ? 7.8 : 2.8), (left ? 5e-6 : 0.15) tc ls 2
+    set label 2 (left ? "column for row" : "column for row: not\nconverged after\n40 iterations") \
+        at (left ? 7.8 : 3.6), (left ? 5e-6 : 0.15) tc ls 2
     plot for [i = 1:4] data index "slip_history" \
         using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i)
 }

@@ -7,6 +7,8 @@ set output out
 table = "nodes"
 load "figures/square.gp"
 eval reach(1.5)
+set xlabel "x (m)"
+set ylabel "y (m)"
 set xtics 1
 set ytics 1
 plot @SQUARE
