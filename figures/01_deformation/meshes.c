@@ -18,8 +18,10 @@ struct triangles {
     double X[6 * MOST], x[6 * MOST]; /* corners, before and after */
 };
 
-/* (-a, a) x (-b, b) in nx x ny cells, cut by diagonals that take turns. */
-static void cut(struct triangles *t, double a, double b, int nx, int ny)
+/* (-a, a) x (-b, b) in nx x ny cells, cut by diagonals that are all alike, as
+ * in mesh.h, or take turns. */
+static void cut(struct triangles *t, double a, double b, int nx, int ny,
+                int turns)
 {
     /* of the two triangles of a cell, as steps along x and y */
     static const int corner[2][6][2] = {
@@ -31,7 +33,7 @@ static void cut(struct triangles *t, double a, double b, int nx, int ny)
     for (int j = 0; j < ny; j++)
         for (int i = 0; i < nx; i++)
             for (int k = 0; k < 6; k++) {
-                const int *c = corner[(i + j) % 2][k];
+                const int *c = corner[turns * (i + j) % 2][k];
                 *X++ = a * (2.0 * (i + c[0]) / nx - 1.0);
                 *X++ = b * (2.0 * (j + c[1]) / ny - 1.0);
             }
@@ -101,12 +103,15 @@ int main(void)
 {
     struct triangles *t = allocate(1, sizeof *t);
     double shared[7] = {0.0}, least = INFINITY;
+    int inside_out = 0;
 
-    cut(t, 1.0, 1.0, 16, 16);
+    cut(t, 1.0, 1.0, 16, 16, 0);
     for (int k = 0; k < 3 * t->n; k++) push(1.05, t->X + 2 * k, t->x + 2 * k);
     print_triangles("square", t);
+    for (int e = 0; e < t->n; e++)
+        inside_out += !(J_of(t->X + 6 * e, t->x + 6 * e) > 0.0);
 
-    cut(t, 3.0, half_width, 60, 6);
+    cut(t, 3.0, half_width, 60, 6, 1);
     table_begin("bend", "degrees inverted min_J exact_min_J shared");
     for (int k = 1; k <= 6; k++) {
         const double angle = 0.25 * M_PI * k;
@@ -127,6 +132,8 @@ int main(void)
     print_triangles("strip", t);
     free(t);
 
+    claim(inside_out == 62, "62 triangles of the square are inverted, as in "
+          "push.c (%d)", inside_out);
     claim(least > 0.5, "J > 0.5 on every triangle of the strip (%g)", least);
     claim(shared[4] == 0.0 && fabs(shared[6] - 0.2) < 0.02, "no part is shared "
           "at 180 degrees, a fifth is at 270 (%g)", shared[6]);

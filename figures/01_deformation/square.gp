@@ -8,6 +8,12 @@ set output out
 table = "triangles"
 load "figures/square.gp"
 eval reach(1.1)
+said = system(ask(data, "said"))
+all = system("awk '$0 == \"# triangles\" { on = 1; next } NF == 0 { on = 0 } \
+    on { n++ } END { print n - 1 }' '".data."'")
+if (said ne "") set title said."(".all." in all)"
 set xtics 1
 set ytics 1
+set xlabel "x (m)"
+set ylabel "y (m)"
 plot @SQUARE

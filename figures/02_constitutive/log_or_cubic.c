@@ -13,8 +13,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The points of all curves: F or J = -1 ... 3. */
-enum { POINTS = 160 };
+/* The points of all curves, F or J = -1 ... 3; and those of the differences,
+ * one of which passes 0 near F = 1.67, on either side of 1. */
+enum { POINTS = 160, CLOSE = 640 };
 static double point(int i)
 {
     return (4.0 * i - POINTS) / POINTS;
@@ -80,8 +81,8 @@ int main(void)
 
     for (int law = LINEAR; law <= CUBIC; law++) print_curve((enum law)law);
     table_begin_note("difference", "F cubic linear", "100 (P / P_log - 1)");
-    for (int i = -POINTS; i <= POINTS; i++) { /* |F - 1| = 0.001 ... 2 */
-        const double d = 2.0 * pow(2000.0, abs(i) / (double)POINTS - 1.0);
+    for (int i = -CLOSE; i <= CLOSE; i++) { /* |F - 1| = 0.001 ... 2 */
+        const double d = 2.0 * pow(2000.0, abs(i) / (double)CLOSE - 1.0);
         const double F = i < 0 ? 1.0 - d : 1.0 + d;
         if (i != 0 && F > 0.0)
             table_row(F, 100.0 * difference(CUBIC, F),

@@ -42,7 +42,7 @@ set yrange [0.1:500]
 set format y "%g"
 set ytics (0.1, 1, 5, 10, 100)
 set ylabel "error of P against the log law (%)"
-set label 1 "linear" at 1.9, 45 left
+set label 1 "linear" at 1.68, 31 left
 set label 2 "cubic" at 2.15, 17 left textcolor ls 2
 below(c) = column("F") < 1 ? abs(column(c)) : NaN # no line across F = 1
 above(c) = column("F") > 1 ? abs(column(c)) : NaN

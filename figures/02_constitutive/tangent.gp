@@ -30,8 +30,8 @@ unset key
 set label 2 "cubic law" at 4.95, -0.65 right
 set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
 set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
-set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 2.35, -0.15 left tc rgb Cubic[3]
-set label 6 "0.02" at 4.55, 0.6 tc rgb Cubic[4]
+set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.2, -0.14 center tc rgb Cubic[3]
+set label 6 "0.02" at 4.42, 0.8 right tc rgb Cubic[4]
 set lmargin at screen 0.11
 set rmargin at screen 0.49
 set xrange [0:5]

@@ -7,6 +7,9 @@ if (!exists("reference")) reference = data
 set terminal svg size 560,400
 set output out
 unset key
+unset grid
+set label 1 "arrows: forces along the bar,\ndrawn upwards if they act to the right" \
+    at graph 0.1, graph 0.94 tc rgb "#D55E00"
 set xrange [-0.1:1.1]
 set offsets 0, 0, 0.1, 0.1
 set xlabel "x"

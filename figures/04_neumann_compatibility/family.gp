@@ -3,10 +3,10 @@
 # Reads   data  table family (x below minimum_norm above exact)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 640,440 enhanced font "Helvetica,17"
 set output out
 unset key
-set rmargin 23
+set rmargin 18
 
 # the constant of the exact solution x - e^x + C with nodal mean 0
 stats data index "family" using (column("exact") - column("x") + \
@@ -15,14 +15,14 @@ stats data index "family" using (column("exact") - column("x") + \
 set xlabel "position x (-)"
 set ylabel "u (-)"
 set xrange [0:1]
-set yrange [-0.9:0.7]
+set yrange [-0.9:0.85]
 unset grid
 set xzeroaxis ls 9
-set label 1 "c = 0.3" at 1.02, -0.17 tc ls 2
-set label 2 "c = 0: minimum norm,\nthe nodal values\nadd up to 0" at 1.02, -0.42 tc ls 1
-set label 3 "c = -0.3" at 1.02, -0.77 tc ls 3
-set label 4 "grey: c = -0.4, -0.3, ..., 0.4" at 0.98, 0.62 right tc rgb "#777777"
-set label 5 "dashed: exact" at 0.98, 0.51 right
+set label 1 "c = 0.3" at 1.035, -0.15 tc ls 2
+set label 2 "c = 0: minimum\nnorm; the values\nadd up to 0" at 1.035, -0.39 tc ls 1
+set label 3 "c = -0.3" at 1.035, -0.8 tc ls 3
+set label 4 "grey: c = -0.4, -0.3, ..., 0.4" at 0.98, 0.79 right tc rgb "#777777"
+set label 5 "dashed: exact" at 0.98, 0.66 right
 
 plot for [k = -4:4] data index "family" \
          using "x":(column("minimum_norm") + 0.1 * k) with lines ls 9 lw 1, \

@@ -38,10 +38,10 @@ plot data index none using "k":(h4 * column("exact")) with lines ls 1 lw 1, \
      data index both using "k":(h4 * column("gsl")) with points ls 3 ps 0.9
 
 unset label
-set lmargin at screen 0.59
+set lmargin at screen 0.6
 set rmargin at screen 0.98
 set xlabel "k/n, for both ends fixed"
-set ylabel "λ_k / h(kπ)^2" offset 0.5
+set ylabel "λ_k /(h(kπ)^2)" offset 1.5
 set xrange [0:1]
 set yrange [0.38:1.02]
 sinc(s) = s == 0 ? 1.0 : (sin(0.5 * pi * s) / (0.5 * pi * s))**2

@@ -31,9 +31,9 @@ set ylabel "|error| of the integral"
 set yrange [1e-14:1]
 set xrange [3:1000]
 set label 1 "midpoint" at 20, 3e-3 left textcolor ls 1
-set label 2 "qag: finds the\nkink by halving" at 200, 1e-10 right textcolor rgb "black"
+set label 2 "qag: finds the\nkink by halving" at 210, 6e-9 right textcolor rgb "black"
 set label 3 "Gauss" at 14, 8e-6 right textcolor ls 3
-set label 4 "qagp: is told\nwhere the kink is" at 34, 8e-13 right textcolor rgb "black"
+set label 4 "qagp: is told\nwhere the kink is" at 42, 1.2e-11 center textcolor rgb "black"
 plot data index "load_kink" using "n":(abs(column("midpoint"))) \
          with linespoints ls 1, \
      data index "load_kink" using (2 * column("n")):(abs(column("gauss2"))) \

@@ -9,14 +9,14 @@ set terminal svg size 800,500 enhanced font "Helvetica,14"
 set output out
 
 set logscale xy
-set xrange [5.5e-3:1.7]
+set xrange [5.5e-3:2.6]
 set yrange [5e-6:2]
 set xtics ("1/128" 1./128, "1/32" 1./32, "1/8" 1./8)
 set xlabel "element length h"
 set ylabel "error of the solution"
 set format y "10^{%T}"
 unset key
-before(x) = x < 0.3 ? x : NaN
+before(x) = x < 0.2 ? x : NaN
 array Rule[3] = ["midpoint", "trapezoid", "gauss2"]
 array Mean[3] = ["sampled", "exact", "harmonic"]
 array Style[3] = [1, 4, 5]
@@ -29,8 +29,8 @@ set bmargin at screen 0.14
 set title "all data smooth" offset 0,-0.5
 set label 1 "energy, any rule:\nslope 1" at 0.0065, 0.35 left
 set label 2 "L^2: slope 2" at 0.04, 3e-5 left
-set label 3 "trapezoid" at 0.29, 0.045 left textcolor ls 2
-set label 4 "midpoint" at 0.29, 0.022 left textcolor ls 1
+set label 3 "trapezoid" at 0.29, 0.05 left textcolor ls 2
+set label 4 "midpoint" at 0.29, 0.0235 left textcolor ls 1
 set label 5 "Gauss" at 0.29, 0.011 left textcolor ls 3
 plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \
          with linespoints ls k, \
@@ -51,9 +51,9 @@ set tmargin at screen 0.91
 set bmargin at screen 0.59
 set label 1 "energy: slope 0.5" at 0.0065, 0.42 left
 unset label 2
-set label 3 "midpoint" at 0.29, 0.27 left textcolor ls 1
-set label 4 "exact mean" at 0.29, 0.135 left textcolor ls 4
-set label 5 "exercise 6" at 0.29, 0.19 left textcolor ls 5
+set label 3 "midpoint" at 0.29, 0.215 left textcolor ls 1
+set label 4 "exact mean" at 0.29, 0.15 left textcolor ls 4
+set label 5 "harmonic mean" at 0.29, 0.31 left textcolor ls 5
 plot for [k = 1:3] data index "jump" using "h":"energy_".Mean[k] \
          with linespoints ls Style[k], \
      0.95 * before(x)**0.5 with lines ls 8
@@ -69,7 +69,7 @@ set label 1 "L^2: slope 1" at 0.0065, 3e-2 left
 set label 2 "slope 1.5" at 0.055, 2e-4 left
 set label 3 "midpoint" at 0.29, 0.09 left textcolor ls 1
 set label 4 "exact mean" at 0.29, 0.033 left textcolor ls 4
-set label 5 "exercise 6" at 0.29, 0.0125 left textcolor ls 5
+set label 5 "harmonic mean" at 0.29, 0.0125 left textcolor ls 5
 plot for [k = 1:3] data index "jump" using "h":"L2_".Mean[k] \
          with linespoints ls Style[k], \
      0.45 * before(x) with lines ls 8, 0.04 * before(x)**1.5 with lines ls 8
