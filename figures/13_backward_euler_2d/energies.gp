@@ -3,10 +3,10 @@
 # Reads   data  tables energies, spin
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,430 enhanced font "Helvetica,16" \
+set terminal svg size 640,860 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
-set multiplot layout 1,2 margins 0.085,0.985,0.16,0.96 spacing 0.125,0
+set multiplot layout 2,1 margins 0.16,0.97,0.095,0.985 spacing 0,0.12
 unset key
 set xlabel "t (s)"
 set ylabel "energy (J)"
@@ -23,7 +23,7 @@ plot data index "energies" using "t":"kinetic" with lines ls 3, \
      "" index "energies" using "t":"total_480" with lines ls 1 dt 3, \
      0 ls 8
 set xlabel "Δt (s)"
-set ylabel "angular momentum, after 1 s / at first"
+set ylabel "spin left after 1 s"
 unset label
 set label 1 "predicted for 6 rad/s:\n(1 + 2 Δt ω^2 t)^{-1/2}" at 0.0016, 0.72
 set label 2 "computed" at 0.0185, 0.685 left tc ls 2

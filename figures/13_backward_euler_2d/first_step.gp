@@ -4,7 +4,7 @@
 # Reads   data  tables starts, history_notes, history_demand, history_lift
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,600 enhanced font "Helvetica,16" \
+set terminal svg size 640,720 enhanced font "Helvetica,18" \
     background rgb "white"
 set output out
 # the rows of table `starts` that pass the awk condition, as closed polygons
@@ -18,21 +18,21 @@ set multiplot
 set style fill solid noborder
 unset grid
 set size ratio -1
-set tmargin at screen 0.95
-set bmargin at screen 0.62
+set tmargin at screen 0.93
+set bmargin at screen 0.67
 set xrange [-0.15:4.4]
 set yrange [-0.15:3.15]
-set xtics 1
+set xtics 2
 set ytics 1
 set xlabel "x / h"
 set ylabel "y / h"
 unset key
 do for [k = 0:2] {
-    set lmargin at screen 0.078 + 0.316 * k
-    set rmargin at screen 0.355 + 0.316 * k
+    set lmargin at screen 0.13 + 0.30 * k
+    set rmargin at screen 0.375 + 0.30 * k
     if (k > 0) { unset ylabel }
-    set label 1 "Δg = ".word("0.5 1.2 1.2", k + 1)." h".(k == 2 ? ", lifted" : \
-        k == 1 ? ": inside out" : "") at graph 0, graph 1.09
+    set label 1 "Δg = ".word("0.5 1.2 1.2", k + 1)." h".(k == 2 ? ",\nlifted" : \
+        k == 1 ? ":\ninside out" : "") at graph 0, graph 1.40
     set arrow 1 from 0, -0.1 to 0, 3.1 nohead ls 8
     up = sprintf("$1 == %d && $10 > 1e-9", k)
     turned = sprintf("$1 == %d && $10 <= 1e-9", k)
@@ -46,10 +46,10 @@ do for [k = 0:2] {
 unset label 1
 unset arrow 1
 set size noratio
-set lmargin at screen 0.11
-set rmargin at screen 0.985
-set tmargin at screen 0.44
-set bmargin at screen 0.125
+set lmargin at screen 0.17
+set rmargin at screen 0.975
+set tmargin at screen 0.50
+set bmargin at screen 0.115
 set grid back ls 9
 unset key
 set logscale y
@@ -62,8 +62,8 @@ set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
 set ylabel "residual (m)" offset 1
-set label 2 "notes' method, then lost" at 5.15, 0.02 tc rgb "#D55E00"
-set label 3 "projected on demand" at 6.15, 4e-6 tc rgb "#009E73"
+set label 2 "notes' method, then lost" at 4.0, 0.8 tc rgb "#D55E00"
+set label 3 "projected\non demand" at 6.2, 3e-5 tc rgb "#009E73"
 set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2"
 set label 5 "n = 56, cubic law" at graph 0, graph 1.08
 plot data index "history_notes" using "iteration":(seen(column("residual"))) \

@@ -3,7 +3,8 @@
 # Reads   data  table motion
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate optimize delay 7 loop 0 size 720,720 @gif_font noenhanced \
+large = scalable eq "" ? gif_font : "font '".scalable.",22'"
+set terminal gif animate optimize delay 7 loop 0 size 720,720 @large enhanced \
     background rgb "white"
 set output out
 
@@ -19,22 +20,21 @@ path(t) = sprintf( \
     t + 1e-6, data)
 set datafile nocolumnheaders
 unset key
-set tmargin 1
+set tmargin 0.5
 set size ratio -1
 set border 15 back ls 9
-set xrange [-1.7:2.1]
-set yrange [-1.7:2.1]
+set xrange [-1.8:2.4]
+set yrange [-1.7:2.5]
 set xtics 1
 set ytics 1
-set xlabel "x1 (m)"
-set ylabel "x2 (m)"
+set xlabel "x_1 (m)"
+set ylabel "x_2 (m)" offset 1
 set style fill solid noborder
 # corner k of a square that keeps its 6 rad/s and its velocity
 cx(k, t) = 0.2 * t + sqrt(2) * cos(6 * t + (2 * k + 1) * pi / 4)
 cy(k, t) = 0.1 * t + sqrt(2) * sin(6 * t + (2 * k + 1) * pi / 4)
-set label 2 "computed" at graph 0.03, graph 0.09 tc rgb "#D55E00"
-set label 3 "as it ought to turn" at graph 0.03, graph 0.04 tc rgb "#666666"
-set label 4 "the dots mark the same corner" at graph 0.97, graph 0.04 right
+set label 2 "computed" at graph 0.03, graph 0.88 tc rgb "#D55E00"
+set label 3 "as it ought to turn" at graph 0.97, graph 0.95 right tc rgb "#666666"
 do for [m = 0:45] {
     t = m / 30.0
     set object 1 polygon from cx(0, t), cy(0, t) to cx(1, t), cy(1, t) \
@@ -42,7 +42,7 @@ do for [m = 0:45] {
         front fs empty border lc rgb "#777777" lw 2
     set object 2 circle at cx(2, t), cy(2, t) size 0.06 front \
         fs solid fc rgb "#777777"
-    set label 1 sprintf("t = %.2f s", m / 30.0) at graph 0.03, graph 0.96
+    set label 1 sprintf("t = %.2f s", m / 30.0) at graph 0.03, graph 0.95
     plot frame(t) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
          "" using 1:2 with lines lw 1 lc rgb "#0072B2", \
          path(t) using 1:2 with lines lw 2 lc rgb "#D55E00", \

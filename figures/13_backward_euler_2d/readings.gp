@@ -3,7 +3,8 @@
 # Reads   data  table gallery
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 600,1040
+set terminal svg size 600,1040 enhanced font "Helvetica,18" \
+    background rgb "white"
 set output out
 
 # The triangles of one scene at one time, closed.
@@ -31,13 +32,13 @@ set ytics 1
 array Name[5] = ["rigid", "both", "stretch", "compress", "steady"]
 set multiplot
 do for [row = 1:5] { do for [frame = 1:2] {
-    set lmargin at screen 0.10 + 0.36 * (frame - 1)
-    set rmargin at screen 0.44 + 0.36 * (frame - 1)
-    set tmargin at screen 0.97 - 0.184 * (row - 1)
-    set bmargin at screen 0.97 - 0.184 * (row - 1) - 0.176
+    set lmargin at screen 0.125 + 0.33 * (frame - 1)
+    set rmargin at screen 0.445 + 0.33 * (frame - 1)
+    set tmargin at screen 0.97 - 0.176 * (row - 1)
+    set bmargin at screen 0.97 - 0.176 * (row - 1) - 0.168
     set label 1 row == 1 ? sprintf("t = %.1f s", frame / 2.0) : "" \
         at graph 0.5, graph 1.06 center
-    set label 2 frame == 1 ? Name[row] : "" at graph 0.04, graph 0.95
+    set label 2 frame == 1 ? Name[row] : "" at graph 0.04, graph 0.93
     set ylabel frame == 1 ? "x_2  (m)" : ""
     set format y frame == 1 ? "%g" : ""
     set xlabel row == 5 ? "x_1  (m)" : ""
@@ -45,8 +46,8 @@ do for [row = 1:5] { do for [frame = 1:2] {
     if (row == 5 && frame == 2) {
         set colorbox user origin screen 0.85, screen 0.30 \
             size screen 0.022, screen 0.40
-        set cblabel "J = det F" offset 0.5
-        set cbtics 0.25
+        set label 9 "J" at screen 0.861, screen 0.725 center
+        set cbtics 0.5
     }
     set object 1 polygon from -1, -1 to 1, -1 to 1, 1 to -1, 1 to -1, -1 \
         front fs empty border lc rgb "#777777" dt 2

@@ -7,7 +7,7 @@
 if (!exists("data")) data = "build/data/14_time_step/long.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/long.svg"
 load "figures/style.gp"
-set terminal svg size 900,480 enhanced font "Helvetica,16" \
+set terminal svg size 640,1080 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
 array Key[4] = ["symplectic", "backward", "midpoint", "bdf2"]
@@ -25,10 +25,10 @@ set ytics 1
 do for [m = 1:4] {
     col = (m - 1) % 2
     line = (m - 1) / 2
-    set lmargin at screen 0.075 + 0.215 * col
-    set rmargin at screen 0.275 + 0.215 * col
-    set tmargin at screen 0.92 - 0.42 * line
-    set bmargin at screen 0.57 - 0.42 * line
+    set lmargin at screen 0.14 + 0.43 * col
+    set rmargin at screen 0.54 + 0.43 * col
+    set tmargin at screen 0.965 - 0.27 * line
+    set bmargin at screen 0.735 - 0.27 * line
     set format x line == 1 ? "%g" : ""
     set format y col == 0 ? "%g" : ""
     set xlabel line == 1 ? "u" : ""
@@ -45,13 +45,14 @@ do for [m = 1:4] {
              every ::row(m, j)::row(m, j)+29 with lines ls Style[m] lw 1
 }
 unset label
-set lmargin at screen 0.60
-set rmargin at screen 0.985
-set tmargin at screen 0.93
-set bmargin at screen 0.16
+set lmargin at screen 0.15
+set rmargin at screen 0.955
+set tmargin at screen 0.365
+set bmargin at screen 0.075
 unset key
-set label 3 "symplectic Euler" at 1e3, 1.12 center front
-set label 4 "midpoint: line at 1" at 7e4, 0.74 right tc ls 3 front
+set style textbox opaque noborder margins 0.6,0.6
+set label 3 "symplectic Euler" at 1e3, 1.18 center front
+set label 4 "midpoint" at 1e4, 1 center tc ls 3 front boxed
 set label 5 "BDF2" at 2.5e2, 0.42 left tc ls 4 front
 set label 6 "backward\nEuler" at 45, 0.25 left tc ls 1 front
 set size noratio
@@ -63,7 +64,7 @@ set ytics 0.2
 set xrange [10:1e5]
 set yrange [0:1.5]
 set xlabel "steps"
-set ylabel "energy over energy at the start"
+set ylabel "energy, start: 1"
 only(m, y) = strcol("method") eq Key[m] ? column(y) : NaN
 plot for [m = 1:4] data index "long" \
          using "steps":(only(m, "least")):(only(m, "most")) \

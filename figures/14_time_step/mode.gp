@@ -6,9 +6,10 @@
 if (!exists("data")) data = "build/data/14_time_step/mode.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/mode.svg"
 load "figures/style.gp"
-set terminal svg size 900,460
+set terminal svg size 640,1080 enhanced font "Helvetica,19" \
+    background rgb "white"
 set output out
-array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
+array Name[4] = ["symplectic", "backward", "midpoint", "BDF2"]
 array Column[4] = ["symplectic", "backward", "midpoint", "bdf2"]
 array Style[4] = [2, 1, 3, 4]
 array Due[4] = [1, 1, 2, 2]
@@ -33,11 +34,11 @@ set trange [0:2*pi]
 do for [m = 1:4] {
     col = (m - 1) % 2
     row = (m - 1) / 2
-    set lmargin at screen 0.065 + 0.205 * col
-    set rmargin at screen 0.255 + 0.205 * col
-    set tmargin at screen 0.93 - 0.43 * row
-    set bmargin at screen 0.57 - 0.43 * row
-    set label 1 Name[m] at graph 0.5, graph 1.08 center
+    set lmargin at screen 0.14 + 0.43 * col
+    set rmargin at screen 0.54 + 0.43 * col
+    set tmargin at screen 0.965 - 0.27 * row
+    set bmargin at screen 0.735 - 0.27 * row
+    set label 1 sprintf("%s: order %.2f", Name[m], Slope[m]) at graph 0.5, graph 1.08 center
     set format x row == 1 ? "%g" : ""
     set format y col == 0 ? "%g" : ""
     set xlabel row == 1 ? "u" : ""
@@ -48,24 +49,23 @@ do for [m = 1:4] {
 }
 unset parametric
 unset label
-set lmargin at screen 0.575
-set rmargin at screen 0.985
-set tmargin at screen 0.75
-set bmargin at screen 0.14
-set key above left vertical maxrows 5 reverse Left samplen 2
+set lmargin at screen 0.18
+set rmargin at screen 0.955
+set tmargin at screen 0.365
+set bmargin at screen 0.075
+unset key
+set label 1 "dashed: predicted" at 0.025, 3e-6 left
 set size noratio
 set logscale xy
 set format xy "10^{%T}"
 set xtics autofreq
 set ytics autofreq
 set xrange [2e-3:1]
-set yrange [1e-7:2]
+set yrange [1e-7:3]
 set xlabel "ω Δt"
-set ylabel "error of (u, v / ω) at ω T = 2.385"
+set ylabel "error at ω T = 2.385"
 plot for [m = 1:4] data index "orders" using "w_dt":"error" \
-         every ::9*m-9::9*m-1 with points ls Style[m] \
-         title sprintf("%s: order %.2f", Name[m], Slope[m]), \
-     for [m = 1:4] Constant[m] * x**Due[m] with lines ls 8 \
-         title (m == 1 ? "predicted" : "")
+         every ::9*m-9::9*m-1 with points ls Style[m], \
+     for [m = 1:4] Constant[m] * x**Due[m] with lines ls 8
 unset multiplot
 set output

@@ -3,7 +3,7 @@
 # Reads   data  tables steps, approach, price
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,410 enhanced font "Helvetica,16" \
+set terminal svg size 640,860 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
 total(m) = system("awk -F'\t' '$0 == \"# price\" { on = 1 } NF == 0 { on = 0 } \
@@ -11,11 +11,12 @@ total(m) = system("awk -F'\t' '$0 == \"# price\" { on = 1 } NF == 0 { on = 0 } \
 divides = system("awk -F'\t' '$0 == \"# approach\" { on = 1 } \
     NF == 0 { on = 0 } on && NF == 4 { before = last; last = $4 } \
     END { printf \"%.1f\", before / last }' '".data."'")
+last = system("awk -F'\t' '$1 == \"never\" && NF > 6 { print $2 }' '".data."'") + 0
 set multiplot
-set tmargin at screen 0.96
-set bmargin at screen 0.17
-set lmargin at screen 0.09
-set rmargin at screen 0.52
+set tmargin at screen 0.985
+set bmargin at screen 0.57
+set lmargin at screen 0.18
+set rmargin at screen 0.97
 set logscale y
 set format y "%g"
 set xrange [0:60]
@@ -25,12 +26,14 @@ set ylabel "linear systems in the step"
 unset key
 set label 1 "always: ".total("always")." in all" at 31, 180 tc ls 4
 set label 2 "on demand: ".total("on demand")." in all" at 29, 8 tc ls 3
-set label 3 "never: then it fails" at 1, 3.4 tc ls 2
+set label 3 "never: fails at the cross" at 1, 3.3 tc ls 2
 plot data index "steps" using "k":"always" with linespoints ls 4, \
      data index "steps" using "k":"demand" with linespoints ls 3, \
-     data index "steps" using "k":"never" with linespoints ls 2 pt 4 ps 1.1 lw 1
-set lmargin at screen 0.64
-set rmargin at screen 0.98
+     data index "steps" using "k":"never" with linespoints ls 2 pt 4 ps 1.1 lw 1, \
+     "" index "steps" using "k":(column("k") == last ? column("never") : NaN) \
+         with points pt 2 ps 2 lw 3 lc rgb "#D55E00"
+set tmargin at screen 0.46
+set bmargin at screen 0.095
 set xrange [0:12]
 set yrange [1e-13:1]
 set format y "10^{%T}"

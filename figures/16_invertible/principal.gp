@@ -3,22 +3,22 @@
 # Reads   data  tables principal, near_rest (law s1 s2 P1 P2 log)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,440 enhanced font "Helvetica,16" \
+set terminal svg size 640,1000 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
 
 set multiplot
 unset key
-set tmargin at screen 0.96
-set bmargin at screen 0.16
-set lmargin at screen 0.10
-set rmargin at screen 0.555
+set tmargin at screen 0.985
+set bmargin at screen 0.54
+set lmargin at screen 0.155
+set rmargin at screen 0.96
 of(l) = stringcolumn("law") eq l ? column("s2") : NaN
 P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
 log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
 stats data index "principal" using "s1" nooutput
 set xlabel sprintf("s_2   (with s_1  = %.4g, ε = 0.25)", STATS_max)
-set ylabel "principal stress P_2  (kN/m^2)" offset 0.5
+set ylabel "principal stress P_2  (kN/m^2)" offset 1
 set xrange [-1:1.5]
 set yrange [-35:5]
 set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
@@ -46,13 +46,13 @@ unset label
 unset object
 set label 3 "stable" at 1.17, 0.45 right textcolor rgb "#B07800"
 set label 5 "all others" at 1.12, 0.02 left
-set lmargin at screen 0.70
-set rmargin at screen 0.98
+set tmargin at screen 0.43
+set bmargin at screen 0.085
 set xrange [0.6:1.4]
 set yrange [-0.9:0.6]
 set xtics 0.2
 set xlabel "s_2   (with s_1  = 1)"
-set ylabel "P_2  (kN/m^2)" offset 0.5
+set ylabel "P_2  (kN/m^2)" offset 1
 plot data index "near_rest" using (of("extended")):(P("extended")) \
          with lines ls 6, \
      "" index "near_rest" using (of("cubic")):(P("cubic")) with lines ls 2, \

@@ -3,7 +3,8 @@
 # Reads   data  tables motion, end (law energy min_J winding)
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate delay 9 loop 0 size 840,310 @gif_font noenhanced \
+large = scalable eq "" ? gif_font : "font '".scalable.",18'"
+set terminal gif animate delay 9 loop 0 size 720,300 @large noenhanced \
     background rgb "white"
 set output out
 
@@ -16,7 +17,7 @@ frame(law, state, t) = sprintf( \
          print 9 \"\t\" 9 }' '%s'", \
     law, t, state, state, data)
 array Law[3] = ["cubic", "extended", "stable"]
-array End[3] = [": wound twice", ": wound twice", ": the square is back"]
+array End[3] = [": wound", ": wound", ": back"]
 set datafile nocolumnheaders
 unset key
 set size ratio -1
@@ -26,8 +27,8 @@ set yrange [-1.85:1.75]
 unset xtics
 unset ytics
 unset grid
-set tmargin at screen 0.97
-set bmargin at screen 0.12
+set tmargin at screen 0.88
+set bmargin at screen 0.13
 set style fill transparent solid 0.5 noborder
 do for [m = 0:40] {
     t = 2 * (m < 37 ? m : 36)
@@ -35,9 +36,9 @@ do for [m = 0:40] {
     do for [k = 1:3] {
         set lmargin at screen 0.02 + 0.33 * (k - 1)
         set rmargin at screen 0.32 + 0.33 * (k - 1)
-        set xlabel Law[k]." law".(t == 72 ? End[k] : "")
-        if (k == 2) { set label 1 sprintf("t = %.3f s", t / 240.0) at \
-            graph 0.5, graph 0.93 center } else { unset label 1 }
+        set xlabel Law[k].(t == 72 ? End[k] : "")
+        if (k == 1) { set label 1 sprintf("t = %.3f s", t / 240.0) at \
+            screen 0.02, screen 0.94 } else { unset label 1 }
         plot frame(Law[k], "upright", t) using 1:2 with filledcurves closed \
                  fc rgb "#9CC7E2", \
              frame(Law[k], "inside_out", t) using 1:2 \

@@ -4,7 +4,7 @@
 #               standard_error iterations error)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,460 enhanced font "Helvetica,16" \
+set terminal svg size 640,1010 enhanced font "Helvetica,20" \
     background rgb "white"
 set output out
 
@@ -37,9 +37,9 @@ sy(k) = PY[5] + out_by(k) * (PY[Way[k + 1] + 1] - PY[5])
 
 set multiplot
 set lmargin at screen 0.01
-set rmargin at screen 0.45
-set tmargin at screen 0.97
-set bmargin at screen 0.03
+set rmargin at screen 0.99
+set tmargin at screen 0.99
+set bmargin at screen 0.46
 set size ratio -1
 unset key
 unset border
@@ -48,15 +48,19 @@ unset grid
 set xrange [-2.25:1.35]
 set yrange [-1.45:2.25]
 do for [k = 0:7] {
-    set arrow k + 1 from sx(k), sy(k) to sx(k + 1), sy(k + 1) \
-        filled size screen 0.012,20 front lw 1.8 \
-        lc rgb (k < 4 ? "#D55E00" : "#009E73")
+    if (k < 4) {
+        set arrow k + 1 from sx(k), sy(k) to sx(k + 1), sy(k + 1) \
+            filled size screen 0.02,20 front lw 2.5 lc rgb "#000000"
+    } else {
+        set arrow k + 1 from sx(k), sy(k) to sx(k + 1), sy(k + 1) \
+            filled size screen 0.02,20 front lw 2.5 dt 2 lc rgb "#AA3377"
+    }
     # the two vertices that lie on one another, outside the arrows
     corner = k % 4
     set label k + 1 sprintf("%d", Way[k + 1]) at \
         PX[5] + 1.55 * (PX[Way[corner + 1] + 1] - PX[5]) + (k < 4 ? -0.1 : 0.1) - 0.13 * (corner == 0), \
         PY[5] + 1.55 * (PY[Way[corner + 1] + 1] - PY[5]) center front \
-        textcolor rgb (k < 4 ? "#D55E00" : "#009E73")
+        textcolor rgb (k < 4 ? "#000000" : "#AA3377")
 }
 set label 9 "4" at PX[5], PY[5] + 0.01 center front
 set object 2 circle at PX[5], PY[5] size 0.1 front fc rgb "white" \
@@ -66,7 +70,7 @@ set label 20 "at rest" at -1.45, 2.13 center
 do for [v = 0:8] {
     set label 21 + v sprintf("%d", v) at -1.90 + 0.45 * (v % 3), \
         1.00 + 0.43 * (v / 3) center textcolor rgb \
-        (v == 4 ? "#000000" : v < 3 || v == 5 ? "#D55E00" : "#009E73")
+        (v == 4 ? "#777777" : v < 3 || v == 5 ? "#000000" : "#AA3377")
 }
 set object 1 polygon from -1.76,1.13 to -1.14,1.13 to -1.14,1.73 to \
     -1.76,1.73 to -1.76,1.13 fs empty border rgb "#999999"
@@ -91,14 +95,14 @@ set size noratio
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"
 set grid noxtics ytics back ls 9
-set lmargin at screen 0.575
+set lmargin at screen 0.15
 set rmargin at screen 0.98
-set tmargin at screen 0.97
-set bmargin at screen 0.20
+set tmargin at screen 0.42
+set bmargin at screen 0.115
 unset key
 # three bars for each law, the worse its error the further to the right
 set xrange [-0.6:2.6]
-set yrange [0:150]
+set yrange [0:133]
 set xtics nomirror ("extended\n0 %%" 0, sprintf("cubic\n%.2f %%%%", CUBIC_max) 1, \
     sprintf("stable\n%.1f %%%%", STABLE_max) 2)
 set ytics nomirror 0,25,100
@@ -115,16 +119,16 @@ rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
 unsure(k) = column("standard_error")
 set style fill solid 0.85 border
 set boxwidth 0.22
-set label 1 "n = 4, boundary held" at -0.5, 142 tc rgb Colour[1]
-set label 2 "n = 2, all scrambled" at -0.5, 132 tc rgb Colour[2]
-set label 3 "n = 4, all scrambled" at -0.5, 122 tc rgb Colour[3]
+set label 1 "held, n = 4" at -0.38, 125 left tc rgb Colour[1]
+set label 2 "free, n = 2" at -0.11, 110 left tc rgb Colour[2]
+set label 3 "free,\nn = 4" at 0.15, 68 left tc rgb Colour[3]
 plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
          with boxes ls Style[k], \
      for [k = 1:3] data index "scramble" using (place(k)): \
          (rate(k) - unsure(k)):(0):(2 * unsure(k)) with vectors heads \
          size graph 0.012,90 lw 1.5 lc rgb "black" notitle, \
      for [k = 1:3] data index "scramble" using (place(k)):(rate(k) + 6): \
-         (sprintf("%.0f", column("iterations"))) with labels font ",14" \
+         (sprintf("%.0f", column("iterations"))) with labels font ",18" \
          textcolor rgb Colour[k] notitle
 unset multiplot
 set output

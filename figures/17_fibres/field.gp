@@ -3,7 +3,7 @@
 # Reads   data  tables fibres, outline, history
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,300 enhanced font "Helvetica,16" \
+set terminal svg size 640,720 enhanced font "Helvetica,20" \
     background rgb "white"
 set output out
 set multiplot
@@ -28,27 +28,27 @@ first(field) = system(sprintf( \
     "awk -F'\t' '$0 == \"# history\" { on = 1; next } NF == 0 { on = 0 } \
      on && $2 == \"0\" && !n++ { print $%d }' '%s'", field, data)) + 0.0
 array Block[3] = ["rest", "both", "left"]
-array Title[3] = ["at rest", "activated, both ends held", "activated, left end held"]
+array Title[3] = ["at rest", "activated,\nboth ends held", "activated,\nleft end held"]
 array Says[3]
-Says[1] = sprintf("angle to the axis: %.1f°", first(3))
-Says[2] = sprintf("%.1f°, pulls with %.0f N/m", last("both", 3), last("both", 4))
-Says[3] = sprintf("%.1f°, %.0f %% shorter", last("left", 3), -last("left", 5) / 2 * 100)
-set tmargin at screen 0.97
-set bmargin at screen 0.19
+Says[1] = sprintf("%.1f° to the axis", first(3))
+Says[2] = sprintf("%.1f° to the axis,\npulls with %.0f N/m", last("both", 3), last("both", 4))
+Says[3] = sprintf("%.1f° to the axis,\n%.0f %% shorter", last("left", 3), -last("left", 5) / 2 * 100)
+set lmargin at screen 0.005
+set rmargin at screen 0.60
 h = 0.055 # half of a piece at rest (m)
 do for [i = 1:3] {
-    set lmargin at screen 0.005 + 0.332 * (i - 1)
-    set rmargin at screen 0.33 + 0.332 * (i - 1)
-    set label 1 Title[i] at first 0, screen 0.93 center
-    set label 2 Says[i] at first 0, screen 0.18 center
+    top = 0.995 - 0.29 * (i - 1)
+    set tmargin at screen top
+    set bmargin at screen top - 0.285
+    set label 1 Title[i]."\n".Says[i] at screen 0.56, screen top - 0.08
     if (i > 1) { set arrow 1 from -1, -0.56 to -1, 0.56 nohead lw 4 }
     if (i == 2) { set arrow 2 from 1, -0.56 to 1, 0.56 nohead lw 4 }
     else { unset arrow 2 }
     if (i == 3) {
-        set colorbox user horizontal origin screen 0.40, screen 0.075 \
-            size screen 0.28, screen 0.03
-        set cbtics 0.08 scale 0.4 textcolor rgb "black" offset 0, 0.5 font ",14"
-        set label 3 "stretch l of the fibres" at screen 0.385, screen 0.09 right
+        set colorbox user horizontal origin screen 0.44, screen 0.075 \
+            size screen 0.50, screen 0.025
+        set cbtics 0.08 scale 0.4 textcolor rgb "black" offset 0, 0.4
+        set label 3 "stretch l of the fibres" at screen 0.41, screen 0.087 right
     }
     plot of("outline", Block[i]) using 2:3 with filledcurves closed fc rgb "#F4EDE4", \
          of("outline", Block[i]) using 2:3 with lines lw 1 lc rgb "#999999", \

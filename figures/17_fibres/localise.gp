@@ -4,26 +4,29 @@
 # Reads   data  tables uniform, pull, strip
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,430
+set terminal svg size 640,800 enhanced font "Helvetica,20" \
+    background rgb "white"
 set output out
 set multiplot
 unset key
-set lmargin at screen 0.075
-set rmargin at screen 0.50
-set tmargin at screen 0.95
-set bmargin at screen 0.13
+set lmargin at screen 0.165
+set rmargin at screen 0.97
+set tmargin at screen 0.97
+set bmargin at screen 0.49
 set xlabel "length / length at rest"
 set ylabel "stress on the ends (N/m^2)" offset 1
+set xtics 0.1
+set ytics 50
 set xrange [1:1.42]
 set yrange [590:860]
 failed = system("awk -F'\t' '$1 == \"search\" && $7 != \"OK\" { print $2 }' '".data."'") + 0.0
 on_curve = system(sprintf("awk -F'\t' '$0 == \"# uniform\" { on = 1 } NF == 0 { on = 0 } \
     on && ($1 - %f)^2 < 1e-9 { print $2 }' '%s'", failed, data)) + 0.0
 by(method, x) = strcol("method") eq method ? x : NaN
-set label 1 "if it stayed uniform" at 1.265, 780 left font ",12"
-set label 2 "line search: ends with NOT\\_SPD" at failed + 0.004, 806 left font ",12" tc rgb "#D55E00"
+set label 1 "if it stayed uniform" at 1.265, 780 left
+set label 2 "line search: ends with NOT\\_SPD" at failed + 0.004, 806 left tc rgb "#D55E00"
 set label 3 "projected on demand: at each drop\nmore of the strip has left the limb" at 1.05, 640 \
-    left font ",12" tc rgb "#0072B2"
+    left tc rgb "#0072B2"
 plot data index "uniform" using "l":"P" with lines ls 8 lw 1.5, \
      "" index "pull" using "l":(by("demand+search", column("P"))) with linespoints ls 1, \
      "" index "pull" using "l":(by("search", strcol("reason") eq "OK" ? column("P") : NaN)) \
@@ -35,11 +38,13 @@ unset tics
 unset grid
 unset xlabel
 unset ylabel
-set lmargin at screen 0.53
-set rmargin at screen 0.985
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set tmargin at screen 0.315
+set bmargin at screen 0.145
 set size ratio -1
 set xrange [-1.35:1.35]
-set yrange [-0.75:0.75]
+set yrange [-0.32:0.32]
 set datafile nocolumnheaders
 set datafile separator whitespace
 triangles = sprintf("< awk -F'\t' '$0 == \"# strip\" { on = 1; next } NF == 0 { on = 0 } \
@@ -48,11 +53,11 @@ triangles = sprintf("< awk -F'\t' '$0 == \"# strip\" { on = 1; next } NF == 0 { 
 set palette defined (1.0 "#0072B2", 1.25 "#BBD6E8", 1.5 "#F2E6DA", 1.9 "#D55E00")
 set cbrange [1.0:1.9]
 set pm3d map corners2color c1 border lc rgb "#555555" lw 0.3
-set colorbox user horizontal origin screen 0.60, screen 0.24 size screen 0.31, screen 0.03
-set cbtics 0.1 scale 0.4 textcolor rgb "black"
+set colorbox user horizontal origin screen 0.10, screen 0.10 size screen 0.80, screen 0.022
+set cbtics 0.3 scale 0.4 textcolor rgb "black"
 set cblabel "stretch l of the fibres" offset 0, 0.3
 longest = system("awk -F'\t' '$0 == \"# strip\" { on = 1 } NF == 0 { on = 0 } \
     on && $3 + 0 > most { most = $3 + 0 } END { print most }' '".data."'") + 0.0
-set label 4 sprintf("the strip at %.2f times its length", longest) at screen 0.757, screen 0.72 center
+set label 4 sprintf("the strip at %.2f times its length", longest) at screen 0.5, screen 0.345 center
 splot triangles using 1:2:3 with pm3d
 unset multiplot

@@ -3,7 +3,7 @@
 # Reads   data  tables polar, idle, pulled
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 940,480 enhanced font "Helvetica,16" \
+set terminal svg size 640,810 enhanced font "Helvetica,18" \
     background rgb "white"
 set output out
 set multiplot
@@ -12,12 +12,12 @@ unset border
 unset tics
 unset grid
 set size ratio -1
-set tmargin at screen 0.99
-set bmargin at screen 0.01
+set tmargin at screen 0.998
+set bmargin at screen 0.36
 set lmargin at screen 0.005
-set rmargin at screen 0.70
-set xrange [-4250:4250]
-set yrange [-3150:3150]
+set rmargin at screen 0.995
+set xrange [-3700:3700]
+set yrange [-3050:3050]
 set samples 721
 set parametric
 set trange [0:360]
@@ -27,19 +27,20 @@ rad(d) = d * pi / 180.0
 do for [r = 1:3] { # a little inside the first ring, outside the others
     at = 1000 * r - (r == 1 ? 170 : -120)
     set label r sprintf("%d", 1000 * r) at at * cos(rad(146)), \
-        at * sin(rad(146)) center font ",14" tc rgb "#666666"
+        at * sin(rad(146)) center front boxed font ",17" tc rgb "#666666"
 }
 set label 3 "3000 N/m^2"
 set label 5 "along the cords" at 2080, 190 center
-set label 6 "without cords" at 850, -1230 left
+set label 6 "without cords" at 850, -1230 left front boxed
 set label 7 "with cords" at 1750, 1080 left tc rgb "#0072B2"
 set label 8 sprintf("pulled at %.0f° the cords\nadd nothing", idle) \
-    at 1150, 1850 left
+    at 1150, 1850 left front boxed
 set label 9 "across" at 0, 1640 center
 set arrow 1 from -3500, 0 to 3500, 0 nohead ls 9 lw 1
 set arrow 2 from 0, -1500 to 0, 1480 nohead ls 9 lw 1
 set arrow 5 from 0, 0 to 1990 * cos(rad(idle)), 1990 * sin(rad(idle)) nohead \
     dt 3 lw 1.5
+set style textbox opaque noborder margins 0.5,0.5
 set clip two
 plot for [r = 1:3] 1000 * r * cos(rad(t)), 1000 * r * sin(rad(t)) \
          with lines ls 9 lw 0.7, \
@@ -75,16 +76,16 @@ cords(angle) = sprintf( \
     entry(angle, 3), entry(angle, 4), rad(angle))
 set datafile nocolumnheaders
 set datafile separator whitespace
-set lmargin at screen 0.71
-set rmargin at screen 0.995
+set tmargin at screen 0.36
+set bmargin at screen 0.0
 set xrange [-0.42:1.62]
-set yrange [-0.3:1.2]
+set yrange [-0.42:1.1]
 set object 1 rectangle from 0, 0 to 1, 1 fs empty border lc rgb "#999999" dt 2
 do for [i = 0:1] {
     angle = 20 * i
-    set tmargin at screen (i ? 0.49 : 0.97)
-    set bmargin at screen (i ? 0.03 : 0.51)
-    set label 1 (i ? sprintf("pulled at 20°: shear %.1f°", \
+    set lmargin at screen (i ? 0.51 : 0.01)
+    set rmargin at screen (i ? 0.99 : 0.49)
+    set label 1 (i ? sprintf("pulled at 20°:\nshear %.1f°", \
         -atan(entry(20, 3) / entry(20, 4)) * 180 / pi) \
         : "pulled along its cords") at 0.6, -0.17 center
     set arrow 3 from (i ? 1.17 : 1.24), 0.46 to (i ? 1.45 : 1.52), 0.46 lw 2 \

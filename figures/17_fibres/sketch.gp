@@ -5,14 +5,14 @@
 # Writes  out   SVG
 if (!exists("out"))  out  = "figures/17_fibres/sketch.svg"
 load "figures/style.gp"
-set terminal svg size 940,330 enhanced font "Helvetica,16" \
+set terminal svg size 640,740 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
 set multiplot
 set lmargin at screen 0.01
-set rmargin at screen 0.53
-set tmargin at screen 0.97
-set bmargin at screen 0.03
+set rmargin at screen 0.99
+set tmargin at screen 0.995
+set bmargin at screen 0.55
 set size ratio -1
 unset border
 unset tics
@@ -28,7 +28,7 @@ set arrow 1 from 0, 0 to 1, 0 filled front lw 4 lc rgb "#D55E00"
 set arrow 2 from 2.35, 0 to 3.07, 0.96 filled front lw 4 lc rgb "#D55E00"
 set arrow 3 from 1.05, 0.55 to 1.6, 0.55 filled lw 1.5 lc rgb "#555555"
 set label 1 "g, |g| = 1" at 0.5, -0.16 center
-set label 2 "F" at 1.32, 0.68 center font ",18"
+set label 2 "F" at 1.32, 0.68 center font ",21"
 set label 3 "F g = l n" at 2.30, 0.60 center
 set label 4 "at rest" at 0.3, 1.25 center
 set label 5 "deformed" at 2.35, 1.25 center
@@ -47,12 +47,12 @@ set size noratio
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"
 set grid back ls 9
-set lmargin at screen 0.64
-set rmargin at screen 0.985
-set tmargin at screen 0.95
-set bmargin at screen 0.20
+set lmargin at screen 0.175
+set rmargin at screen 0.965
+set tmargin at screen 0.52
+set bmargin at screen 0.115
 set xlabel "stretch l"
-set ylabel "tension T (N/m^2)"
+set ylabel "tension T (N/m^2)" offset 1
 set xrange [0.4:1.7]
 set yrange [0:370]
 set xtics 0.2
