@@ -90,7 +90,8 @@ KINDS_OF_SCRIPT := $(sort $(shell awk ' \
 scripts_that_are = $(patsubst $1=figures/%.gp,%,$(filter \
                        $1=%,$(KINDS_OF_SCRIPT)))
 MOVING  := $(call scripts_that_are,moving)
-TIMED   := $(sort $(filter $(SPEED),$(SCRIPTS)) $(call scripts_that_are,timed))
+BENCHED := $(filter $(SPEED) $(SPEED:=_all),$(SCRIPTS))
+TIMED   := $(sort $(BENCHED) $(call scripts_that_are,timed))
 SQUARES := $(call scripts_that_are,square)
 picture = figures/$1.$(if $(filter $1,$(MOVING)),gif,svg)
 # ..., which may need options to print it: the line "Yours" says which.
@@ -101,7 +102,7 @@ data_of = $(BUILD)/data/$(or $(filter $1 $(1:_all=),$(STUDIES) $(ASKING)),$(pats
               %/,%,$(dir $1))).tsv
 FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
            figures/map.svg
-TIMED_HERE := $(foreach f,$(filter-out $(SPEED),$(TIMED)),$(BUILD)/$(call \
+TIMED_HERE := $(foreach f,$(filter-out $(BENCHED),$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
 # With `deps` among the goals nothing is compiled before it has finished; where
@@ -336,17 +337,17 @@ figures: $(FIGURES) $(TIMED_HERE)
 	      '$(words $(TIMED_HERE)) with seconds of this machine in' \
 	      '$(BUILD)/figures/'
 	@echo '  left to make bench, which takes minutes:' \
-	      '$(filter $(SPEED),$(SCRIPTS))'
+	      '$(BENCHED)'
 
 # One figure, figure-16-principal, or all of a folder: figure-16, figure-speed.
 dashed = $(subst -, ,$1)
 folder_of = $(or $(filter $(firstword $(dashed))_%,$(LESSONS)),$(firstword \
                 $(dashed)))
 asked_for = $(filter $(folder_of)/$(or $(word 2,$(dashed)),%),$(SCRIPTS))
-figure-%: $$(foreach f,$$(filter-out $$(SPEED),$$(call asked_for,$$*)),$$(if \
+figure-%: $$(foreach f,$$(filter-out $$(BENCHED),$$(call asked_for,$$*)),$$(if \
           $$(filter $$f,$$(TIMED)),$$(BUILD)/)$$(call picture,$$f))
 	@for f in $^; do echo "  $$f"; done
-	@for f in $(filter $(SPEED),$(call asked_for,$*)); do \
+	@for f in $(filter $(BENCHED),$(call asked_for,$*)); do \
 	    echo "  figures/$$f.svg is left to make bench"; done
 	@[ -n '$(call asked_for,$*)' ] || { echo 'There is no figure-$*; there are:' \
 	    $(or $(notdir $(filter $(call folder_of,$*)/%,$(SCRIPTS))),$(patsubst \
@@ -412,7 +413,7 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 	awk -v processor=$$processor -f tests/tools/bench.awk \
 	    -f tests/tools/closing.awk "$$@"
 	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
-	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$$f.tsv \
+	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$${f%_all}.tsv \
 	        figures/$$f.svg || exit 1; done
 
 # ---- the student's commands -------------------------------------------------

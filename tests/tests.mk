@@ -270,7 +270,7 @@ $(T)/figure.$(subst /,.,$1).result: $(call data_of,$1) figures/$1.gp \
 	        figures/$1.gp $$< $(T)/$(subst /,.,$(call picture,$1)) 2>&1); \
 	    then echo 'ok figure $1'; else echo "FAIL figure $1: $$$$said"; fi > $$@
 endef
-DRAWN := $(filter-out $(SPEED),$(SCRIPTS))
+DRAWN := $(filter-out $(BENCHED),$(SCRIPTS))
 $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)

@@ -1,8 +1,7 @@
 # chart.gp - the chart of the course: the work of the richest model of a scene
 # over all that it takes to find one that meets a tolerance; hollow: over that of
-# the cheapest, if somebody names it; and what the band saves of the richest
-# model's dense factors.
-# Reads   data  table chart (scene named ten one tenth dense)
+# the cheapest, if somebody names it.
+# Reads   data  table chart (scene named ten one tenth)
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/23_least_model/chart.tsv"
 if (!exists("out"))  out  = "figures/23_least_model/chart.svg"
@@ -25,7 +24,6 @@ set label 3 "1 %" at 26, -0.75 center tc ls 2
 set label 4 "found, for an error of 10 %" at 1.1e4, -0.75 center tc ls 1 boxed
 set label 5 "known" at 5e5, 0 right tc ls 1
 set style textbox opaque noborder margins 0.3, 0
-set label 6 "saved by a band over a full matrix" at 6.5e3, 1 left boxed
 set label 7 "no mark: the meshes here are too coarse" at 7e6, 11.75 right font ",12"
 set ytics scale 0
 unset grid
@@ -35,5 +33,4 @@ plot data index "chart" using "named":0:ytic(1) with impulses lc rgb "white", \
      "" index "chart" using "ten":0 with points ls 1 ps 1.3, \
      "" index "chart" using "one":0 with points ls 2 ps 1.2, \
      "" index "chart" using "tenth":0 with points ls 3 ps 1.4, \
-     "" index "chart" using "named":0 with points ls 1 pt 6 ps 1.3, \
-     "" index "chart" using "dense":0 with points pt 2 ps 1.0 lw 2 lc rgb "black"
+     "" index "chart" using "named":0 with points ls 1 pt 6 ps 1.3

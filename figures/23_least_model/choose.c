@@ -46,7 +46,7 @@ static int print_scene(const struct ladder_scene *scene)
         prices_cheapest(&prices, tolerance, &none);
     table_row(scene->name, scene->slender, scene->nu,
               cell_rounded(2, n.strain), cell_rounded(3, n.geometry),
-              cell_rounded(2, n.bends), cell_rounded(2, n.force),
+              cell_rounded(2, n.bends), cell_rounded(3, n.force),
               cell_rounded(3, n.turned),
               n.moves > 0.0 ? cell_rounded(3, n.moves) : cell_word(MISSING),
               ladder_rung(least.rung),

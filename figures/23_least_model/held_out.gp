@@ -22,16 +22,16 @@ set arrow 3 from 0.02, 1 to 2, 1 nohead ls 9 lw 1.5
 set arrow 4 from 20, 10 to 20, 0.02 nohead lc rgb "#D55E00" dt 3
 set arrow 5 from 6, 3 to 6, 0.02 nohead lc rgb "#D55E00" dt 3
 set arrow 6 from 2, 1 to 2, 0.02 nohead lc rgb "#D55E00" dt 3
-set label 1 "twice 1 %" at 1.9, 0.03 right font ",11" textcolor rgb "#D55E00"
-set label 2 "3 %" at 6.3, 0.03 font ",11" textcolor rgb "#D55E00"
-set label 3 "10 %" at 21, 0.03 font ",11" textcolor rgb "#D55E00"
+set label 1 "twice 1 %" at 1.9, 0.03 right font ",13" textcolor rgb "#D55E00"
+set label 2 "twice 3 %" at 5.7, 0.06 right font ",13" textcolor rgb "#D55E00"
+set label 3 "twice 10 %" at 21, 0.03 font ",13" textcolor rgb "#D55E00"
 set label 4 "none is wrong by\nmore than twice" at 24, 0.4 textcolor rgb "#D55E00"
 plot data index "rungs" using "error":"estimate" with points pt 7 ps 0.35 lc rgb "#BBBBBB" \
          title "a rung", \
      x with lines ls 8 notitle, \
      data index "rungs" using "error":(is("right")) with points ls 1 ps 0.8 \
-         title "accepted", \
-     "" index "rungs" using "error":(is("lower")) with points pt 6 ps 0.9 lw 1.5 \
-         lc rgb "#E69F00" title "a lower rung would do", \
+         title "accepted, the least", \
+     "" index "rungs" using "error":(is("lower")) with points pt 13 ps 0.9 \
+         lc rgb "#E69F00" title "accepted, but a lower rung would do", \
      "" index "rungs" using "error":(is("wrong")) with points pt 2 ps 1.6 lw 3 \
          lc rgb "#D55E00" notitle

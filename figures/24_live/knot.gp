@@ -28,7 +28,7 @@ set tmargin at screen 0.93
 set bmargin at screen 0.13
 set xtics 1
 set ytics 1
-set xlabel "{x_1} (m)"
-set ylabel "{x_2} (m)" offset -1
+set xlabel "x_1  (m)"
+set ylabel "x_2  (m)" offset -1
 splot triangles using 1:2:3 with pm3d, \
       rings using 1:2:3 with points pt 6 ps 2.6 lw 3 lc rgb "#C00000"
