@@ -1,5 +1,6 @@
 /*
- * 11_newton_failure.c - where Newton's method fails, predicted, and two cures.
+ * 11_newton_failure.c - where Newton's method fails, predicted, and two
+ * of the four cures.
  *
  * Notes: Lecture 2, sections 2.5.5 and 2.5.6.
  * Problem.  In a bar with one free end every element carries a known stress p,

@@ -1,7 +1,7 @@
 /*
  * solution.c - where is the error, at the nodes or between them?
  *
- * The exercise on four elements: u_h and u - u_h at 16 points per element, the
+ * The exercise on four elements: u_h and u - u_h at 32 points per element, the
  * load by the midpoint rule, or fitted (poisson.h), which is exact at the nodes
  * and not between them.
  */
@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-enum { N = 4, STEPS = 16 };
+enum { N = 4, STEPS = 32 };
 
 static void solve(int fitted, const double x[], double u[])
 {

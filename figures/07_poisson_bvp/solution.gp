@@ -36,14 +36,14 @@ set format y "%g"
 set ylabel "1000 (u − u_h)" offset 0.5
 set label 1 "error of a solution that is exact\nat every node" at 0.44, 3.0 tc ls 2
 set label 2 "error of u_h" at 0.625, -0.85 center tc ls 1
-# every 16th row of the curve is a node
+# every 32nd row of the curve is a node
 plot 0 with lines lc rgb "#000000" lw 0.8, \
      data index "curve" using "x":(1e3 * column("error")) with lines ls 1, \
-     data index "curve" every 16 using "x":(1e3 * column("error")) \
+     data index "curve" every 32 using "x":(1e3 * column("error")) \
          with points ls 1 ps 0.9, \
      data index "curve" using "x":(1e3 * column("fitted_error")) with lines \
          ls 2 dt 4, \
-     data index "curve" every 16 using "x":(1e3 * column("fitted_error")) \
+     data index "curve" every 32 using "x":(1e3 * column("fitted_error")) \
          with points ls 2 ps 0.9
 unset multiplot
 set output

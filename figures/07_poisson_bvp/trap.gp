@@ -32,8 +32,8 @@ h(n) = 1.0 / n
 # what is below 1e-13 is drawn there: its digits mean nothing
 shown(e) = e < 1e-13 ? 1e-13 : e
 
-set label 3 "nodes, exact load:\nround-off (what is below\n10^{-13} is drawn there)" \
-    at 1.0/3, 2.5e-11 right tc ls 3
+set label 3 "nodes, exact load:\nround-off (smaller ones\nare drawn at 10^{-13})" \
+    at 1.0/3, 6e-11 right tc ls 3
 
 set lmargin at screen 0.115
 set rmargin at screen 0.525
@@ -63,7 +63,7 @@ unset label 4
 set label 1 sprintf("L², fitted: order %.2f", p_fitted_L2) at 1.0/3, 2.5e-2 right tc ls 1
 set label 2 sprintf("nodes, exact\nload: order %.2f", p_exercise) \
     at 1.0/600, 3e-4 tc ls 2
-set label 3 "nodes, fitted:\nround-off (what is below\n10^{-13} is drawn there)"
+set label 3 "nodes, fitted:\nround-off (smaller ones\nare drawn at 10^{-13})"
 plot data index "trap" using (h(column("n"))):"fitted_L2" with points ls 1 \
          ps 0.7, \
      data index "trap" using (h(column("n"))):"exercise" with points ls 2 \

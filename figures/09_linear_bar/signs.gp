@@ -19,7 +19,7 @@ set ytics 2
 set xlabel "Poisson's ratio ν"
 set ylabel "modulus / E" offset 0.5
 set arrow 1 from 1./3, -4 to 1./3, 6 nohead ls 8
-set label 1 "nothing holds the bar" at 0.02, -3.1 tc rgb "#555555" font ",12"
+set label 1 "no stiffness" at 0.02, -3.1 tc rgb "#555555" font ",12"
 set label 2 "2μ − λ = 0 at ν = 1/3:" at 0.02, -2.5 tc rgb "#555555" font ",12"
 set label 3 "K negative\ndefinite" at 0.342, -3.0 tc rgb "#555555" font ",12"
 set object 1 rectangle from 1./3, -4 to 0.5, 0 behind \

@@ -19,9 +19,9 @@ stats data index "newton" every ::1::1 using "increment" name "D" nooutput
 clean(name, first) = column("error") > 1e-10 ? column(name) / first : NaN
 set multiplot layout 1,2 margins 0.105,0.975,0.155,0.96 spacing 0.125,0
 unset key
-set label 1 "residual max |q_i|" at 1.2, 6 tc ls 1
+set label 1 "residual max |q_i|" at 1.3, 8 tc ls 1
 set label 2 "increment\nmax |Δu_i|" at 4.8, 3e-3 tc ls 3
-set label 3 "error max |F_e - F@_e^*|" at 4.35, 1e-6 right tc ls 2
+set label 3 "largest error of F" at 4.15, 1e-5 right tc ls 2
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-9:30]

@@ -1,5 +1,5 @@
 # cures.gp - iterations of each cure against the load, and against the step of
-# the boundary; crosses on top: the cure failed.
+# the boundary; crosses in the grey band: the cure failed.
 # Reads   data  tables load_cures, step_cures
 # Writes  out   SVG
 load "figures/style.gp"
@@ -11,11 +11,15 @@ array Style[5] = [1, 5, 3, 4, 2] # the cubic law is orange
 array Colour[5] = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00"]
 set logscale xy
 set xrange [0.027:37]
-set yrange [2:1500]
+set yrange [2:4000]
+set ytics (2, 5, 10, 20, 50, 100, 200, 500)
+unset mytics
+set object 1 rectangle from graph 0, first 620 to graph 1, graph 1 behind \
+    fc rgb "#EEEEEE" fs solid noborder
 set format x "%g"
 unset key
 cost(k) = strcol(Name[k]) eq "OK" ? column(Name[k]."_iterations") : NaN
-level(k) = 1100 / 1.28**(k - 1)
+level(k) = k == 1 ? 2800 : k == 3 ? 1650 : 970
 lost(k) = strcol(Name[k]) ne "OK" ? level(k) : NaN
 set multiplot layout 1,2 margins 0.095,0.845,0.15,0.96 spacing 0.075,0
 do for [panel = 1:2] {
@@ -26,21 +30,21 @@ do for [panel = 1:2] {
     if (panel == 2) {
         set label 4 "plain Newton" at 42, level(1) left tc rgb Colour[1]
         set label 5 "line search" at 42, level(3) tc rgb Colour[3]
-        set label 6 "linear lift" at 42, level(4) * 0.8 tc rgb Colour[4]
-        set label 7 "load stepping" at 42, 270 left tc rgb Colour[2]
+        set label 6 "linear lift" at 42, level(4) tc rgb Colour[4]
+        set label 7 "load stepping" at 42, 400 left tc rgb Colour[2]
         set label 8 "cubic law" at 42, 20 left tc rgb Colour[5]
         set label 1 ""
-        set arrow 2 from 10, 2 to 10, 1500 nohead ls 8
+        set arrow 2 from 10, 2 to 10, 4000 nohead ls 8
         set label 2 "Δg = 1" at 10.6, 2.7
     } else {
         set label 1 "better start" at 0.032, 2.4 tc rgb Colour[4]
-        set label 4 "plain Newton" at 0.85, 1100 right tc rgb Colour[1]
+        set label 4 "plain Newton" at 0.85, level(1) right tc rgb Colour[1]
         set label 5 "line search" at 2.2, 4.6 tc rgb Colour[3]
         set label 7 "load stepping" at 0.9, 20 right tc rgb Colour[2]
         set label 8 "cubic law" at 0.032, 6.8 tc rgb Colour[5]
     }
-    set label 3 "failed" at 0.032, 850 textcolor rgb "#555555"
-    set arrow 1 from 1, 2 to 1, 1500 nohead ls 8
+    set label 3 "failed" at 0.032, level(4) textcolor rgb "#555555"
+    set arrow 1 from 1, 2 to 1, 4000 nohead ls 8
     plot for [k = 1:5] data index table using "x":(cost(k)) \
              with linespoints ls Style[k] ps 0.5, \
          for [k = 1:5] data index table using "x":(lost(k)) \

@@ -18,8 +18,8 @@ set xlabel "linear systems"
 set label 1 "F" at 8, 5e-3 right tc ls 1
 set label 3 "grey: reference" at 11.5, 3e-4 tc rgb "#777777"
 set label 2 "residual" at 5, 0.75 tc ls 2
-set ylabel "F"
-set y2label "|residual| (N/m²)"
+set ylabel "F" textcolor ls 1
+set y2label "|residual| (N/m²)" textcolor ls 2
 plot reference index "history" using "k":"F" with lines lw 7 lc rgb "#DDDDDD", \
      reference index "history" using "k":(abs(column("residual"))) axes x1y2 \
          with lines lw 7 lc rgb "#DDDDDD", \

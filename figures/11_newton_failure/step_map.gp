@@ -40,10 +40,10 @@ do for [k = 1:4] {
         set key at graph -0.04, graph 1.12 left top width -1
     } else { unset key }
     plot data index "step_map" using "dg":(drawn("OK") ? column("n") : NaN) \
-             with points pt 7 ps 0.4 lc rgb "#0072B2" \
+             with points pt 7 ps 0.55 lc rgb "#0072B2" \
              title "converged", \
          data index "step_map" using "dg":(drawn("INVERTED") ? \
-             column("n") : NaN) with points pt 2 ps 0.45 lw 2 lc rgb "#D55E00" \
+             column("n") : NaN) with points pt 2 ps 0.6 lw 2 lc rgb "#D55E00" \
              title "inverted"
 }
 unset multiplot

@@ -33,5 +33,5 @@ do for [k = 1:2] {
 plot data index "cost" using "banded":"change" with linespoints ls 1, \
      "" index "cost" using "dissected":"change" with linespoints ls 3, \
      "" index "cost" using "banded":"change":(sprintf("n = %d", column("n"))) \
-         with labels center offset 1.4,0.9, \
+         with labels center tc ls 1 offset 1.4,0.9, \
      [2e7:1e10] Y_max * (x / X_max)**(-1.42/4) with lines ls 8 dt 3

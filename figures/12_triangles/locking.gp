@@ -7,10 +7,10 @@ set terminal svg size 640,420 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
 set rmargin 14
-# the order that the last three displacements show among themselves
+# the slope of the last segment
 order(column) = system("awk -F'\t' '$0 == \"# locking\" { on = 1 } \
-    NF == 0 { on = 0 } on { a = b; b = c; c = $".column." } \
-    END { printf \"%.2f\", log((b - a) / (c - b)) / log(2) }' '".data."'")
+    NF == 0 { on = 0 } on { a = b; b = $".column." } \
+    END { printf \"%.2f\", log(a / b) / log(2) }' '".data."'")
 set logscale xy
 set xrange [3.5:75]
 set yrange [1e-3:0.6]
@@ -19,10 +19,10 @@ set format y "%g"
 set xlabel "squares per side n"
 set ylabel "missing displacement, 1 - u / reference"
 unset key
-set label 1 "ν = 0.4999:\nno order yet" at 70, 0.25 tc ls 2
-set label 2 "ν = 0.49:\norder ".order(3) at 70, 0.028 tc ls 3
-set label 3 "ν = 0.3:\norder ".order(2) at 70, 0.003 tc ls 1
-set label 4 "order 1.42, of\nthe corners" at 14, 0.009 right
+set label 1 "ν = 0.4999:\nslope ".order(7) at 70, 0.25 tc ls 2
+set label 2 "ν = 0.49:\nslope ".order(6) at 70, 0.028 tc ls 3
+set label 3 "ν = 0.3:\nslope ".order(5) at 70, 0.003 tc ls 1
+set label 4 "slope 1.42, of\nthe corners" at 14, 0.0082 right
 plot data index "locking" using "n":"error_0.4999" with linespoints ls 2, \
      data index "locking" using "n":"error_0.49" with linespoints ls 3, \
      data index "locking" using "n":"error_0.3" with linespoints ls 1, \

@@ -2,11 +2,10 @@
  * printed_tangent.c - what do the two slips of the notes' listing of dP/dF do
  * to Newton's method?
  *
- * The slips: see slips.c.  The default scene of lesson 12, both ends of the
- * square pulled apart by 0.42 m each, at rest; upright, and the whole scene
- * turned by 30 degrees, start and held ends alike.  K is eliminated as it is,
- * symmetric or not; a pivot that is not positive ends the method, as NOT_SPD.
- * Table: residuals at the free vertices (N/m).
+ * The slips: see slips.c.  The default scene of lesson 12, upright, and all of
+ * it turned by 30 degrees.  K is eliminated as it is, symmetric or not; but if
+ * "Cholesky", its lower triangle alone is read, as in the lesson's program.
+ * A pivot that is not positive ends it.  Table: residuals, free vertices (N/m).
  */
 #include "plane/scene.h"
 #include "base/study.h"
@@ -16,14 +15,16 @@
 #include <math.h>
 #include <string.h>
 
-enum { NONE, COLUMN, HALF, SLIPS = 4, CAP = 40, DRAWN = 12, SIZE = 162 };
-static const char *const name[] = {"none", "column for row", "half of mu",
-                                   "both"};
+enum { NONE, COLUMN, HALF, LOWER = 4, RUNS = 6 };
+enum { CAP = 40, DRAWN = 12, SIZE = 162 };
+static const char *const name[RUNS] = {
+    "none", "column for row", "half of mu", "both", "none, Cholesky",
+    "column for row, Cholesky"};
 static double K[SIZE][SIZE];
 
 /* The change of P with F by e_j (x) g: the right one, and what slips add. */
 static mat2 change(const struct material *law, mat2 F, int slip, int j,
-                   const double g[2])
+                   const double g[2], double area)
 {
     const mat2 cof = mat2_cofactor(F);
     const struct volumetric v = material_r(law, mat2_det(F));
@@ -35,11 +36,10 @@ static mat2 change(const struct material *law, mat2 F, int slip, int j,
     mat2 dP = material2_dpk1(law, F, dF);
     if (slip & COLUMN) dP = mat2_add(dP, mat2_scale(skew, cof));
     if (slip & HALF) dP.m[j][1 - j] -= law->mu * g[1 - j];
-    return dP;
+    return mat2_scale(area, dP);
 }
 
-/* What triangle e adds to K: column (b, j) is the force that answers to the
- * change of P with component j of its vertex b. */
+/* What triangle e adds to K: column (b, j) answers to component j of u_b. */
 static void add_triangle(const struct scene *s, int e, int slip)
 {
     const int *t = &s->mesh->triangle[3 * e];
@@ -49,12 +49,12 @@ static void add_triangle(const struct scene *s, int e, int slip)
 
     for (int b = 0; b < 3; b++)
         for (int j = 0; j < 2; j++) {
-            const mat2 dP = change(&s->body->material, F, slip, j, &g[2 * b]);
+            const mat2 dP = change(&s->body->material, F, slip, j,
+                                   &g[2 * b], area);
             for (int a = 0; a < 3; a++)
                 for (int i = 0; i < 2; i++)
                     K[2 * t[a] + i][2 * t[b] + j] +=
-                        area * (dP.m[i][0] * g[2 * a] +
-                                dP.m[i][1] * g[2 * a + 1]);
+                        dP.m[i][0] * g[2 * a] + dP.m[i][1] * g[2 * a + 1];
         }
 }
 
@@ -68,6 +68,7 @@ static int solve(const struct scene *s, int slip, double q[])
         if (s->held[r / 2]) q[r] = 0.0;
         for (int c = 0; c < SIZE; c++)
             if (s->held[r / 2] || s->held[c / 2]) K[r][c] = r == c;
+            else if (slip & LOWER && r < c) K[r][c] = K[c][r];
     }
     for (int p = 0; p < SIZE; p++) {
         if (!(K[p][p] > 0.0)) return 0;
@@ -90,15 +91,13 @@ static double largest(const struct scene *s, mat2 R, const double q[])
     double size = 0.0;
     for (int a = 0; a < s->mesh->n_vertex; a++)
         for (int i = 0; i < 2; i++) {
-            const double part =
-                R.m[0][i] * q[2 * a] + R.m[1][i] * q[2 * a + 1];
-            if (!s->held[a] && !(fabs(part) <= size)) size = fabs(part);
+            const double p = R.m[0][i] * q[2 * a] + R.m[1][i] * q[2 * a + 1];
+            if (!s->held[a] && !(fabs(p) <= size)) size = fabs(p);
         }
     return size;
 }
 
-/* The start: stretched evenly as the ends are, the free sides not yet moved in,
- * and then turned. */
+/* The start: stretched evenly, as the ends are, and then turned. */
 static void start(struct scene *s, mat2 R)
 {
     const double stretch = 1.0 + s->set.reach * sin(1.0);
@@ -111,7 +110,7 @@ static void start(struct scene *s, mat2 R)
 
 /* residual[k]: max|q| before iteration k, *last the last k; is that the
  * solution?  Otherwise a pivot is not positive, or *last is CAP. */
-static int comes_to_rest(double angle, int slip, double residual[], int *last)
+static int converges(double angle, int slip, double residual[], int *last)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
     set.reach = 0.5;
@@ -134,27 +133,28 @@ static int comes_to_rest(double angle, int slip, double residual[], int *last)
 int main(void)
 {
     double residual[CAP + 1];
-    int ends[2][SLIPS], last[2][SLIPS];
+    int ends[2][RUNS], last[2][RUNS];
 
     table_begin_note("slip_history", "body slip k residual", "k <= %d", DRAWN);
     for (int c = 0; c < 2; c++)
-        for (int i = NONE; i < SLIPS; i++) {
-            ends[c][i] =
-                comes_to_rest(c * M_PI / 6.0, i, residual, &last[c][i]);
+        for (int i = NONE; i < RUNS; i++) {
+            ends[c][i] = converges(c * M_PI / 6.0, i, residual, &last[c][i]);
             for (int k = 0; k <= last[c][i] && k <= DRAWN; k++)
                 table_row(c ? "turned" : "upright", name[i], k, residual[k]);
         }
     table_end();
 
-    claim(ends[0][NONE] && ends[1][NONE] && last[0][NONE] == 5 &&
-              last[1][NONE] == 5,
-          "5 iterations with the right tangent (%d, %d)", last[0][NONE],
-          last[1][NONE]);
-    claim(ends[0][COLUMN] && last[0][COLUMN] == 10 && last[1][COLUMN] == CAP,
+    const int *up = last[0], *turned = last[1], lower = COLUMN | LOWER;
+    claim(ends[0][NONE] && ends[1][NONE] && up[NONE] == 5 && turned[NONE] == 5,
+          "5 with the right tangent (%d, %d)", up[NONE], turned[NONE]);
+    claim(ends[0][COLUMN] && up[COLUMN] == 10 && turned[COLUMN] == CAP,
           "with a column for a row 10 (%d), and not in %d when turned (%d)",
-          last[0][COLUMN], CAP, last[1][COLUMN]);
-    claim(last[0][HALF] == 0 && last[1][HALF] == 1,
+          up[COLUMN], CAP, turned[COLUMN]);
+    claim(!ends[0][lower] && up[lower] == 8 && turned[lower] == 0,
+          "by Cholesky a pivot is not positive (%d), at once when turned (%d)",
+          up[lower], turned[lower]);
+    claim(up[HALF] == 0 && turned[HALF] == 1,
           "with half of mu a pivot is not positive, at once (%d), or after a "
-          "step when turned (%d)", last[0][HALF], last[1][HALF]);
+          "step when turned (%d)", up[HALF], turned[HALF]);
     return table_finish();
 }

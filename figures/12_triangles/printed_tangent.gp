@@ -12,23 +12,32 @@ set multiplot layout 1,2 margins 0.115,0.985,0.15,0.91 spacing 0.08,0
 unset key
 set logscale y
 set format y "10^{%T}"
-set yrange [3e-14:2e6]
-set ytics 1e2
+set yrange [2e-13:1e5]
+set ytics 1e-12,1e2,1e2
+unset mytics
 set xlabel "iteration k"
 set xrange [-0.3:12.3]
 set xtics 2
 of(body, slip) = strcol("body") eq body && strcol("slip") eq slip \
     ? (column("residual") > 1e-12 ? column("residual") : 1e-12) : NaN
 array Slip[4] = ["none", "column for row", "half of mu", "both"]
-set label 1 "right tangent" at 5.3, 2e-11 tc ls 1
-set label 3 "half of μ, or both slips:\na pivot is negative" at -0.1, 2e5 tc ls 3
+set label 1 "right tangent" at 5.3, 1.2e-11 tc ls 1
 do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
     set ylabel (left ? "residual max |q_i| (N/m)" : "")
-    set label 2 (left ? "column for row" : "column for row: not\nconverged after\n40 iterations") \
-        at (left ? 7.8 : 3.6), (left ? 5e-6 : 0.15) tc ls 2
+    set label 2 (left ? "column for row" : "column for row: not\nconverged \
+after 40;\nby Cholesky: negative\npivot at k = 0") \
+        at (left ? 7 : 3.6), (left ? 1e-5 : 0.11) tc ls 2
+    set label 3 (left ? "half of μ\nor both:\nnegative\npivot\nat k = 0" : \
+        "half of μ: negative pivot at k = 1;\nboth: at k = 0") \
+        at 0.3, (left ? 1e-5 : 1.2e4) tc ls 3
+    set label 4 (left ? "column for row, by Cholesky:\nnegative pivot at k = 8" \
+        : "") at 1.6, 1.2e4 tc ls 2
     plot for [i = 1:4] data index "slip_history" \
-        using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i)
+        using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i), \
+        "" index "slip_history" \
+        using "k":(of(body, "column for row, Cholesky")) \
+        with linespoints ls 2 dt 2
 }
 unset multiplot

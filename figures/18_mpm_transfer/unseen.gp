@@ -21,12 +21,10 @@ plot data index "modes" using "x":"start" with lines lc rgb "#CCCCCC" lw 1 \
 unset ylabel
 set title "after"
 set label 1 "100 transfers with FLIP" at 7.9, 2.3 right tc ls 2
-set label 2 "1 transfer with PIC" at 7.9, 2.05 right tc ls 1
-set label 3 "then 1 with APIC (B = 0 at first)" at 7.9, 1.8 right tc ls 3
+set label 2 "1 transfer with PIC, or with APIC from B = 0" at 7.9, 2.05 right tc ls 1
 plot data index "modes" using "x":"flip" with lines lc rgb "#CCCCCC" lw 1 \
         , \
      "" index "modes" using "x":"flip" with points ls 2, \
      "" index "modes" using "x":"pic" with points ls 1, \
-     "" index "modes" every 2 using "x":"apic" with points ls 3 pt 8 ps 1.3 lw 1.2, \
      cos(pi * x / 8) ls 8
 unset multiplot

@@ -18,11 +18,13 @@ set xlabel "squeeze of the body"
 set ylabel "least eigenvalue over largest K_{ii}" offset 1
 set format y "%g"
 set yrange [-0.009:0.0045]
-set arrow 1 from E_max,-0.009 to E_max,0.0045 nohead ls 8 lc rgb "#999999"
+set arrow 1 from E_max,-0.009 to E_max,0.0014 nohead ls 8 lc rgb "#999999"
 set arrow 2 from 0.56,0 to 0.68,0 nohead ls 8
 set label 1 "K is positive\ndefinite" at 0.5625,-0.0012
 set label 2 "indefinite" at E_max+0.003,0.0009
+set label 3 "another mode" at 0.588,0.0020
 unset key
+unset grid
 plot data index "squeeze" using "squeeze":"least" with lines ls 1 lw 3
 unset label 1
 unset label 2
@@ -30,12 +32,11 @@ unset arrow 2
 set label 4 "to 10^{-1}" at 0.5625,16.5 tc ls 1
 set label 5 "to 10^{-4}" at 0.5625,43.3 tc ls 2
 set label 6 "to 10^{-10}" at 0.5625,63.5 tc ls 3
-set label 7 "NOT\\_SPD (crosses): to 10^{-4}\nand 10^{-10},  from 0.614 on\nto 10^{-1}  as well" \
-    at 0.606,37.5
+set label 7 "× NOT\\_SPD" at 0.63,26
 set yrange [0:70]
 set ylabel "iterations of CG"
 set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"
-set label 3 "CG to 10^{-1}\nsolves what\nis indefinite" at 0.605,11.5 tc ls 1
+set label 3 "solved up\nto 0.613" at 0.605,12 tc ls 1
 plot for [k = 1:3] data index "squeeze" using "squeeze":(ends(k, "OK")) \
          with lines ls k lw 3, \
      for [k = 1:3] "" index "squeeze" using "squeeze":(ends(k, "NOT_SPD")) \

@@ -13,9 +13,10 @@ of(k, what) = strcol("with") eq Name[k] ? column(what) : NaN
 
 set multiplot layout 1,2 margins 0.085,0.985,0.145,0.96 spacing 0.09,0
 set logscale y
+set grid noxtics
 unset key
 set label 3 "V-cycle" at 12, 1e-9 tc ls 6
-set label 4 "incomplete\nCholesky" at 55, 1e-6 tc ls 4
+set label 4 "incomplete\nCholesky" at 55, 4e-7 tc ls 4
 stats data index "iterations" using "jacobi" every ::1::1 nooutput name "all"
 set label 5 sprintf("Jacobi, %.0f in all", all_max) at 60, 0.05 tc ls 5
 set format y "10^{%T}"
@@ -34,10 +35,9 @@ set ytics (2, 5, 10, 20, 50, 100, 200, 500)
 set xlabel "squares per side n"
 set ylabel "iterations" offset 1.5
 set label 3 "V-cycle" at 64, 13 tc ls 6
-set label 4 "incomplete\nCholesky" at 72, 130 tc ls 4
-set label 5 "Jacobi" at 72, 440 tc ls 5
-set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.95 \
-   
+set label 4 "incomplete\nCholesky" at 72, 160 tc ls 4
+set label 5 "Jacobi" at 72, 380 tc ls 5
+set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.95
 set label 2 "slope 1" at 175,40
 plot for [k = 1:3] data index "iterations" using "n":Name[k] \
          with linespoints ls Style[k], \

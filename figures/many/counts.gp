@@ -22,12 +22,14 @@ set ylabel "iterations per linear system" offset 1
 set label 1 "geometric multigrid" at 66,5.4 tc ls 6
 set label 2 "algebraic, with\nrigid motions" at 262,10 tc ls 3
 set label 3 "algebraic, without\nrigid motions" at 262,15.3 tc ls 2
+set label 4 "one process" at 570,18.8 right
 plot data index "runs" using "n":(first_steps("geometric", 1)) \
          with linespoints ls 6, \
      "" index "runs" using "n":(first_steps("rigid_modes", 1)) \
          with linespoints ls 3, \
      "" index "runs" using "n":(first_steps("algebraic", 1)) \
          with linespoints ls 2
+unset label 4
 set yrange [0:1300]
 set ylabel "messages of a process per step" offset 1
 set label 1 "four processes" at 66,860 tc ls 1

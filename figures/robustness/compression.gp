@@ -27,7 +27,7 @@ set label 6 "cubic, notes' method" at 0.81, 1300 tc ls 2
 set logscale y
 set yrange [2:2000]
 set format x ""
-set label 1 "failed" at 0.03, 520 textcolor rgb "#555555"
+set label 1 "× the step failed" at 0.03, 520 textcolor rgb "#555555"
 set ylabel "linear systems per step"
 plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
          with linespoints ls Style[k], \

@@ -5,42 +5,54 @@
 #               machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,480
+set terminal svg size 620,680
 set output out
 of(word) = strcol("systems") eq word ? column("n") : NaN
 most(word) = real(system(sprintf("awk -F'\t' '$1 == \"%s\" { print $2 }' '%s'", \
                                  word, data)))
 solver(word) = strcol("solver") eq word ? column("n") : NaN
 array Name[4] = ["band", "dissection", "single", "kept"]
-array Text[4] = ["band", "dissection", "... in single precision", \
-                 "... and kept factors"]
-array Height[4] = [75, 190, 480, 1200]
 
-set margins screen 0.12, screen 0.97, screen 0.165, screen 0.965
+set multiplot
+set lmargin at screen 0.13
+set rmargin at screen 0.97
+set tmargin at screen 0.975
+set bmargin at screen 0.46
 unset key
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set label 9 machine(data) at screen 0.01,0.018 left font ",10"
 set logscale xy
-set xtics (16, 24, 32, 48, 64, 96, 128, 192)
-set xrange [14:230]
-set yrange [0.2:2e4]
+set xtics (16, 24, 32, 48, 64)
+set xrange [14:74]
+set yrange [0.1:1e4]
+set ytics 0.1, 10, 1e4
 set xlabel "squares per side n"
 set ylabel "worst frame (ms)" offset 1
 set label 1 "whole swing,\nup to 300 systems a frame" at 15,2500 tc ls 2
-set label 2 "at most 8 systems a frame" at 26,5 tc ls 1
-set label 3 "1/30 s" at 15,45
-set label 4 sprintf("in time up to n = %.0f", most("capped_most")) \
-    at 26,3.2 tc ls 1
-do for [k = 1:4] {
-    set label 10 + k sprintf("%s: n = %.0f", Text[k], most(Name[k])) \
-        at most(Name[k]), Height[k] * 1.2 right tc ls 3
-    set arrow 10 + k from most(Name[k]), 42 to most(Name[k]), Height[k] * 0.8 \
-        nohead lc rgb "#009E73"
-}
-set label 10 "only stretched, 99 of 100 frames\nare in time up to:" \
-    at 210,9000 right tc ls 3
+set label 2 sprintf("at most 8 systems a frame,\nin time up to n = %.0f", \
+    most("capped_most")) at 27,3.5 tc ls 1
+set label 3 "1/30 s" at 15,55
 plot data index "swing" using (of("all")):"worst_ms" with linespoints ls 2, \
      data index "swing" using (of("capped")):"worst_ms" with linespoints ls 1, \
      data index "swing" using (of("capped_most")):"worst_ms" \
          with points ls 1 pt 6 ps 1.6, \
-     data index "realtime" using "n":"p99_ms" with points ls 3 ps 1.1, \
      1000.0 / 30.0 with lines ls 8
+unset label
+unset logscale
+set tmargin at screen 0.34
+set bmargin at screen 0.125
+set lmargin at screen 0.27
+set xrange [0:1.2 * most("kept")]
+set yrange [4.6:0.4]
+set xtics autofreq
+set ytics ("band" 1, "dissection" 2, "... in single" 3, "... and kept" 4) \
+    scale 0
+set grid noytics
+unset ylabel
+set xlabel "the largest n in time in 99 of 100 steps, only stretched"
+set style fill solid 0.9 noborder
+do for [k = 1:4] { 
+    set label k sprintf("%.0f", most(Name[k])) at most(Name[k]), k offset 0.6,0
+}
+plot for [k = 1:4] "+" using (0):(k):(0):(most(Name[k])):(k - 0.33):(k + 0.33) \
+         every ::0::0 with boxxyerror lc rgb "#009E73"
+unset multiplot

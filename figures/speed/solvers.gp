@@ -6,7 +6,7 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 780,420
+set terminal svg size 620,820
 set output out
 array Name[4] = ["band", "dissection", "single", "cholmod"]
 array Style[4] = [1, 3, 6, 4]
@@ -23,9 +23,9 @@ stats data index "solvers" using (strcol("solver") eq "dissection" ? \
 over(k) = strcol("solver") eq Name[int(k)] ? \
           column("solve_ms") / Base[int($0) % S_records + 1] : NaN
 
-set multiplot layout 1,2 margins 0.085,0.985,0.175,0.975 spacing 0.09,0
+set multiplot layout 2,1 margins 0.11,0.98,0.095,0.985 spacing 0,0.1
 unset key
-set label 9 machine(data) at screen 0.01,0.025 left font ",10"
+set label 9 machine(data) at screen 0.01,0.014 left font ",10"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)

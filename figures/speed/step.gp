@@ -27,7 +27,7 @@ array Height[5] = [4500, 1100, 300, 62, 14]
 set multiplot
 unset key
 set lmargin at screen 0.12
-set rmargin at screen 0.76
+set rmargin at screen 0.745
 set tmargin at screen 0.98
 set bmargin at screen 0.56
 set label 9 machine(data) at screen 0.01,0.010 left font ",11"

@@ -13,8 +13,8 @@ array Scene[2] = ["slow_pull", "shake"]
 array Title[2] = ["slow pull", "shake"]
 here(s) = strcol("scene") eq Scene[int(s)]
 lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
-    t == \"# settings\" && $1 == \"%s\" && $10 != \"OK\" { n++ } \
-    END { print n + 0 }' '%s'", Scene[s], data))
+    t == \"# settings\" && $1 == \"%s\" { all++; n += $10 != \"OK\" } \
+    END { print n + 0 \" of \" all }' '%s'", Scene[s], data))
 # of marks within seven pixels of each other, the first
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \

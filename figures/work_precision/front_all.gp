@@ -10,12 +10,12 @@ load "figures/style.gp"
 set terminal svg size 860,1080
 set output out
 array Scene[6] = ["slow_pull", "fast_pull", "shake", "swing", "buckle", "push"]
-array Title[6] = ["slow pull", "fast pull", "shake", "release and swing", \
-    "press to buckling: n × n/8 cells", "push"]
+array Title[6] = ["slow pull", "fast pull", "shake", "swing (a hump let go)", \
+    "buckle: n × n/8 cells", "push"]
 here(s) = strcol("scene") eq Scene[int(s)]
 lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
-    t == \"# settings\" && $1 == \"%s\" && $10 != \"OK\" { n++ } \
-    END { print n + 0 }' '%s'", Scene[s], data))
+    t == \"# settings\" && $1 == \"%s\" { all++; n += $10 != \"OK\" } \
+    END { print n + 0 \" of \" all }' '%s'", Scene[s], data))
 # of marks within seven pixels of each other, the first
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
@@ -27,7 +27,7 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($8 > 0.35 * last) next; last = $8; \
         element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
         if ($13 > 1) element = element \", graded\"; \
-        how = $4 == \"static\" ? \"static \" $5 : $4 \" \" $5 \"×\" $6; \
+        how = $4 == \"static\" ? \"static \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
 set multiplot
 set logscale xy
@@ -62,9 +62,9 @@ do for [s = 1:6] {
              with steps lw 1.5 lc rgb "#009E73", \
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
-         corners using (here(s) && column("flops") < 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") < 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels left offset 0.8,0.5 font ",11", \
-         corners using (here(s) && column("flops") >= 6e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") >= 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5 font ",11", \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
