@@ -4,7 +4,7 @@
 # Reads   data  tables square, strip (one row per triangle)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,345 enhanced font "Helvetica,14"
+set terminal svg size 600,690 enhanced font "Helvetica,14"
 set output out
 unset key
 unset grid
@@ -44,8 +44,8 @@ s = system("awk -F'\t' '$0 == \"# square\" { on = 1 } NF == 0 { on = 0 } \
 
 set style fill solid noborder
 set multiplot
-set tmargin at screen 0.9
-set bmargin at screen 0.18
+set tmargin at screen 0.955
+set bmargin at screen 0.615
 set border 15 back ls 9
 set size ratio -1
 set xrange [-1.2:1.2]
@@ -53,10 +53,10 @@ set yrange [-1.2:1.2]
 set xtics 1
 set ytics 1
 
-set lmargin at screen 0.055
-set rmargin at screen 0.325
+set lmargin at screen 0.095
+set rmargin at screen 0.485
 set xlabel "X (m)"
-set ylabel "Y (m)" offset 2
+set ylabel "Y (m)" offset 1
 set label 1 "undeformed: where J < 0" at graph 0, graph 1.05
 # J = 0 where (1 - Y^2)^2 = 1 / (4 s X (1 - X^2))
 height(X) = (1 - sqrt(1 / (4 * s * X * (1 - X * X))))
@@ -71,10 +71,10 @@ plot polygons("square", 9, "$1 <= 0") using 1:2 with filledcurves closed \
      -edge(x) with lines lw 2 dt 2 lc rgb "black"
 
 unset object 1
-set lmargin at screen 0.39
-set rmargin at screen 0.66
+set lmargin at screen 0.6
+set rmargin at screen 0.99
 set xlabel "x (m)"
-set ylabel "y (m)" offset 2
+set ylabel "y (m)" offset 1
 set label 1 "pushed: inverted triangles" at graph 0, graph 1.05
 plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
@@ -83,12 +83,14 @@ plot polygons("square", 3, "$1 > 0") using 1:2 with filledcurves closed \
      edges("square", 3) using 1:2 with lines lw 0.5 \
          lc rgb "#0072B2"
 
-set lmargin at screen 0.725
-set rmargin at screen 0.995
+set tmargin at screen 0.46
+set bmargin at screen 0.12
+set lmargin at screen 0.3475
+set rmargin at screen 0.7375
 set xrange [-1.45:1.45]
 set yrange [-0.4:2.5]
 set xlabel "x (m)"
-set ylabel "y (m)" offset 2
+set ylabel "y (m)" offset 1
 set label 1 "J > 0, and covered twice" at graph 0, graph 1.05
 plot polygons("strip", 3, "$1 > 0 && $2 <= 1") using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \

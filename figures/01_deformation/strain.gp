@@ -10,13 +10,13 @@ unset key
 
 set multiplot layout 1,2 margins 0.095,0.972,0.175,0.955 spacing 0.13,0
 set xlabel "rotation (degrees)"
-set ylabel "size of entry 11 (%)"
+set ylabel "size of entry 11 of the strain (%)"
 set xrange [0:40]
-set yrange [-0.8:24]
+set yrange [-2.6:24]
 set xtics 10
 set ytics 5
 set label 1 "linear: 1 - cos θ" at 27.5, 14 right tc ls 2
-set label 2 "Green, left strain: 0" at 39.5, 1.6 right tc ls 1
+set label 2 "Green, left strain: 0" at 39.5, -1.5 right tc ls 1
 plot data index "angles" using "degrees":(100 * abs(column("linear"))) \
          with linespoints ls 2 notitle, \
      data index "angles" using "degrees":(100 * abs(column("green"))) \

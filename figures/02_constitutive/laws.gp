@@ -10,7 +10,12 @@ array Style[3] = [8, 1, 2]
 set xlabel "F"
 set ylabel "P (kN/m^2)"
 set yrange [-8:8]
+unset key
+set label 1 "linear" at -0.9, -1.4 left
+set label 2 "log" at 0.3, -6.5 left tc ls 1
+set label 3 "cubic" at -0.3, -6.5 right tc ls 2
+set label 4 "grey: the reference solution" at 2.95, -7 right tc rgb "#777777"
 plot for [i = 1:3] reference index "curve_".Law[i] using "F":(column("P") / 1000) \
-         with lines lw 7 lc rgb "#DDDDDD" notitle, \
+         with lines lw 7 lc rgb "#DDDDDD", \
      for [i = 1:3] data index "curve_".Law[i] using "F":(column("P") / 1000) \
-         with lines ls Style[i] lw 2 title Law[i]
+         with lines ls Style[i] lw 2

@@ -21,7 +21,7 @@ set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
 set label 1 "inside out" at -0.95, 4400 textcolor rgb "#555555"
 set label 2 "log: only F > 0" at 0.35, -7000 left textcolor ls 1
 set label 3 "cubic" at -0.25, -6500 right textcolor ls 2
-set label 4 "linear" at -0.95, -1600
+set label 4 "linear" at -0.95, -1150
 set label 5 "P(0) = -(11λ/2 + 3μ)" at 0.62, -4900 left
 set arrow 5 from 0.6, -4850 to 0.06, -4420 nohead ls 9 lw 1
 plot data index "curve_log" using "F":"P" with lines ls 1, \

@@ -49,7 +49,7 @@ set label 2 "log law" at 31, 0.308 right
 set label 3 "ν = 0.3" at 16, 0.27 left tc rgb Log[1]
 set label 4 "0.45" at 16, 0.072 left tc rgb Log[2]
 set label 5 sprintf("%.3f: touches 0", nu_log) at 5.2, 0.033 left tc rgb Log[3]
-set label 6 "0.499" at 6, -0.033 left tc rgb Log[4]
+set label 6 "0.499" at 9, -0.029 left tc rgb Log[4]
 set lmargin at screen 0.59
 set rmargin at screen 0.985
 set logscale x

@@ -36,7 +36,7 @@ set xlabel "iterations"
 set ylabel "error, relative to the first" offset 0.5
 set label 1 "measured:" at 50, 1e-6 right
 set label 2 sprintf("old entry: %d", Count[1]) at 50, 1e-7 right textcolor ls 1
-set label 3 sprintf("1: %d", Count[2]) at 85, 1e-8 left textcolor ls 2
+set label 3 sprintf("1 on the\ndiagonal: %d", Count[2]) at 50, 1e-8 right textcolor ls 2
 set label 4 "bounds" at 2.2e3, 0.8 left
 plot for [k = 1:2] bound(k, x) with lines ls k dt 2, \
      for [k = 1:2] data index "path" \
@@ -51,14 +51,11 @@ unset logscale y
 set yrange [-0.03:1.05]
 set format y "%g"
 set label 2 "1 on\nthe diagonal" at 90, 0.9 left textcolor ls 2
-set label 3 "the old entry,\nor 1 and a start\nwith u_0  = g" at 1e-4, 0.27 left \
-    textcolor ls 1
+set label 3 "the old entry" at 1e-4, 0.08 left textcolor ls 1
 set xrange [5e-5:2e6]
 set xlabel "factor of β and f"
 set ylabel "largest error of u, relative"
 plot data index "units" using "scale":(of("one", "error")) with linespoints ls 2, \
-     "" index "units" using "scale":(of("one_from_g", "error")) \
-         with linespoints ls 5 ps 1.2, \
      "" index "units" using "scale":(of("kept", "error")) \
          with linespoints ls 1
 unset multiplot

@@ -18,7 +18,7 @@ set ylabel "L^2 error of the solution"
 set yrange [1e-6:0.1]
 set xrange [3:3500]
 set label 1 "midpoint" at 16, 6e-4 right textcolor ls 1
-set label 2 "trapezoid" at 6, 4.8e-2 left textcolor ls 2
+set label 2 "trapezoidal" at 6, 4.8e-2 left textcolor ls 2
 set label 3 "Gauss" at 580, 3e-6 left textcolor ls 3
 plot data index "solution" using "n":"midpoint" with linespoints ls 1, \
      data index "solution" using (column("n") + 1):"trapezoid" \

@@ -29,7 +29,7 @@ set bmargin at screen 0.14
 set title "all data smooth" offset 0,-0.5
 set label 1 "energy, any rule:\nslope 1" at 0.0065, 0.35 left
 set label 2 "L^2: slope 2" at 0.04, 3e-5 left
-set label 3 "trapezoid" at 0.29, 0.05 left textcolor ls 2
+set label 3 "trapezoidal" at 0.29, 0.05 left textcolor ls 2
 set label 4 "midpoint" at 0.29, 0.0235 left textcolor ls 1
 set label 5 "Gauss" at 0.29, 0.011 left textcolor ls 3
 plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \

@@ -36,7 +36,7 @@ do for [panel = 1:3] {
         at 0.02, top * 0.02**slope * (panel == 3 ? 2.5 : 8) right
     set label 2 panel == 1 ? "slope 4" : "" at 0.035, 1e-9
     if (panel == 1) {
-        set label 3 "trapezoid" at 0.2, 1.2e-1 right textcolor ls 2
+        set label 3 "trapezoidal" at 0.2, 1.2e-1 right textcolor ls 2
         set label 4 "midpoint" at 0.03, 3e-5 left textcolor ls 1
         set label 5 "Gauss" at 0.04, 2e-6 right textcolor ls 3
     }
@@ -49,7 +49,7 @@ do for [panel = 1:3] {
         unset label 3
         unset arrow 4
         set label 4 "midpoint" at 0.2, 0.4 right textcolor ls 1
-        set label 5 "Gauss and trapezoid" at 0.008, 4e-4 left textcolor ls 3
+        set label 5 "Gauss and trapezoidal" at 0.008, 4e-4 left textcolor ls 3
     }
     plot for [r = 1:3] data index Table[panel] \
              using "h":(abs(column(Rule[r]))) with linespoints ls r, \
