@@ -1,5 +1,5 @@
 # printed_tangent.gp - Newton's method for the stretched square at rest, upright
-# and turned by 30 degrees, with the right tangent and with the two slips of the
+# and turned by 30 degrees, with the correct tangent and with the two slips of the
 # printed one.
 # Reads   data  table slip_history (body slip k residual); what is below 1e-12,
 #               round-off, is drawn at 1e-12
@@ -21,7 +21,7 @@ set xtics 2
 of(body, slip) = strcol("body") eq body && strcol("slip") eq slip \
     ? (column("residual") > 1e-12 ? column("residual") : 1e-12) : NaN
 array Slip[4] = ["none", "column for row", "half of mu", "both"]
-set label 1 "right tangent" at 5.3, 1.2e-11 tc ls 1
+set label 1 "correct tangent" at 5.3, 1.2e-11 tc ls 1
 do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
