@@ -22,7 +22,7 @@ set xlabel "flops of the whole solve, six Newton steps"
 set ylabel "change of the sag, relative, when h is halved"
 set label 3 "band, as in\nthis lesson" at 2.2e6, 5.5e-2 tc ls 1
 set label 4 "nested dissection\n(lesson 21)" at 1.2e6, 4.2e-3 tc ls 3
-set label 5 "dotted: slope\nof a band" at 1.8e7, 2.8e-2
+set label 5 "dotted: slope\nof a band" at 1.5e7, 2.8e-2
 rate(k) = system(sprintf("awk -F'\t' '$0 == \"# fits\" { on = 1; next } \
     on && $1 ~ /^[0-9]/ && ++k == %d { print $1 }' '%s'", k, data)) + 0.0
 do for [k = 1:2] {
