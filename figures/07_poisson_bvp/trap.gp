@@ -46,9 +46,10 @@ set label 4 sprintf("nodes, Gauss\nload: order %.2f", p_gauss2) \
     at 1.0/600, 2e-8 tc ls 4
 plot sqrt(7.0/2880) * x**2 with lines ls 8, \
      47.0/11520 * x**4 with lines ls 8, \
-     data index "trap" using (h(column("n"))):"L2" with points ls 1 ps 0.7, \
+     data index "trap" using (h(column("n"))):"L2" with points ls 1 \
+         pt 6 ps 1.9, \
      data index "trap" using (h(column("n"))):"midpoint" with points ls 2 \
-         pt 4 ps 1.2, \
+         pt 4 ps 1.0, \
      data index "trap" using (h(column("n"))):"gauss2" with points ls 4 \
          ps 1.1, \
      data index "trap" using (h(column("n"))):(shown(column("exact"))) with points ls 3 \
@@ -65,9 +66,9 @@ set label 2 sprintf("nodes, exact\nload: order %.2f", p_exercise) \
     at 1.0/600, 3e-4 tc ls 2
 set label 3 "nodes, fitted:\nround-off (smaller ones\nare drawn at 10^{-13})"
 plot data index "trap" using (h(column("n"))):"fitted_L2" with points ls 1 \
-         ps 0.7, \
+         pt 6 ps 1.9, \
      data index "trap" using (h(column("n"))):"exercise" with points ls 2 \
-         pt 4 ps 1.2, \
+         pt 4 ps 1.0, \
      data index "trap" using (h(column("n"))):(shown(column("fitted"))) with points ls 3 \
          ps 1.1, \
      sqrt(31.0/28800) * x**2 with lines ls 8

@@ -33,8 +33,8 @@ is(e) = column("e") == e
 set label 1 sprintf("element %d", mark + 1) at 0.5 * (x0_min + x1_min), 1.15 \
     center
 # the local numbers of the two halves
-set label 2 "0" at x0_min + 0.025, 0.93 left front tc ls 1
-set label 3 "1" at x1_min - 0.025, 0.93 right front tc ls 2
+set label 2 "0" at x0_min + 0.045, 0.93 left front tc ls 1
+set label 3 "1" at x1_min - 0.045, 0.93 right front tc ls 2
 plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
          with vectors nohead lw 1.5 lc rgb "#999999", \
      "" index "K_local" using "x0":(1):(column("x1")-column("x0")):(-1) \

@@ -39,7 +39,7 @@ plot data index "model_error" using "e":(100 * column("stress_t")) \
          (sprintf("%+#.3g %%", 100 * column(word("strain_t strain_c", k)))) \
          with labels left offset (k == 1 ? 1 : -8.3),0 font ",12"
 
-set label 3 "log" at -265, 20.8 tc ls 1
+set label 3 "log only" at -230, 20.8 tc ls 1
 set label 4 ""
 set label 5 sprintf("dashed:\n%.2f |P| / (2μ + λ)", SLOPE_max) at 0, 20.8 center
 set xrange [-320:320]

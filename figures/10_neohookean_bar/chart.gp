@@ -36,7 +36,7 @@ set xrange [3e-7:0.3]
 set yrange [1e-14:1e-3]
 set xlabel "time of the whole solve (s)"
 set ylabel "relative error of u(1)"
-set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead ls 8
+set arrow 1 from 1/30., 1e-14 to 1/30., 1e-3 nohead lw 2 lc rgb "#999999"
 set label 1 "1/30 s" at 0.027, 3e-4 right
 set label 2 "all slopes near -2\n(dashed)" at 4e-7, 5e-13
 set label 3 "readable" at 2.8e-4, 3e-6 tc ls 2

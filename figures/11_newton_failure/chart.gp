@@ -14,10 +14,10 @@ set yrange [2e-15:100]
 unset key
 set label 4 "line search" at 5.15, 1e-5 tc ls 3
 set label 5 "better start" at 3.8, 1e-9 right tc ls 4
-set label 6 "load stepping" at 13.9, 1e-8 right tc ls 5
+set label 6 "load stepping" at 13.9, 3e-8 right tc ls 5
 set label 1 "cubic law: another answer" at 7.3, 0.07 tc ls 2
-set label 3 "ring: the linear law; the cross in it:\nplain Newton, which ends inverted" at 1.35, 30
-set label 2 "round-off" at 10, 1.3e-14 tc rgb "#555555"
+set label 3 "ring: the linear law; the cross in it:\nplain Newton, which ends inverted" at 1.35, 45
+set label 2 "round-off" at 10, 4e-14 tc rgb "#555555"
 set object 1 rectangle from -0.4, 2e-15 to 16.4, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
 # A curve ends at its answer; of round-off there is only that it is there.

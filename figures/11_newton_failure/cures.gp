@@ -8,6 +8,8 @@ set terminal svg size 760,440 enhanced font "Helvetica,14" \
 set output out
 array Name[5] = ["plain", "stepping", "search", "start", "cubic"]
 array Style[5] = [1, 5, 3, 4, 2] # the cubic law is orange
+array Point[5] = [6, 11, 9, 13, 5] # plain Newton: rings, seen under the rest
+array Size[5] = [1.1, 0.5, 0.5, 0.5, 0.5]
 array Colour[5] = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00"]
 set logscale xy
 set xrange [0.027:37]
@@ -40,13 +42,13 @@ do for [panel = 1:2] {
         set label 1 "better start" at 0.032, 2.4 tc rgb Colour[4]
         set label 4 "plain Newton" at 0.85, level(1) right tc rgb Colour[1]
         set label 5 "line search" at 2.2, 4.6 tc rgb Colour[3]
-        set label 7 "load stepping" at 0.9, 20 right tc rgb Colour[2]
+        set label 7 "load stepping" at 0.75, 14 right tc rgb Colour[2]
         set label 8 "cubic law" at 0.032, 6.8 tc rgb Colour[5]
     }
     set label 3 "failed" at 0.032, level(4) textcolor rgb "#555555"
     set arrow 1 from 1, 2 to 1, 4000 nohead ls 8
     plot for [k = 1:5] data index table using "x":(cost(k)) \
-             with linespoints ls Style[k] ps 0.5, \
+             with linespoints ls Style[k] pt Point[k] ps Size[k], \
          for [k = 1:5] data index table using "x":(lost(k)) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb Colour[k]
 }

@@ -27,7 +27,8 @@ do for [k = 1:4] {
     set label 1 word("push pull push pull", k).(k > 2 ? \
         ", from the linear lift" : ", from the last state") \
         at graph 1, graph 1.06 right font ",13"
-    set label 2 (k == 2 ? "line: predicted" : "") at graph 0, graph 1.06 \
+    set label 2 (k == 2 ? "line: predicted" : \
+        k == 3 ? "log law, one end moved" : "") at graph 0, graph 1.06 \
         left font ",13"
     if (k < 3) {
         set arrow 1 from limit / 0.85, 0.85 to limit / 150, 150 nohead \

@@ -13,7 +13,7 @@ unset key
 set label 1 sprintf("u, in L²: order %.2f", L_max) at 0.06, 9e-3 tc ls 1
 set label 2 sprintf("dashed: %.3f h²", D_max) at 0.2, 6e-3
 set label 3 sprintf("gradient: order %.2f", G_max) at 0.06, 0.15 tc ls 2
-set label 4 "dotted: the interpolant's" at 0.13, 0.048
+set label 4 "dotted: gradient error\nof the interpolant" at 0.13, 0.048
 set logscale xy
 set format y "10^{%T}"
 set xlabel "h (m)"

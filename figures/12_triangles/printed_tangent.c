@@ -146,7 +146,7 @@ int main(void)
 
     const int *up = last[0], *turned = last[1], lower = COLUMN | LOWER;
     claim(ends[0][NONE] && ends[1][NONE] && up[NONE] == 5 && turned[NONE] == 5,
-          "5 with the right tangent (%d, %d)", up[NONE], turned[NONE]);
+          "5 with the correct tangent (%d, %d)", up[NONE], turned[NONE]);
     claim(ends[0][COLUMN] && up[COLUMN] == 10 && turned[COLUMN] == CAP,
           "with a column for a row 10 (%d), and not in %d when turned (%d)",
           up[COLUMN], CAP, turned[COLUMN]);

@@ -1,5 +1,5 @@
 # printed_tangent.gp - Newton's method for the stretched square at rest, upright
-# and turned by 30 degrees, with the right tangent and with the two slips of the
+# and turned by 30 degrees, with the correct tangent and with the two slips of the
 # printed one.
 # Reads   data  table slip_history (body slip k residual); what is below 1e-12,
 #               round-off, is drawn at 1e-12
@@ -21,19 +21,16 @@ set xtics 2
 of(body, slip) = strcol("body") eq body && strcol("slip") eq slip \
     ? (column("residual") > 1e-12 ? column("residual") : 1e-12) : NaN
 array Slip[4] = ["none", "column for row", "half of mu", "both"]
-set label 1 "right tangent" at 5.3, 1.2e-11 tc ls 1
+set label 1 "correct tangent" at 5.3, 1.2e-11 tc ls 1
 do for [body in "upright turned"] {
     left = body eq "upright"
     set title (left ? "upright" : "the same scene, turned by 30°")
     set ylabel (left ? "residual max |q_i| (N/m)" : "")
-    set label 2 (left ? "column for row" : "column for row: not\nconverged \
-after 40;\nby Cholesky: negative\npivot at k = 0") \
-        at (left ? 7 : 3.6), (left ? 1e-5 : 0.11) tc ls 2
-    set label 3 (left ? "half of μ\nor both:\nnegative\npivot\nat k = 0" : \
-        "half of μ: negative pivot at k = 1;\nboth: at k = 0") \
-        at 0.3, (left ? 1e-5 : 1.2e4) tc ls 3
-    set label 4 (left ? "column for row, by Cholesky:\nnegative pivot at k = 8" \
-        : "") at 1.6, 1.2e4 tc ls 2
+    set label 2 "column for row" at (left ? 7 : 5), (left ? 1e-5 : 1e3) tc ls 2
+    set label 3 (left ? "half of μ\nor both" : "half of μ") \
+        at 0, (left ? 1.2e4 : 1e3) tc ls 3
+    set label 4 (left ? "column for row,\nby Cholesky" : "") \
+        at 3.4, 1.2e4 tc ls 2
     plot for [i = 1:4] data index "slip_history" \
         using "k":(of(body, Slip[i])) with linespoints ls (i == 4 ? 3 : i), \
         "" index "slip_history" \
