@@ -12,7 +12,7 @@
 #include "base/table.h"
 #include "motion/work.h"
 
-/* away[k] := how far 30 2^k steps of the soft pull are from the static answer. */
+/* away[k] := how far the soft pull in 30 2^k steps is from the static answer */
 static void soft_start(double away[7])
 {
     struct work_setting set = {SLOW_PULL, CUBIC, 0, 8, 4, BACKWARD_EULER,
