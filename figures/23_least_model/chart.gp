@@ -14,7 +14,7 @@ set yrange [12.1:-1.4]
 set lmargin 16
 set tmargin 1
 set format x "10^{%T}"
-set xlabel "work of the richest model over the work of finding one that will do"
+set xlabel "work of the richest model over yours"
 unset key
 set arrow 1 from 1, -0.8 to 1, graph 0 nohead ls 8
 set label 1 "1: nothing saved" at 1.15, 11.75 font ",12"
