@@ -24,7 +24,7 @@ set label 3 "cubic kernel" at 8.3e5, 0.285 tc ls 3
 set label 4 "PIC, 16 cells per metre" at 1.1e4, 1.04
 set label 5 "32" at 4e4, 0.46 right
 set label 6 "64" at 1.55e5, 0.12 right
-set label 7 "APIC (and FLIP, cheaper): 0" at 1.05e4, 0.05
+set label 7 "APIC (and FLIP, not drawn): 0" at 1.05e4, 0.05
 plot for [s = 1:3] data index "price" every ::3*(s-1)::3*s-1 \
          using "pic_flops":"pic_lost" with linespoints ls s ps 0.9, \
      for [s = 1:3] data index "price" every ::3*(s-1)::3*s-1 \

@@ -24,6 +24,11 @@ set label 1 "linear kernel" at 0.36, 1.1 right tc ls 1
 set label 2 "quadratic" at 0.108, 0.033 tc ls 2
 set label 3 "cubic" at 0.7, 7e-3 center tc ls 3
 set label 4 "grey: predicted" at 1.35, 1.7e-5 right
+# at 1, 1/2, ... it is 0: holes in the line of the linear kernel
+do for [k = 1:9] {
+    set label 10 + k "" at 1./k, 1./k point pt 7 ps 1.1 lc rgb "white" front
+    set label 20 + k "" at 1./k, 1./k point ls 1 pt 6 ps 0.9 lw 1.5 front
+}
 of(s, column_) = column("order") == s ? column(column_) : NaN
 plot for [s = 2:3] data index "spacing" using "s":(of(s, "predicted")) \
          with lines lw 2.5 lc rgb "#BBBBBB", \

@@ -19,7 +19,7 @@ set yrange [-0.46:0.46]
 row(side, when) = column("h") == h && column("when") == when && \
     strcol("disc") eq side
 outcome(method, column) = system(sprintf("awk -F'\t' '$1 == \"%s\" && \
-    $2 == %g { print $%d }' '%s'", method, h, column, data)) + 0.0
+    $2 == %g { print $%d; exit }' '%s'", method, h, column, data)) + 0.0
 set style fill transparent solid 0.5 noborder
 
 set multiplot

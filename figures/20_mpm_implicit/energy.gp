@@ -17,7 +17,7 @@ set label 3 "PIC" at 30, 0.5 tc ls 1
 set label 4 "FLIP" at 170, 0.013 right tc ls 2
 set label 5 "APIC" at 180, 0.15 right tc ls 3
 set label 1 "explicit steps" at graph 0.02, graph 1.04
-set label 2 "fails" at 9.2, 1.45 center tc rgb "#555555"
+set label 2 "all three fail" at 6.5, 1.55 tc rgb "#555555"
 plot for [s = 1:3] data index "energy" every ::7*(s-1)::7*s-1 \
          using "steps":"lost" with linespoints ls s, \
      data index "energy" every ::0::1 using "steps":(1.2) with points \

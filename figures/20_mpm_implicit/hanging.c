@@ -8,6 +8,7 @@
  * particles visits: particles times nodes per particle.
  */
 #include "bar/bar_scene.h"
+#include "linear/matrix.h"
 #include "particles/particle_bodies.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -15,6 +16,15 @@
 #include <math.h>
 
 enum { FINEST = 4 }; /* 8, 16, 32, 64 cells */
+
+/* Flops of a Newton iteration per cell of 64, as step_flops.c counts. */
+static double iteration(int order, int ppc)
+{
+    const double s = order + 1.0;
+    const struct matrix_cost cost = matrix_cost(BANDED, 64, order);
+    const double particle = 17.0 * s + 4.25 * s * s;
+    return (cost.flops + cost.solve) / 64.0 + ppc * particle;
+}
 
 /* The worst place of particles; NAN where a step ends with another status. */
 static double particles_error(int order, int cells, int ppc, enum wall wall,
@@ -105,6 +115,8 @@ int main(void)
           "with two per cell it ends with a named status");
     claim(four[2][3] > 1e-4 && four[3][3] < 2e-5,
           "the quadratic kernel stops at 3e-4, the cubic one goes on");
+    claim(fabs(iteration(3, 2) / iteration(1, 1) - 5.0) < 0.1, "an iteration "
+          "with the cubic kernel costs five times as much as with elements");
     claim(held[2][3] / once[2][3] > 300.0,
           "the mirror is 300 times better at 64 cells");
     return table_finish();

@@ -23,9 +23,9 @@ set label 2 "nodes held: order 1" at 120, 6e-2 tc rgb "#777777"
 set label 4 "quadratic" at 350, 2.2e-3 right tc rgb "#777777"
 set label 5 "cubic" at 600, 5e-3 tc rgb "#777777"
 set label 6 "mirror: order 2" at 130, 2.6e-4
-set label 7 "linear" at 205, 1.1e-5 right tc ls 1
-set label 8 "quadratic" at 340, 6.5e-6 right tc ls 2
-set label 9 "cubic" at 580, 6.5e-6 tc ls 3
+set label 7 "linear" at 36, 1.3e-3 tc ls 1
+set label 8 "quadratic" at 57, 8.4e-4 tc ls 2
+set label 9 "cubic" at 77, 5e-4 tc ls 3
 plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
      for [p = 1:3] data index "once" every ::4*(p-1)::4*p-1 \
          using "work":"error" with linespoints ls p, \

@@ -18,15 +18,25 @@ unset tics
 unset key
 set size ratio -1
 set multiplot
-ink(depth) = depth == 1 || depth == 2 || depth == 5 ? 0x000000 : 0xFFFFFF
-set title "Dissection: the place of every vertex,\none colour for each depth of cut"
+# The lines of the fifth cut; the other vertices of this depth are pieces.
+line(depth, j) = depth < 4 || (depth == 4 && (j == 1 || j == 8))
+ink(depth, j) = depth == 1 || depth == 2 || !line(depth, j) ? 0x000000 : 0xFFFFFF
+set title "Dissection: the place of every vertex;\nlines in the colour of their cut, pieces white"
 set margins screen 0.2, screen 0.8, screen 0.46, screen 0.93
 set xrange [0.3:11.7]
 set yrange [-0.7:12.7]
-plot data index "grid" using "i":"j":"depth" with points pt 7 ps 2.4 \
-         lc palette, \
+set label 1 "1st cut" at 11.7, 6 tc rgb "#D55E00"
+set label 2 "2nd" at 6, -0.95 center tc rgb "#E69F00"
+set label 3 "3rd cut" at 11.7, 3 tc rgb "#CC79A7"
+set label 4 "4th" at 9, -0.95 center tc rgb "#009E73"
+set label 5 "5th cut" at 11.7, 1 tc rgb "#0072B2"
+plot data index "grid" using (line(column("depth"), column("j")) ? column("i") : NaN):"j":"depth" \
+         with points pt 7 ps 2.4 lc palette, \
+     data index "grid" using (line(column("depth"), column("j")) ? NaN : column("i")):"j" \
+         with points pt 6 ps 2.3 lw 1.2 lc rgb "#999999", \
      data index "grid" using "i":"j":(sprintf("%d", column("place"))): \
-         (ink(column("depth"))) with labels font ",12" tc rgb variable
+         (ink(column("depth"), column("j"))) with labels font ",12" tc rgb variable
+unset label
 set border 15 ls 9
 set xrange [-3:145]
 set yrange [145:-3]

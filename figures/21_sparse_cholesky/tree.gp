@@ -19,7 +19,7 @@ set offsets 0.7, 0.7, 0.7, 0.7
 set multiplot layout 1,2 margins 0.02,0.98,0.02,0.88 spacing 0.04,0
 do for [k = 1:2] {
     order = word("rows dissection", k)
-    set title sprintf("%s: at most %.0f vertices\none above the other", \
+    set title sprintf("%s: at most %.0f vertices\nmust wait for each other", \
                       k == 1 ? "row by row" : "by dissection", height(order)) \
         offset 0,-0.5 noenhanced
     plot walk(order, "edge") using 1:2:3:4 with vectors nohead ls (k == 1 ? 1 : 3) lw 1.5, \

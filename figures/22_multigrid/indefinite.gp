@@ -22,17 +22,19 @@ set arrow 1 from E_max,-0.009 to E_max,0.0014 nohead ls 8 lc rgb "#999999"
 set arrow 2 from 0.56,0 to 0.68,0 nohead ls 8
 set label 1 "K is positive\ndefinite" at 0.5625,-0.0012
 set label 2 "indefinite" at E_max+0.003,0.0009
-set label 3 "another mode" at 0.588,0.0020
+set label 3 "here another\neigenvector takes over" at 0.588,0.0038
+set arrow 3 from 0.5905,0.0025 to 0.5862,0.00175 nohead ls 8 dt 1
 unset key
 unset grid
 plot data index "squeeze" using "squeeze":"least" with lines ls 1 lw 3
 unset label 1
 unset label 2
 unset arrow 2
+unset arrow 3
 set label 4 "to 10^{-1}" at 0.5625,16.5 tc ls 1
 set label 5 "to 10^{-4}" at 0.5625,43.3 tc ls 2
 set label 6 "to 10^{-10}" at 0.5625,63.5 tc ls 3
-set label 7 "× NOT\\_SPD" at 0.63,26
+set label 7 "× NOT\\_SPD; up to 0.613\nonly to 10^{-4}  or 10^{-10}" at 0.611,38
 set yrange [0:70]
 set ylabel "iterations of CG"
 set arrow 1 from E_max,0 to E_max,70 nohead ls 8 lc rgb "#999999"

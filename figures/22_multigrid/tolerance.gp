@@ -24,6 +24,8 @@ plot data index "tolerance" using (of("newton", "tolerance")):"increments" \
      "" index "tolerance" using (of("chord", "tolerance")):"increments" \
          with linespoints ls 2 dt 2
 unset label
+set label 1 "one K" at 2e-9, 33 tc ls 2
+set label 2 "K anew" at 1.6e-10, 21.5 tc ls 1
 set ylabel "iterations of CG per step" offset 0.5
 set yrange [0:40]
 plot data index "tolerance" using (of("newton", "tolerance")):"per_step" \

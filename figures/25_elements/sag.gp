@@ -20,9 +20,9 @@ set logscale xy
 set grid noxtics
 unset key
 set label 1 "linear, graded or not" at 8.2, 0.23
-set label 2 "averaged" at 30, 0.066 tc ls 4
-set label 3 "criss-cross" at 30, 0.043 tc ls 6
-set label 4 "quadratic" at 30, 0.028 tc ls 1
+set label 2 "criss-cross" at 47, 0.0135 tc ls 6
+set label 3 "averaged" at 8.2, 0.093 tc ls 4
+set label 4 "quadratic" at 76, 0.0037 right tc ls 1
 set label 5 "quadratic, m = 2" at 42, 0.00085 right tc ls 3
 set xrange [7:78]
 set xtics (8, 16, 32, 64)
