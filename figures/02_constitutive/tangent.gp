@@ -30,7 +30,7 @@ unset key
 set label 2 "cubic law" at 4.95, -0.65 right
 set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
 set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
-set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.08, -0.14 center tc rgb Cubic[3]
+set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.16, -0.11 center tc rgb Cubic[3]
 set label 6 "0.02" at 4.32, 0.8 right tc rgb Cubic[4]
 set lmargin at screen 0.11
 set rmargin at screen 0.49
