@@ -26,7 +26,7 @@ set label 1 "linear strain, ends lean by 45°" at 1.2e6,Floor[1]*1.25 right \
 set label 2 "linear strain, 5°" at 1.2e6,Floor[2]*1.25 right textcolor rgb "#E69F00"
 set label 3 "Green strain, 45° and 5° alike" at 5e4,0.055 right \
     textcolor rgb "#0072B2"
-set label 4 "dashed: no finer mesh goes below" at 450,Floor[2]*0.82
+set label 4 "dashed: limit of the linear strain" at 450,Floor[2]*0.82
 plot data index "cost" using "operations":(of(45, "linear", "error")) \
          with linespoints ls 2, \
      "" index "cost" using "operations":(of(5, "linear", "error")) \

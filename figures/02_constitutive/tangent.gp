@@ -15,8 +15,8 @@ stats data index "thresholds" using "F_log" nooutput
 F_log = STATS_max
 
 # the laws in their colours, the critical ν thick
-array Cubic[4] = ["#7A3500", "#A84800", "#D55E00", "#F0A060"]
-array Log[4] = ["#003A5C", "#005688", "#0072B2", "#6FB7E0"]
+array Cubic[4] = ["#7A3500", "#A84800", "#D55E00", "#D55E00"]
+array Log[4] = ["#003A5C", "#005688", "#0072B2", "#0072B2"]
 set multiplot
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
     fc rgb "#f6dcd0" fs solid noborder behind
@@ -30,8 +30,8 @@ unset key
 set label 2 "cubic law" at 4.95, -0.65 right
 set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
 set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
-set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.2, -0.14 center tc rgb Cubic[3]
-set label 6 "0.02" at 4.42, 0.8 right tc rgb Cubic[4]
+set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.16, -0.11 center tc rgb Cubic[3]
+set label 6 "0.02" at 4.32, 0.8 right tc rgb Cubic[4]
 set lmargin at screen 0.11
 set rmargin at screen 0.49
 set xrange [0:5]

@@ -41,13 +41,12 @@ do for [panel = 1:3] {
         set label 5 "Gauss" at 0.04, 2e-6 right textcolor ls 3
     }
     if (panel == 2) {
-        set label 4 "midpoint" at 0.045, 1.2e-6 left textcolor ls 1
-        set arrow 4 from 0.075, 2.2e-6 to 0.075, 6e-4 nohead ls 9 lw 1
+        set label 3 "trapezoidal" at 0.2, 0.45 right textcolor ls 2
+        set label 4 "midpoint" at 0.2, 0.1 right textcolor ls 1
         set label 5 "Gauss" at 0.012, 1.5e-7 left textcolor ls 3
     }
     if (panel == 3) {
         unset label 3
-        unset arrow 4
         set label 4 "midpoint" at 0.2, 0.4 right textcolor ls 1
         set label 5 "Gauss and trapezoidal" at 0.008, 4e-4 left textcolor ls 3
     }
