@@ -74,8 +74,8 @@ static void print_kind(const char *kind, struct judged c)
 static void print_count(int q, int t, struct judged c, struct judged *sum)
 {
     table_row(quantity_name[q], 100.0 * judged_wanted[t], c.of[JUDGED],
-              c.of[REACHED], c.of[ACCEPTED], c.of[TWICE], c.of[THRICE],
-              c.of[LOWER]);
+              c.of[REACHED], c.of[ACCEPTED], c.of[ABOVE], c.of[TWICE],
+              c.of[THRICE], c.of[LOWER]);
     judged_add(sum, c);
 }
 
@@ -103,8 +103,8 @@ int main(void)
     }
     table_end();
     gsl_rng_free(random);
-    table_begin("counts", "quantity tolerance judged reached accepted twice "
-                          "thrice lower");
+    table_begin("counts", "quantity tolerance judged reached accepted above "
+                          "twice thrice lower");
     for (int q = 0; q < QUANTITIES; q++)
         for (int t = 0; t < JUDGED_WANTED; t++)
             print_count(q, t, count[q][t], &sum[q]);

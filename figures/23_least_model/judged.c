@@ -46,6 +46,7 @@ static struct judged judge(struct judged_rung rung[], int n, int t)
     }
     if (k == n) return c;
     c.of[ACCEPTED] = 1;
+    c.of[ABOVE] = rung[k].error > wanted;
     c.of[TWICE] = rung[k].error > 2.0 * wanted;
     c.of[THRICE] = rung[k].error > 3.0 * wanted;
     rung[k].how[t] = c.of[TWICE] ? "wrong" : c.of[LOWER] ? "lower" : "right";

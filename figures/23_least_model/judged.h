@@ -17,9 +17,11 @@ struct judged_rung {
 };
 
 /* Scenes judged, those that some rung meets, those for which one was accepted;
- * of these errors beyond twice and three times the tolerance, and scenes for
- * which a lower rung would have done. */
-enum judged_count { JUDGED, REACHED, ACCEPTED, TWICE, THRICE, LOWER, COUNTS };
+ * of these errors beyond the tolerance, twice and three times it, and scenes
+ * for which a lower rung would have done. */
+enum judged_count {
+    JUDGED, REACHED, ACCEPTED, ABOVE, TWICE, THRICE, LOWER, COUNTS
+};
 struct judged {
     int of[COUNTS];
 };
