@@ -18,8 +18,9 @@
 #include <string.h>
 #include <sys/mman.h>
 
-/* Bytes of a large page; so many numbers are large. */
-enum { LARGE_PAGE = 1 << 21 };
+/* Bytes of a line of the cache and of a large page; and how many numbers,
+ * 16 MB, are worth large pages. */
+enum { LINE = 64, LARGE_PAGE = 1 << 21, MANY = 1 << 21 };
 
 /* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
  * storage hold i >= j only. */
@@ -42,12 +43,12 @@ static int is_wide(const struct matrix *A) /* for tiles.h */
  * large pages, where the system has such: fewer addresses to look up. */
 static double *allocate_lines(size_t n)
 {
-    const size_t line = n < LARGE_PAGE ? 64 : LARGE_PAGE;
-    const size_t bytes = (n * sizeof(double) + line - 1) / line * line;
-    double *a = n < SIZE_MAX / 16 ? aligned_alloc(line, bytes) : NULL;
+    const size_t page = n < MANY ? LINE : LARGE_PAGE;
+    const size_t bytes = (n * sizeof(double) + page - 1) / page * page;
+    double *a = n < SIZE_MAX / 16 ? aligned_alloc(page, bytes) : NULL;
     if (!a) die("out of memory: %zu numbers", n);
 #ifdef MADV_HUGEPAGE
-    if (line == LARGE_PAGE) (void)madvise(a, bytes, MADV_HUGEPAGE);
+    if (page == LARGE_PAGE) (void)madvise(a, bytes, MADV_HUGEPAGE);
 #endif
     return memset(a, 0, bytes);
 }

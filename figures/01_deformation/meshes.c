@@ -33,7 +33,7 @@ static void cut(struct triangles *t, double a, double b, int nx, int ny,
     for (int j = 0; j < ny; j++)
         for (int i = 0; i < nx; i++)
             for (int k = 0; k < 6; k++) {
-                const int *c = corner[turns * (i + j) % 2][k];
+                const int *c = corner[turns ? (i + j) % 2 : 0][k];
                 *X++ = a * (2.0 * (i + c[0]) / nx - 1.0);
                 *X++ = b * (2.0 * (j + c[1]) / ny - 1.0);
             }

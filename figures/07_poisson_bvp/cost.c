@@ -77,15 +77,19 @@ static void measure(int n, int graded, double error[QUANTITIES])
     free(u);
 }
 
+static double error_of(int quantity, int n)
+{
+    double error[QUANTITIES];
+    measure(n, quantity == GRADED, error);
+    return error[quantity];
+}
+
 /* The least n whose error is at most 1e-4, sought from `near` on. */
 static int least(int near, int quantity)
 {
-    const int graded = quantity == GRADED;
-    double error[QUANTITIES];
     int n = near;
-
-    while (measure(n, graded, error), error[quantity] > 1e-4) n++;
-    while (measure(n - 1, graded, error), error[quantity] <= 1e-4) n--;
+    while (error_of(quantity, n) > 1e-4) n++;
+    while (error_of(quantity, n - 1) <= 1e-4) n--;
     return n;
 }
 

@@ -8,8 +8,7 @@
  * particles visits: particles times nodes per particle.
  */
 #include "bar/bar_scene.h"
-#include "linear/matrix.h"
-#include "particles/particle_bodies.h"
+#include "step_flops.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -17,13 +16,12 @@
 
 enum { FINEST = 4 }; /* 8, 16, 32, 64 cells */
 
-/* Flops of a Newton iteration per cell of 64, as step_flops.c counts. */
+/* Flops of a Newton iteration per cell of 64. */
 static double iteration(int order, int ppc)
 {
-    const double s = order + 1.0;
     const struct matrix_cost cost = matrix_cost(BANDED, 64, order);
-    const double particle = 17.0 * s + 4.25 * s * s;
-    return (cost.flops + cost.solve) / 64.0 + ppc * particle;
+    return (cost.flops + cost.solve) / 64.0 + step_flops_look(order, ppc) +
+           step_flops_tangent(order, ppc);
 }
 
 /* The worst place of particles; NAN where a step ends with another status. */

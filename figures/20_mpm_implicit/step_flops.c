@@ -3,9 +3,16 @@
 
 #include "base/study.h"
 
+double step_flops_look(int order, int n) { return 17.0 * (order + 1) * n; }
+
+double step_flops_tangent(int order, int n)
+{
+    return 4.25 * (order + 1) * (order + 1) * n;
+}
+
 static double look(struct cloud c)
 {
-    return 17.0 * (c.grid->order + 1) * c.p->n;
+    return step_flops_look(c.grid->order, c.p->n);
 }
 
 double step_flops_explicit(struct cloud c) { return 3.0 * look(c); }
@@ -15,8 +22,7 @@ double step_flops_implicit(struct cloud c, struct material material,
                            const struct particle_report *report)
 {
     const struct particle_body body = {c.grid, c.p, material, NULL};
-    const int s = c.grid->order + 1;
-    const double tangent = 4.25 * s * s * c.p->n;
+    const double tangent = step_flops_tangent(c.grid->order, c.p->n);
     const double factored = report->iterations + report->projections;
     struct unknowns *map = unknowns_alloc(c.grid);
 

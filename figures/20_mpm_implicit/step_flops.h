@@ -9,6 +9,10 @@
 
 #include "particles/particle_bodies.h"
 
+/* Of a look at n particles, and what their tangent takes besides. */
+double step_flops_look(int order, int n);
+double step_flops_tangent(int order, int n);
+
 /* Of an explicit step: P2G, the force, G2P. */
 double step_flops_explicit(struct cloud c);
 

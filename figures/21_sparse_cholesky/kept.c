@@ -19,7 +19,8 @@
 enum { CELLS = 40, STEPS = 60, SCENES_HERE = 4, WAYS = 3 };
 static const enum reading reading[SCENES_HERE] = {STRETCH, RIGID, TRACTION,
                                                   SPIN};
-static const char *const way[WAYS] = {"never", "within a step", "across steps"};
+static const char *const way[WAYS] = {
+    [KEPT_IN_STEP] = "within a step", [KEPT_ACROSS] = "across steps"};
 
 struct count {
     int systems, factorisations, most; /* most: systems of a step */

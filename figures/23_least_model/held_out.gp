@@ -13,7 +13,7 @@ set yrange [0.02:300]
 set xlabel "true error of the displacement (%)"
 set ylabel "estimated error (%)"
 set format xy "%g"
-set key inside top left vertical maxrows 4 reverse Left samplen 1 font ",12" nobox
+set key inside top left vertical maxrows 5 reverse Left samplen 1 font ",12" nobox
 is(h) = strcol("ten") eq h || strcol("three") eq h || strcol("one") eq h ? \
         column("estimate") : NaN
 set arrow 1 from 0.02, 10 to 20, 10 nohead ls 9 lw 1.5
@@ -30,8 +30,10 @@ plot data index "rungs" using "error":"estimate" with points pt 7 ps 0.35 lc rgb
          title "a rung", \
      x with lines ls 8 notitle, \
      data index "rungs" using "error":(is("right")) with points ls 1 ps 0.8 \
-         title "accepted, the least", \
+         title "accepted, and no lower rung would do", \
      "" index "rungs" using "error":(is("lower")) with points pt 13 ps 0.9 \
          lc rgb "#E69F00" title "accepted, but a lower rung would do", \
+     "" index "rungs" using "error":(is("above")) with points pt 8 ps 0.9 lw 2 \
+         lc rgb "#CC79A7" title "accepted, but its error is above", \
      "" index "rungs" using "error":(is("wrong")) with points pt 2 ps 1.6 lw 3 \
          lc rgb "#D55E00" notitle
