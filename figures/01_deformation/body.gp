@@ -1,9 +1,9 @@
-# body.gp - a schematic: body, map and traction; below, what F does to the edges
-# of a triangle.  All places, the traction and J are computed here.  The space
-# behind an index is one that does not break, which every viewer keeps.
+# body.gp - a schematic: a body and its map; below, what F does to the edges of a
+# triangle.  All places and J are computed here.  The space behind an index is one
+# that does not break, which every viewer keeps.
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 680,580 enhanced font "Helvetica,15"
+set terminal svg size 680,530 enhanced font "Helvetica,15"
 set output out
 unset key
 unset border
@@ -14,10 +14,9 @@ set multiplot
 set lmargin at screen 0.01
 set rmargin at screen 0.99
 
-# ---- body, map, traction ------------------------------------------------------
+# ---- body and map --------------------------------------------------------------
 # The body is a blob; grid lines of the material go with it.
 R(t) = 1 + 0.10 * cos(2 * t - 0.6) + 0.07 * cos(3 * t + 0.4)
-dR(t) = -0.20 * sin(2 * t - 0.6) - 0.21 * sin(3 * t + 0.4)
 BX(t) = 1.25 * R(t) * cos(t)
 BY(t) = R(t) * sin(t)
 far = 3.6                  # the deformed body is drawn this much to the right
@@ -27,42 +26,21 @@ F11(X, Y) = 0.95 + 0.24 * X
 F12 = 0.30
 F21(X, Y) = 0.25 - 0.32 * X
 F22 = 1.15
-J(X, Y) = F11(X, Y) * F22 - F12 * F21(X, Y)
 
-# a point, a short edge there, and the place of the traction
+# a point, and a short edge there
 X0 = -0.35
 Y0 = -0.30
 eX = 0.42
 eY = 0.30
-t0 = 1.15                  # the piece of boundary: t0 - w to t0 + w
-w = 0.16
-NX = BX(t0)
-NY = BY(t0)
-tX = 1.25 * (dR(t0) * cos(t0) - R(t0) * sin(t0))
-tY = dR(t0) * sin(t0) + R(t0) * cos(t0)
-nX = tY / sqrt(tX**2 + tY**2)
-nY = -tX / sqrt(tX**2 + tY**2)
-# P of the cubic law over mu, nu = 0.3: lambda = 1.5 mu
-jj = J(NX, NY)
-r = (jj - 1) - (jj - 1)**2 / 2 + (jj - 1)**3 / 3
-dr = 1 - (jj - 1) + (jj - 1)**2
-G = (1.5 * r - 1) * dr
-P11 = F11(NX, NY) + G * F22
-P12 = F12 - G * F21(NX, NY)
-P21 = F21(NX, NY) - G * F12
-P22 = F22 + G * F11(NX, NY)
-hX = P11 * nX + P12 * nY
-hY = P21 * nX + P22 * nY
 
 set tmargin at screen 0.995
-set bmargin at screen 0.45
+set bmargin at screen 0.4925
 set xrange [-1.55:5.65]
-set yrange [-1.62:1.78]
+set yrange [-1.62:1.24]
 set parametric
 set trange [0:2 * pi]
 set samples 400
 inside(X, Y) = sqrt((X / 1.25)**2 + Y**2) < R(atan2(Y, X / 1.25))
-part(t) = t0 + w * (t / pi - 1)
 cut(X, Y) = inside(X, Y) ? X : NaN
 set arrow 1 from X0, Y0 to X0 + eX, Y0 + eY lw 2.5 lc rgb "#0072B2" \
     head filled size 0.14, 20 front
@@ -70,11 +48,7 @@ set arrow 2 from far + x(X0, Y0), y(X0, Y0) to \
     far + x(X0, Y0) + F11(X0, Y0) * eX + F12 * eY, \
     y(X0, Y0) + F21(X0, Y0) * eX + F22 * eY lw 2.5 lc rgb "#0072B2" \
     head filled size 0.14, 20 front
-set arrow 3 from NX, NY to NX + 0.5 * nX, NY + 0.5 * nY lw 2.5 \
-    lc rgb "#D55E00" head filled size 0.14, 20 front
-set arrow 4 from far + x(NX, NY), y(NX, NY) to far + x(NX, NY) + hX, \
-    y(NX, NY) + hY lw 2.5 lc rgb "#D55E00" head filled size 0.14, 20 front
-set arrow 5 from 1.55, 0.55 to 2.25, 0.55 lw 1.5 lc rgb "black" \
+set arrow 3 from 1.55, 0.55 to 2.25, 0.55 lw 1.5 lc rgb "black" \
     head filled size 0.14, 20 front
 set label 1 "{/:Italic φ}" at 1.9, 0.75 center
 set label 2 "{/:Italic X}" at X0 - 0.10, Y0 - 0.13 right \
@@ -86,12 +60,8 @@ set label 4 "{/:Italic dX}" at X0 + eX + 0.04, Y0 + eY + 0.13 left front \
 set label 5 "{/:Italic F dX}" at \
     far + x(X0, Y0) + F11(X0, Y0) * eX + F12 * eY + 0.05, \
     y(X0, Y0) + F21(X0, Y0) * eX + F22 * eY + 0.12 left front tc rgb "#0072B2"
-set label 6 "normal{/:Italic  n̂}" at NX + 0.5 * nX + 0.1, NY + 0.5 * nY \
-    left front tc rgb "#D55E00"
-set label 7 "traction{/:Italic  Pn̂}" at far + x(NX, NY) + hX - 0.32, \
-    y(NX, NY) + hY right front tc rgb "#D55E00"
-set label 8 "at rest" at 0, -1.42 center
-set label 9 "deformed" at far + 0.2, -1.42 center
+set label 6 "at rest" at 0, -1.42 center
+set label 7 "deformed" at far + 0.2, -1.42 center
 plot BX(t), BY(t) with filledcurves closed fc rgb "#CFE3F0", \
      far + x(BX(t), BY(t)), y(BX(t), BY(t)) with filledcurves closed \
          fc rgb "#CFE3F0", \
@@ -105,9 +75,6 @@ plot BX(t), BY(t) with filledcurves closed fc rgb "#CFE3F0", \
          y((t - pi) / 2, k * 0.3) with lines lw 0.5 lc rgb "#0072B2", \
      BX(t), BY(t) with lines lw 1.5 lc rgb "black", \
      far + x(BX(t), BY(t)), y(BX(t), BY(t)) with lines lw 1.5 lc rgb "black", \
-     BX(part(t)), BY(part(t)) with lines lw 5 lc rgb "#D55E00", \
-     far + x(BX(part(t)), BY(part(t))), y(BX(part(t)), BY(part(t))) with lines \
-         lw 5 lc rgb "#D55E00", \
      "+" using (X0):(Y0) every ::0::0 with points pt 7 ps 0.7 lc rgb "black", \
      "+" using (far + x(X0, Y0)):(y(X0, Y0)) every ::0::0 with points pt 7 \
          ps 0.7 lc rgb "black"
@@ -119,8 +86,8 @@ array px = [0, 1.25, 0.35, 2.55, 3.95, 3.25, 5.05, 6.5, 6.3]
 array py = [0, 0.15, 1.15, 0.1, 0.45, 1.35, 0.95, 1.2, 0.15]
 det(k) = (px[k + 1] - px[k]) * (py[k + 2] - py[k]) \
          - (px[k + 2] - px[k]) * (py[k + 1] - py[k])
-set tmargin at screen 0.43
-set bmargin at screen 0.01
+set tmargin at screen 0.4706
+set bmargin at screen 0.011
 unset parametric
 set xrange [-0.35:7.15]
 set yrange [-0.75:1.75]

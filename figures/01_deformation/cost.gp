@@ -3,6 +3,8 @@
 # Reads   data  table cost
 # Writes  out   SVG
 load "figures/style.gp"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 640,420 enhanced font "Helvetica,14"
 set output out
 set logscale xy
 set xrange [400:3e6]
@@ -22,11 +24,11 @@ do for [k = 1:2] {
     Floor[k] = S_max
 }
 set label 1 "linear strain, ends lean by 45°" at 1.2e6,Floor[1]*1.25 right \
-    textcolor rgb "#D55E00"
-set label 2 "linear strain, 5°" at 1.2e6,Floor[2]*1.25 right textcolor rgb "#E69F00"
+    textcolor rgb "#D55E00" boxed
+set label 2 "linear strain, 5°" at 1.2e6,Floor[2]*1.25 right textcolor rgb "#E69F00" boxed
 set label 3 "Green strain, 45° and 5° alike" at 5e4,0.055 right \
-    textcolor rgb "#0072B2"
-set label 4 "dashed: limit of the linear strain" at 450,Floor[2]*0.82
+    textcolor rgb "#0072B2" boxed
+set label 4 "dashed: limit of the linear strain" at 450,Floor[2]*0.82 boxed
 plot data index "cost" using "operations":(of(45, "linear", "error")) \
          with linespoints ls 2, \
      "" index "cost" using "operations":(of(5, "linear", "error")) \

@@ -43,9 +43,9 @@ static void print_rigid(void)
         const char *motion;
         mat2 F;
     } at[] = {{"translation", I},
-              {"F=W", W},
-              {"F=I+W", mat2_add(I, W)},
-              {"F=0", mat2_scale(0.0, I)},
+              {"$F=W$", W},
+              {"$F=I+W$", mat2_add(I, W)},
+              {"$F=0$", mat2_scale(0.0, I)},
               {"rotation", rotation(30.0)}};
 
     table_begin_note("rigid", "motion J linear green left stress energy",

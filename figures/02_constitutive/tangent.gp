@@ -2,7 +2,8 @@
 # Reads   data  tables tangent_cubic, tangent_log, thresholds
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 800,400 enhanced font "Helvetica,14"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 800,430 enhanced font "Helvetica,17"
 set output out
 
 stats data index "thresholds" using "nu_cubic" nooutput
@@ -20,19 +21,19 @@ array Log[4] = ["#003A5C", "#005688", "#0072B2", "#0072B2"]
 set multiplot
 set object 1 rectangle from graph 0, graph 0 to graph 1, first 0 \
     fc rgb "#f6dcd0" fs solid noborder behind
-set label 1 "softening: dP/dF < 0" at graph 0.03, graph 0.05 \
+set label 1 "softening" at graph 0.03, graph 0.05 \
     textcolor rgb "#8a3c00"
 set xlabel "deformation gradient F (-)"
 set tmargin at screen 0.96
-set bmargin at screen 0.16
+set bmargin at screen 0.185
 
 unset key
 set label 2 "cubic law" at 4.95, -0.65 right
-set label 3 "ν = 0.3" at 1.6, 0.95 center tc rgb Cubic[1]
-set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2]
-set label 5 sprintf("%.3f:\ntouches 0", nu_cubic) at 3.16, -0.11 center tc rgb Cubic[3]
-set label 6 "0.02" at 4.32, 0.8 right tc rgb Cubic[4]
-set lmargin at screen 0.11
+set label 3 "ν = 0.3" at 1.55, 1.45 center tc rgb Cubic[1] boxed
+set label 4 "0.1" at 2.3, 0.36 center tc rgb Cubic[2] boxed
+set label 5 sprintf("%.3f", nu_cubic) at 2.95, -0.13 center tc rgb Cubic[3]
+set label 6 "0.02" at 4.32, 0.8 right tc rgb Cubic[4] boxed
+set lmargin at screen 0.12
 set rmargin at screen 0.49
 set xrange [0:5]
 set yrange [-0.8:2.4]
@@ -45,11 +46,12 @@ plot data index "tangent_cubic" using "F":"nu_03" with lines lw 2 lc rgb Cubic[1
      "+" using (F_cubic):(0) every ::0::0 with points pt 7 ps 0.8 \
          lc rgb Cubic[3]
 
-set label 2 "log law" at 31, 0.308 right
-set label 3 "ν = 0.3" at 16, 0.27 left tc rgb Log[1]
-set label 4 "0.45" at 16, 0.072 left tc rgb Log[2]
-set label 5 sprintf("%.3f: touches 0", nu_log) at 5.2, 0.033 left tc rgb Log[3]
-set label 6 "0.499" at 9, -0.029 left tc rgb Log[4]
+set label 2 "log law" at 31, 0.308 right boxed
+set label 3 "ν = 0.3" at 16, 0.27 left tc rgb Log[1] boxed
+set label 4 "0.45" at 16, 0.072 left tc rgb Log[2] boxed
+set label 5 sprintf("%.3f: touches 0", nu_log) at 5.2, 0.033 left font ",17" tc rgb Log[3] boxed
+unset label 6
+set label 7 "0.499" at 9, -0.029 left tc rgb Log[4]
 set lmargin at screen 0.59
 set rmargin at screen 0.985
 set logscale x

@@ -4,7 +4,8 @@
 # Reads   data  tables taylor, taylor_slopes
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,400 enhanced font "Helvetica,14"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 860,440 enhanced font "Helvetica,18"
 set output out
 
 slope(name) = real(system(sprintf( \
@@ -22,7 +23,7 @@ set xlabel "step t (-)"
 unset key
 array Pre[3] = ["", "wrongP_", "wrongdP_"]
 array Say[3] = ["all right", "wrong stress", "wrong tangent"]
-set multiplot layout 1,3 margins 0.095,0.985,0.17,0.88 spacing 0.03,0
+set multiplot layout 1,3 margins 0.12,0.985,0.19,0.88 spacing 0.03,0
 do for [panel = 1:3] {
     P = Pre[panel]."P"
     dP = Pre[panel]."dP"
@@ -37,10 +38,10 @@ do for [panel = 1:3] {
     a = panel == 2 ? 1 : 2
     b = panel == 1 ? 3 : a
     set label 1 sprintf(panel == 1 ? "first: slope %.2f" : \
-        "both: slope %.2f", slope(P)) at (panel == 2 ? 0.02 : 9e-4), \
-        (panel == 2 ? 5e-2 : 20) left textcolor ls 1
+        "both: slope %.2f", slope(P)) at (panel == 2 ? 0.006 : 9e-4), \
+        (panel == 2 ? 5e-2 : 20) left textcolor ls 1 boxed
     set label 2 panel == 1 ? sprintf("second: slope %.2f", slope(dP)) : "" \
-        at 0.3, 1e-6 right textcolor ls 2
+        at 0.3, 3e-7 right textcolor ls 2 boxed
     plot data index "taylor" using "t":P with linespoints ls 1, \
          "" index "taylor" using "t":dP with linespoints ls 2, \
          (panel == 2 ? 900 : 1800) * x**a with lines ls 8, \

@@ -4,7 +4,8 @@
 # Reads   data  tables A, A_corrected (i j value), condition (n kept one)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,340 enhanced font "Helvetica,14" \
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 760,350 enhanced font "Helvetica,16" \
     background rgb "white"
 set output out
 
@@ -59,9 +60,9 @@ set ytics auto scale 0.5
 set format y "10^{%T}"
 set xlabel "elements n"
 set ylabel "condition number" offset 1
-set label 1 "diagonal 1" at 3.6, 2.5e5 tc ls 2
-set label 2 "diagonal kept" at 44, 26 right tc ls 1
-set label 3 "16n²/π²" at 15, 1.2e3 right
+set label 1 "diagonal 1" at 3.6, 2.5e5 tc ls 2 boxed
+set label 2 "diagonal kept" at 44, 26 right tc ls 1 boxed
+set label 3 "16n²/π²" at 15, 1.2e3 right boxed
 # 64 elements are a prediction of the chapter
 plot data index "condition" using "n":"one" every ::::3 \
          with linespoints ls 2, \

@@ -4,10 +4,11 @@
 # Reads   data  tables counts, path, units
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,400 enhanced font "Helvetica,14"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 760,430 enhanced font "Helvetica,16"
 set output out
 of(start, y) = strcol("start") eq start ? column(y) : 1/0
-set multiplot layout 1,2 margins 0.115,0.975,0.155,0.91 spacing 0.15,0
+set multiplot layout 1,2 margins 0.13,0.975,0.175,0.91 spacing 0.15,0
 unset key
 
 array Start[2] = ["kept", "one"]
@@ -34,10 +35,10 @@ set yrange [1e-10:5]
 set format xy "10^{%T}"
 set xlabel "iterations"
 set ylabel "error, relative to the first" offset 0.5
-set label 1 "measured:" at 50, 1e-6 right
-set label 2 sprintf("old entry: %d", Count[1]) at 50, 1e-7 right textcolor ls 1
-set label 3 sprintf("1 on the\ndiagonal: %d", Count[2]) at 50, 1e-8 right textcolor ls 2
-set label 4 "bounds" at 2.2e3, 0.8 left
+set label 1 "measured:" at 50, 1e-6 right boxed
+set label 2 sprintf("old entry: %d", Count[1]) at 50, 1e-7 right textcolor ls 1 boxed
+set label 3 sprintf("1 on the\ndiagonal: %d", Count[2]) at 50, 1e-8 right textcolor ls 2 boxed
+set label 4 "bounds" at 2.2e3, 0.8 left boxed
 plot for [k = 1:2] bound(k, x) with lines ls k dt 2, \
      for [k = 1:2] data index "path" \
          using "iteration":(of(Start[k], "error")) with lines ls k
@@ -50,8 +51,8 @@ unset label 4
 unset logscale y
 set yrange [-0.03:1.05]
 set format y "%g"
-set label 2 "1 on\nthe diagonal" at 90, 0.9 left textcolor ls 2
-set label 3 "the old entry" at 1e-4, 0.08 left textcolor ls 1
+set label 2 "1 on\nthe diagonal" at 90, 0.9 left textcolor ls 2 boxed
+set label 3 "the old entry" at 1e-4, 0.08 left textcolor ls 1 boxed
 set xrange [5e-5:2e6]
 set xlabel "factor of β and f"
 set ylabel "largest error of u, relative"

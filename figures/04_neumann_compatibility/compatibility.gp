@@ -3,6 +3,7 @@
 # Reads   data  table rules (h midpoint trapezoid gauss2); expected (e-1) h^2/24, (e-1) h^2/12, (e-1) h^4/4320
 # Writes  out   SVG
 load "figures/style.gp"
+set style textbox opaque noborder # labels hide the grid
 set terminal svg size 640,460 enhanced font "Helvetica,17"
 set output out
 unset key
@@ -25,11 +26,11 @@ set xtics ("1/64" 1./64, "1/32" 1./32, \
     "1/16" 1./16, "1/8" 1./8, "1/4" 1./4)
 set ytics 1e-12, 100, 1
 set label 1 sprintf("trapezoidal rule: order %.2f,\npredicted (e-1)h^2/12", T_slope) \
-    at 0.0145, 0.15 tc ls 2
+    at 0.0145, 0.15 tc ls 2 boxed
 set label 2 sprintf("midpoint rule: order %.2f,\npredicted (e-1)h^2/24", M_slope) \
-    at 0.0145, 2e-6 tc ls 1
+    at 0.0145, 2e-6 tc ls 1 boxed
 set label 3 sprintf("two Gauss points: order %.2f,\npredicted (e-1)h^4/4320", G_slope) \
-    at 0.3, 5e-11 right tc ls 3
+    at 0.3, 5e-11 right tc ls 3 boxed
 
 plot data index "rules" using "h":(abs(column("trapezoid"))) \
          with points ls 2 ps 1, \

@@ -5,7 +5,8 @@
 # Reads   data  tables solution, jump
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 800,500 enhanced font "Helvetica,14"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 800,530 enhanced font "Helvetica,16.5"
 set output out
 
 set logscale xy
@@ -21,17 +22,17 @@ array Rule[3] = ["midpoint", "trapezoid", "gauss2"]
 array Mean[3] = ["sampled", "exact", "harmonic"]
 array Style[3] = [1, 4, 5]
 set multiplot
-set lmargin at screen 0.1
-set rmargin at screen 0.495
+set lmargin at screen 0.125
+set rmargin at screen 0.505
 set tmargin at screen 0.91
-set bmargin at screen 0.14
+set bmargin at screen 0.155
 
 set title "all data smooth" offset 0,-0.5
-set label 1 "energy, any rule:\nslope 1" at 0.0065, 0.35 left
-set label 2 "L^2: slope 2" at 0.04, 3e-5 left
-set label 3 "trapezoidal" at 0.29, 0.05 left textcolor ls 2
-set label 4 "midpoint" at 0.29, 0.0235 left textcolor ls 1
-set label 5 "Gauss" at 0.29, 0.011 left textcolor ls 3
+set label 1 "energy, any rule:\nslope 1" at 0.0065, 0.6 left boxed
+set label 2 "L^2: slope 2" at 0.04, 3e-5 left boxed
+set label 3 "trapezoidal" at 0.29, 0.05 left textcolor ls 2 boxed
+set label 4 "midpoint" at 0.29, 0.0235 left textcolor ls 1 boxed
+set label 5 "Gauss" at 0.29, 0.011 left textcolor ls 3 boxed
 plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \
          with linespoints ls k, \
      for [k = 1:3] data index "solution" using "h":"energy_".Rule[k] \
@@ -42,18 +43,19 @@ plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \
 set title "β jumps inside an element" offset 0,-0.5
 unset ylabel
 unset xlabel
+set xrange [5.5e-3:4]
 set yrange [0.03:0.6]
 set ytics (0.05, 0.1, 0.2, 0.4)
 set format y "%g"
-set lmargin at screen 0.585
+set lmargin at screen 0.6
 set rmargin at screen 0.98
 set tmargin at screen 0.91
 set bmargin at screen 0.59
-set label 1 "energy: slope 0.5" at 0.0065, 0.42 left
+set label 1 "energy: slope 0.5" at 0.0065, 0.42 left boxed
 unset label 2
-set label 3 "midpoint" at 0.29, 0.215 left textcolor ls 1
-set label 4 "exact mean" at 0.29, 0.15 left textcolor ls 4
-set label 5 "harmonic mean" at 0.29, 0.31 left textcolor ls 5
+set label 3 "midpoint" at 0.29, 0.215 left textcolor ls 1 boxed
+set label 4 "exact mean" at 0.29, 0.15 left textcolor ls 4 boxed
+set label 5 "harmonic mean" at 0.29, 0.31 left textcolor ls 5 boxed
 plot for [k = 1:3] data index "jump" using "h":"energy_".Mean[k] \
          with linespoints ls Style[k], \
      0.95 * before(x)**0.5 with lines ls 8
@@ -64,12 +66,12 @@ set yrange [2e-5:0.2]
 set ytics auto
 set format y "10^{%T}"
 set tmargin at screen 0.53
-set bmargin at screen 0.14
-set label 1 "L^2: slope 1" at 0.0065, 3e-2 left
-set label 2 "slope 1.5" at 0.055, 2e-4 left
-set label 3 "midpoint" at 0.29, 0.09 left textcolor ls 1
-set label 4 "exact mean" at 0.29, 0.033 left textcolor ls 4
-set label 5 "harmonic mean" at 0.29, 0.0125 left textcolor ls 5
+set bmargin at screen 0.155
+set label 1 "L^2: slope 1" at 0.0065, 3e-2 left boxed
+set label 2 "slope 1.5" at 0.055, 2e-4 left boxed
+set label 3 "midpoint" at 0.29, 0.09 left textcolor ls 1 boxed
+set label 4 "exact mean" at 0.29, 0.033 left textcolor ls 4 boxed
+set label 5 "harmonic mean" at 0.29, 0.0125 left textcolor ls 5 boxed
 plot for [k = 1:3] data index "jump" using "h":"L2_".Mean[k] \
          with linespoints ls Style[k], \
      0.45 * before(x) with lines ls 8, 0.04 * before(x)**1.5 with lines ls 8

@@ -5,7 +5,8 @@
 # Reads   data  tables load_smooth, load_kink, load_step (and _orders)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,420 enhanced font "Helvetica,14"
+set style textbox opaque noborder # labels hide the grid
+set terminal svg size 860,460 enhanced font "Helvetica,18"
 set output out
 
 set logscale xy
@@ -20,10 +21,10 @@ array Rule[3] = ["midpoint", "trapezoid", "gauss2"]
 array Table[3] = ["load_smooth", "load_kink", "load_step"]
 array Title[3] = ["smooth load", "kink: f = |x - 1/3|", "f jumps at 1/3"]
 
-set multiplot layout 1,3 margins 0.095,0.985,0.155,0.90 spacing 0.04,0
+set multiplot layout 1,3 margins 0.125,0.985,0.185,0.90 spacing 0.035,0
 do for [panel = 1:3] {
     if (panel == 1) {
-        set ylabel "|error| of the total load" offset 0.5
+        set ylabel "|error| of the total load"
         set yrange [1e-11:1]
     } else {
         unset ylabel
@@ -33,22 +34,22 @@ do for [panel = 1:3] {
     slope = panel == 3 ? 1 : 2
     top = panel == 3 ? 0.62 : panel == 2 ? 0.6 : 1.6
     set label 1 sprintf("slope %d", slope) \
-        at 0.02, top * 0.02**slope * (panel == 3 ? 2.5 : 8) right
-    set label 2 panel == 1 ? "slope 4" : "" at 0.035, 1e-9
+        at 0.02, top * 0.02**slope * (panel == 3 ? 2.5 : 8) right boxed
+    set label 2 panel == 1 ? "slope 4" : "" at 0.035, 1e-9 boxed
     if (panel == 1) {
-        set label 3 "trapezoidal" at 0.2, 1.2e-1 right textcolor ls 2
-        set label 4 "midpoint" at 0.03, 3e-5 left textcolor ls 1
-        set label 5 "Gauss" at 0.04, 2e-6 right textcolor ls 3
+        set label 3 "trapezoidal" at 0.2, 1.2e-1 right textcolor ls 2 boxed
+        set label 4 "midpoint" at 0.03, 3e-5 left textcolor ls 1 boxed
+        set label 5 "Gauss" at 0.04, 2e-6 right textcolor ls 3 boxed
     }
     if (panel == 2) {
-        set label 3 "trapezoidal" at 0.2, 0.45 right textcolor ls 2
-        set label 4 "midpoint" at 0.2, 0.1 right textcolor ls 1
-        set label 5 "Gauss" at 0.012, 1.5e-7 left textcolor ls 3
+        set label 3 "trapezoidal" at 0.2, 0.45 right textcolor ls 2 boxed
+        set label 4 "midpoint" at 0.2, 0.1 right textcolor ls 1 boxed
+        set label 5 "Gauss" at 0.012, 1.5e-7 left textcolor ls 3 boxed
     }
     if (panel == 3) {
         unset label 3
-        set label 4 "midpoint" at 0.2, 0.4 right textcolor ls 1
-        set label 5 "Gauss and trapezoidal" at 0.008, 4e-4 left textcolor ls 3
+        set label 4 "midpoint" at 0.2, 0.4 right textcolor ls 1 boxed
+        set label 5 "Gauss and trapezoidal" at 0.008, 4e-4 left textcolor ls 3 boxed
     }
     plot for [r = 1:3] data index Table[panel] \
              using "h":(abs(column(Rule[r]))) with linespoints ls r, \
