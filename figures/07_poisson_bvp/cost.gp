@@ -6,12 +6,14 @@ load "figures/style.gp"
 set terminal svg size 680,460 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
+set style textbox opaque noborder margins 0.3,0.3
 set logscale xy
 set xrange [0.17:12000]
 set yrange [1e-7:0.2]
 set format x "%g"
 set xtics 10, 10
 set format y "10^{%T}"
+unset mytics
 set xlabel "elements n (each: one sample of f, ten flops)"
 set ylabel "error (dimensionless)"
 array Of[6] = ["slope", "energy", "graded", "reaction", "L2", "nodal"]
@@ -25,13 +27,13 @@ needed(quantity) = int(system("awk -F'\t' '$1 == \"".quantity. \
     "\" && NF == 3 { print $3 }' '".data."'"))
 unset key
 set arrow 1 from 0.17, 1e-4 to 12000, 1e-4 nohead ls 8
-set label 1 "10^{-4}" at 10000, 1.6e-4 right
+set label 1 "10^{-4}" at 10000, 1.7e-4 right boxed
 do for [k = 1:6] {
     set arrow 1 + k from needed(Of[k]), 1e-4 to needed(Of[k]), 1e-7 nohead \
         ls Style[k] lw 1 dt 3
     style = Style[k]
     set label 1 + k sprintf(Name[k], needed(Of[k])) at 3.3, Y[k] right \
-        tc ls style
+        tc ls style boxed
 }
 # the slope reaches 1e-4 far beyond the last row of table errors
 stats data index "errors" using "n":"slope" name "S" nooutput

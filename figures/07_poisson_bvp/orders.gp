@@ -4,9 +4,10 @@
 # Reads   data  table orders (n, three errors with their orders and constants)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,440 enhanced font "Helvetica,14" \
+set terminal svg size 720,440 enhanced font "Helvetica,15" \
     background rgb "white"
 set output out
+set style textbox opaque noborder margins 0.3,0.3
 
 # orders and constants of the finest pair of grids: the last row stays
 finest(name) = sprintf("stats data index 'orders' using (p_%s = \
@@ -34,12 +35,12 @@ unset key
 energy(h) = sqrt(7.0) / 24.0 * h
 L2(h) = 0.0317641 * h**2
 nodal(h) = (1.0 / 144.0 + log(2.0) / 96.0) * h**2
-set label 1 entry("energy norm", p_energy, C_energy) at 1.0/600, 1.5e-2 tc ls 1
-set label 2 "theory: √7 h / 24" at 1.0/600, 6.5e-3 tc ls 1
-set label 3 entry("L² norm", p_L2, C_L2) at 1.0/600, 6e-5 tc ls 2
-set label 4 "theory: 0.0318 h²" at 1.0/600, 2.7e-5 tc ls 2
-set label 5 entry("nodes", p_nodal, C_nodal) at 1.0/80, 6e-7 tc ls 3
-set label 6 "theory: (1/144 + ln 2 / 96) h²" at 1.0/80, 2.7e-7 tc ls 3
+set label 1 entry("energy norm", p_energy, C_energy) at 1.0/600, 1.5e-2 tc ls 1 boxed
+set label 2 "theory: √7 h / 24" at 1.0/600, 6.5e-3 tc ls 1 boxed
+set label 3 entry("L² norm", p_L2, C_L2) at 1.0/600, 6e-5 tc ls 2 boxed
+set label 4 "theory: 0.0318 h²" at 1.0/600, 2.7e-5 tc ls 2 boxed
+set label 5 entry("nodes", p_nodal, C_nodal) at 1.0/80, 6e-7 tc ls 3 boxed
+set label 6 "theory: (1/144 + ln 2 / 96) h²" at 1.0/80, 2.7e-7 tc ls 3 boxed
 
 plot energy(x) with lines ls 8, \
      L2(x) with lines ls 8, \

@@ -7,9 +7,10 @@
 # Writes  out   SVG
 
 load "figures/style.gp"
-set terminal svg size 740,400 enhanced font "Helvetica,14" \
+set terminal svg size 740,400 enhanced font "Helvetica,15.5" \
     background rgb "white"
 set output out
+set style textbox opaque noborder margins 0.3,0.3
 
 mark = 2                       # the element in colour, the third: number j
                                # joins nodes j - 1 and j, and `e` is j - 1
@@ -30,8 +31,8 @@ set yrange [0:1.2]
 set ytics 0.25
 unset key
 is(e) = column("e") == e
-set label 1 sprintf("element %d", mark + 1) at 0.5 * (x0_min + x1_min), 1.15 \
-    center
+set label 1 sprintf("element %d", mark + 1) at 0.5 * (x0_min + x1_min), 1.16 \
+    center boxed
 # the local numbers of the two halves
 set label 2 "0" at x0_min + 0.045, 0.93 left front tc ls 1
 set label 3 "1" at x1_min - 0.045, 0.93 right front tc ls 2
@@ -50,8 +51,8 @@ plot data index "K_local" using "x0":(0):(column("x1")-column("x0")):(1) \
          with vectors nohead ls 2 lw 3 dt 2, \
      "" index "nodes" using "x":(0):0 with points pt 7 ps 0.6 \
          lc rgb "black", \
-     "" index "nodes" using "x":(1.05):(sprintf("e_%d", column(0))) \
-         with labels
+     "" index "nodes" using "x":(1.06):(sprintf("e_%d", column(0))) \
+         with labels boxed
 
 unset label 2
 unset label 3

@@ -19,17 +19,17 @@ unset key
 load_of(l) = system(sprintf( \
     "awk -F'\t' '$0 == \"# cost\" { on = 1; next } on && NF > 1 \
      { if (on++ == %d + 1) { print $1; exit } }' '%s'", l, data)) + 0.0
-set label 1 "linear bar" at 1, 4 center
+set label 1 "linear bar" at 1.24, 4 left
 # the size of the force behind the lower end of its curve
 do for [l = 1:3] {
-    set label 3 + l sprintf("%g N/m³", load_of(l)) at l + 2.12, 1.5e-15 left \
+    set label 3 + l sprintf("%g N/m³", load_of(l)) at l + 2.12, 3e-16 left \
         tc ls l
 }
 set label 7 "standing" at 4.12, 2e-7 left tc ls 3
 set label 8 "hanging" at 3.86, 2.5e-10 right tc ls 3
 set arrow 1 from 0.6, 0.01 to 5.9, 0.01 nohead ls 8
 set label 3 "1 %" at 5.85, 0.035 right
-set label 2 "round-off" at 0.68, 1.5e-15 left tc rgb "#555555"
+set label 2 "round-off" at 0.68, 1.2e-14 left tc rgb "#555555"
 set object 1 rectangle from 0.6, 1e-16 to 5.9, 1e-13 behind \
     fc rgb "#DDDDDD" fs solid 0.5 noborder
 set object 2 rectangle from 0.8, 1e-13 to 1.2, 10 behind \

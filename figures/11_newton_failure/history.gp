@@ -8,6 +8,7 @@ set terminal svg size 620,400 enhanced font "Helvetica,14" \
     background rgb "white"
 unset key
 set output out
+set style textbox opaque noborder margins 0.3,0.3
 set logscale y
 set logscale y2
 set format y "10^{%T}"
@@ -16,7 +17,7 @@ set border 11 back ls 9
 set y2tics
 set xlabel "linear systems"
 set label 1 "F" at 8, 5e-3 right tc ls 1
-set label 3 "grey: reference" at 11.5, 3e-4 tc rgb "#777777"
+set label 3 "grey: reference" at 11.5, 3e-4 tc rgb "#777777" boxed
 set label 2 "residual" at 5, 0.75 tc ls 2
 set ylabel "F" textcolor ls 1
 set y2label "|residual| (N/m²)" textcolor ls 2

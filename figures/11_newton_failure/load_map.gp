@@ -3,7 +3,7 @@
 # Reads   data  tables load_map, boundary
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,420 enhanced font "Helvetica,14" \
+set terminal svg size 760,420 enhanced font "Helvetica,16" \
     background rgb "white"
 set output out
 set palette defined (3 "#DCEBF7", 8 "#7FB5DE", 13 "#0072B2", 18 "#003A5C")
@@ -31,7 +31,7 @@ boxes(reason) = sprintf("< awk -F'\t' 'function end(j) { if (n[j] != \"\") \
         if (k != n[j]) { end(j); n[j] = k; first[j] = load } \
         last[j] = load; start[j] = $2 } \
     END { for (i = 1; i <= j; i++) end(i) }' '%s'", reason, reason, data)
-set multiplot layout 1,2 margins 0.08,0.875,0.16,0.91 spacing 0.05,0
+set multiplot layout 1,2 margins 0.09,0.875,0.175,0.91 spacing 0.05,0
 unset colorbox
 set label 1 "log law" at graph 0.03, graph 1.06
 set ylabel "start F_0"
@@ -47,7 +47,7 @@ plot boxes(3) using (0.5*($1 + $2)):($4 > 0 ? $3 : NaN):(0.5*($2 - $1) + w):\
      data index "boundary" using "relative":"start" \
          with lines lc rgb "black" lw 2, \
      0 with lines lc rgb "black" lw 2
-set colorbox user origin 0.895,0.16 size 0.02,0.75
+set colorbox user origin 0.895,0.175 size 0.02,0.735
 set label 1 "cubic law"
 unset ylabel
 set format y ""

@@ -9,6 +9,7 @@ set terminal svg size 680,440 enhanced font "Helvetica,14" \
     background rgb "white"
 unset key
 set output out
+set style textbox opaque noborder margins 0.3,0.3
 stats data index "cost" using (column("n") == 32 ? column("banded") : 1/0) \
     nooutput name "X"
 stats data index "cost" using (column("n") == 32 ? column("change") : 1/0) \
@@ -20,15 +21,15 @@ set format x "10^{%T}"
 set format y "%g"
 set xlabel "flops of the whole solve, six Newton steps"
 set ylabel "change of the sag, relative, when h is halved"
-set label 3 "band, as in\nthis lesson" at 2.2e6, 5.5e-2 tc ls 1
-set label 4 "nested dissection\n(lesson 21)" at 1.2e6, 4.2e-3 tc ls 3
-set label 5 "dotted: slope\nof a band" at 1.5e7, 2.8e-2
+set label 3 "band, as in\nthis lesson" at 2.2e6, 5.5e-2 tc ls 1 boxed
+set label 4 "nested dissection\n(lesson 21)" at 1.15e6, 4.0e-3 tc ls 3 boxed
+set label 5 "dotted: slope\nof a band" at 1.5e7, 2.8e-2 boxed
 rate(k) = system(sprintf("awk -F'\t' '$0 == \"# fits\" { on = 1; next } \
     on && $1 ~ /^[0-9]/ && ++k == %d { print $1 }' '%s'", k, data)) + 0.0
 do for [k = 1:2] {
     room = rate(k) / 30
     set arrow k from room, graph 0 to room, graph 1 nohead ls 8
-    set label k sprintf("33 ms at\n%g·10^9/s", rate(k) / 1e9) at room*1.15, 0.15
+    set label k sprintf("33 ms at\n%g·10^9/s", rate(k) / 1e9) at room*1.15, 0.155 boxed
 }
 # No label on a curve or a limit: the coarse ones stand below, the fine above.
 label(from, to) = column("n") < from || column("n") > to ? "" : \

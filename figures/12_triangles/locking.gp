@@ -6,7 +6,8 @@ load "figures/style.gp"
 set terminal svg size 640,420 enhanced font "Helvetica,14" \
     background rgb "white"
 set output out
-set rmargin 14
+set style textbox opaque noborder margins 0.3,0.3
+set rmargin 17
 # the slope of the last segment
 order(column) = system("awk -F'\t' '$0 == \"# locking\" { on = 1 } \
     NF == 0 { on = 0 } on { a = b; b = $".column." } \
@@ -19,10 +20,10 @@ set format y "%g"
 set xlabel "squares per side n"
 set ylabel "missing displacement, 1 - u / reference"
 unset key
-set label 1 "ν = 0.4999:\nslope ".order(7) at 70, 0.25 tc ls 2
-set label 2 "ν = 0.49:\nslope ".order(6) at 70, 0.028 tc ls 3
-set label 3 "ν = 0.3:\nslope ".order(5) at 70, 0.003 tc ls 1
-set label 4 "slope 1.42, of\nthe corners" at 14, 0.0082 right
+set label 1 "ν = 0.4999:\nlast slope ".order(7) at 70, 0.25 tc ls 2
+set label 2 "ν = 0.49:\nlast slope ".order(6) at 70, 0.028 tc ls 3
+set label 3 "ν = 0.3:\nlast slope ".order(5) at 70, 0.003 tc ls 1
+set label 4 "slope 1.42, of\nthe corners" at 14, 0.007 right boxed
 plot data index "locking" using "n":"error_0.4999" with linespoints ls 2, \
      data index "locking" using "n":"error_0.49" with linespoints ls 3, \
      data index "locking" using "n":"error_0.3" with linespoints ls 1, \
