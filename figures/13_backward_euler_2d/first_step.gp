@@ -4,7 +4,7 @@
 # Reads   data  tables starts, history_notes, history_demand, history_lift
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,720 enhanced font "Helvetica,18" \
+set terminal svg size 640,670 enhanced font "Helvetica,18" \
     background rgb "white"
 set output out
 # the rows of table `starts` that pass the awk condition, as closed polygons
@@ -18,8 +18,8 @@ set multiplot
 set style fill solid noborder
 unset grid
 set size ratio -1
-set tmargin at screen 0.93
-set bmargin at screen 0.67
+set tmargin at screen 0.995
+set bmargin at screen 0.72
 set xrange [-0.15:4.4]
 set yrange [-0.15:3.15]
 set xtics 2
@@ -48,8 +48,8 @@ unset arrow 1
 set size noratio
 set lmargin at screen 0.17
 set rmargin at screen 0.975
-set tmargin at screen 0.50
-set bmargin at screen 0.115
+set tmargin at screen 0.537
+set bmargin at screen 0.124
 set grid back ls 9
 unset key
 set logscale y
@@ -62,9 +62,10 @@ set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
 set ylabel "residual (m)" offset 1
-set label 2 "notes' method, then lost" at 4.0, 0.8 tc rgb "#D55E00"
-set label 3 "projected\non demand" at 6.2, 3e-5 tc rgb "#009E73"
-set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2"
+set style textbox opaque noborder margins 0.4,0.4
+set label 2 "notes' method, then lost" at 4.1, 0.6 tc rgb "#D55E00" front boxed
+set label 3 "projected\non demand" at 6.5, 6e-5 tc rgb "#009E73" front boxed
+set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2" front boxed
 set label 5 "n = 56, cubic law" at graph 0, graph 1.08
 plot data index "history_notes" using "iteration":(seen(column("residual"))) \
          with linespoints ls 2, \

@@ -4,7 +4,8 @@
 # Reads   data  tables guess, jump
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,430
+set terminal svg size 640,760 enhanced font "Helvetica,17" \
+    background rgb "white"
 set output out
 
 triangles(moved) = sprintf( \
@@ -26,21 +27,21 @@ set multiplot
 set datafile nocolumnheaders
 set datafile separator whitespace
 set size ratio -1
-set lmargin at screen 0.07
-set rmargin at screen 0.33
 set label 4 tc rgb "#003A5C"
 set label 5 tc rgb "#8C3A00"
 do for [moved = 0:1] {
-    set tmargin at screen 0.92 - 0.48 * moved
-    set bmargin at screen 0.53 - 0.48 * moved
-    set label 1 (moved ? "the solution" : "the notes' start, jump 0.85 h") \
-        at -0.85, 1.2
+    set lmargin at screen 0.13 + 0.49 * moved
+    set rmargin at screen 0.38 + 0.49 * moved
+    set tmargin at screen 0.95
+    set bmargin at screen 0.755
+    set label 1 (moved ? "the solution" : "start, jump 0.85 h") \
+        at -0.85, 1.3
     set autoscale xy
     stats triangles(moved) using 3 nooutput
     set xrange [-1.1:1.35]
     set yrange [-1.1:1.1]
     set label 4 sprintf("J = %.2f", STATS_min) at -0.95, 0 right
-    set label 5 sprintf("J = %.2f", STATS_max) at 1.28, 0
+    set label 5 sprintf("J = %.2f", STATS_max) at 1.33, 0
     plot triangles(moved) using 1:2:3 with filledcurves closed \
              fc palette, \
          triangles(moved) using 1:2 with lines lc rgb "black" lw 0.4
@@ -52,25 +53,26 @@ unset label
 set size noratio
 set border 3 back ls 9
 set grid back ls 9
-set lmargin at screen 0.53
+set lmargin at screen 0.115
 set rmargin at screen 0.98
-set tmargin at screen 0.95
-set bmargin at screen 0.13
+set tmargin at screen 0.68
+set bmargin at screen 0.11
 set logscale x 2
 set xrange [0.22:3.6]
 set yrange [3:11]
 set xtics nomirror textcolor rgb "black" ("1/4" 0.25, "1/2" 0.5, "1" 1, "2" 2)
 set ytics nomirror textcolor rgb "black" 4, 1, 8
 set xlabel "jump Δg / h"
-set ylabel "iterations"
+set ylabel "iterations" offset 1
 set object 1 rectangle from 0.22, 9.2 to 3.6, 11 fc rgb "#F3F3F3" \
     fs solid noborder behind
 set label 2 "no solution found" at 0.24, 10.1 tc rgb "#555555"
 set arrow 1 from 1, graph 0 to 1, graph 1 nohead ls 8
-set label 3 "a jump of h puts the\nfirst column inside out" at 1.04, 8.3
-set label 4 "log" at 0.72, 8.35 right tc ls 1
-set label 5 "cubic" at 0.96, 7.25 tc ls 2
-set label 6 "both, from the lifted start" at 1.04, 4.6
+set style textbox opaque noborder margins 0.4,0.4
+set label 3 "a jump of h puts the\nfirst column inside out" at 1.06, 8.35 front boxed
+set label 4 "log" at 0.71, 8.4 right tc ls 1 front boxed
+set label 5 "cubic" at 0.61, 6.42 tc ls 2 front boxed
+set label 6 "both, from the lifted start" at 1.06, 4.4 front boxed
 done(name) = strcol(name) eq "-" ? NaN : column(name)
 lost(name, y) = strcol(name) eq "-" ? y : NaN
 array Law[2] = ["log", "cubic"]

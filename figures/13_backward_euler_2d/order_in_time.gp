@@ -19,9 +19,11 @@ set xrange [13:240]
 set yrange [5e-4:3e-2]
 set xtics (16, 24, 48, 96, 192)
 set datafile missing "-"
-set label 1 sprintf("error in time: order %.2f in Δt", T_max) at 58, 3.4e-3 tc ls 1
-set label 2 "error of the mesh, n = 4" at 225, 1.15 * MESH_min right
-set label 3 "dashed: slope -1" at 88, 1.6e-3 right
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 sprintf("error in time: order %.2f in Δt", T_max) at 60, 3.6e-3 \
+    tc ls 1 front boxed
+set label 2 "error of the mesh, n = 4" at 225, 1.3 * MESH_min right front boxed
+set label 3 "dashed: slope -1" at 84, 1.5e-3 right front boxed
 plot LAST_min_y * LAST_max_x / x ls 8, \
      MESH_min with lines lw 2.5 lc rgb "#999999", \
      data index "orders_time" using "systems":"error" with linespoints ls 1

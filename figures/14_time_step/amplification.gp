@@ -7,7 +7,8 @@
 if (!exists("data")) data = "build/data/14_time_step/amplification.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/amplification.svg"
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 640,420 enhanced font "Helvetica,15" \
+    background rgb "white"
 set output out
 unset key
 
@@ -20,15 +21,16 @@ set logscale x
 set xrange [0.01:100]
 set yrange [0:1.6]
 set xlabel "ω Δt"
-set ylabel "amplitude after one step over that before"
+set ylabel "amplitude after / before one step"
 set arrow 1 from 2, 0 to 2, 1.6 nohead ls 8
-set label 1 "ω Δt = 2" at 1.7, 1.45 right
-set label 3 "symplectic Euler\ngrows beyond 2" at 2.3, 1.45 tc ls 2
-set label 4 "midpoint" at 30, 1.06 tc ls 3
-set label 5 "BDF2" at 3.2, 0.66 tc ls 4
-set label 6 "backward Euler" at 0.6, 0.62 right tc ls 1
-set label 7 "dashed: expected" at 0.012, 0.1
-set label 2 "bar, modes 1, 3, 5\nat 1/30 s" at 9.5, 0.66 left
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 "ω Δt = 2" at 1.7, 1.48 right front boxed
+set label 3 "symplectic Euler\ngrows beyond 2" at 2.4, 1.48 tc ls 2 front boxed
+set label 4 "midpoint" at 26, 1.08 tc ls 3 front boxed
+set label 5 "BDF2" at 3.4, 0.68 tc ls 4 front boxed
+set label 6 "backward Euler" at 0.55, 0.66 right tc ls 1 front boxed
+set label 7 "dashed: expected" at 0.012, 0.09 front boxed
+set label 2 "bar, modes 1, 3, 5\nat 1/30 s" at 7.6, 0.56 left front boxed
 plot data index "amplification" using "w_dt":"symplectic" with lines ls 2, \
      data index "amplification" using "w_dt":"backward" with lines ls 1, \
      data index "amplification" using "w_dt":"midpoint" with lines ls 3, \

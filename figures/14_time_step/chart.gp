@@ -38,10 +38,14 @@ set xrange [1.5e-5:0.1]
 set xlabel "computing time for a frame of 1/30 s (s)"
 set arrow 1 from 1.0/30, 5e-5 to 1.0/30, 2 nohead ls 8 lw 1.5
 set label 1 "real\ntime" at 0.037, 2.5e-4 left
-set label 6 sprintf("symplectic\nEuler:\norder %.2f", Slope[1]) at 1.1e-4, 1e-2 right tc ls 2
-set label 7 sprintf("backward Euler:\norder %.2f", Slope[2]) at 1.7e-3, 0.27 tc ls 1
-set label 8 sprintf("midpoint:\norder %.2f", Slope[3]) at 1.15e-3, 5e-4 right tc ls 3
-set label 10 sprintf("BDF2:\norder %.2f", Slope[4]) at 2.2e-3, 9e-3 tc ls 4
+set style textbox opaque noborder margins 0.4,0.4
+set label 6 sprintf("symplectic\nEuler:\norder %.2f", Slope[1]) at 1.1e-4, 1e-2 \
+    right tc ls 2 front boxed
+set label 7 sprintf("backward Euler:\norder %.2f", Slope[2]) at 1.7e-3, 0.27 tc ls 1 \
+    front boxed
+set label 8 sprintf("midpoint:\norder %.2f", Slope[3]) at 1.15e-3, 5e-4 right tc ls 3 \
+    front boxed
+set label 10 sprintf("BDF2:\norder %.2f", Slope[4]) at 2.7e-3, 1.1e-2 tc ls 4 front boxed
 plot for [m = 1:4] data index "chart" \
          using (ok(m - 1, "seconds")):(ok(m - 1, "error")) \
          with linespoints ls Style[m], \

@@ -6,11 +6,12 @@
 if (!exists("data")) data = "build/data/14_time_step/damping.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/damping.svg"
 load "figures/style.gp"
-set terminal svg size 680,430
+set terminal svg size 680,430 enhanced font "Helvetica,14" \
+    background rgb "white"
 set output out
 stats data index "first_mode" using "omega" nooutput
 w = STATS_max
-set rmargin 25
+set rmargin at screen 0.70
 unset key
 set logscale y
 set format y "10^{%T}"
@@ -19,13 +20,14 @@ set yrange [1e-4:20]
 set xlabel "time (s)"
 set ylabel "energy over energy at the start"
 # a name at the end of its line; three methods lose nothing that can be seen
+set style textbox opaque noborder margins 0.4,0.4
 set label 1 "nothing visible is lost:\nmidpoint 1 (drawn),\nsymplectic Euler 64,\nBDF2 16" at 0.407, 13 tc ls 3
 set label 4 "backward Euler: 256" at 0.407, 0.45 tc ls 1
 set label 5 "backward Euler: 16" at 0.407, 0.063 tc ls 1
 set label 6 "BDF2: 1" at 0.407, 4e-3 tc ls 4
-set label 7 "backward Euler: 1" at 0.153, 1.5e-3 tc ls 1
-set label 8 "behind a name: its steps per frame" at 0.008, 6 font ",12"
-set label 9 "dashed: backward Euler, expected" at 0.393, 4e-4 right
+set label 7 "backward Euler: 1" at 0.158, 1.7e-3 tc ls 1 front boxed
+set label 8 "behind a name: its steps per frame" at 0.008, 5 front boxed
+set label 9 "dashed: backward\nEuler, expected" at 0.393, 6.5e-4 right front boxed
 plot data index "damping" using "t":"midpoint_1" with linespoints ls 3, \
      data index "damping" using "t":"backward_256" with linespoints ls 1 pt 6, \
      data index "damping" using "t":"backward_16" with linespoints ls 1 pt 4, \

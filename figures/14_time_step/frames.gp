@@ -6,7 +6,7 @@
 if (!exists("data")) data = "build/data/14_time_step/frames.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/frames.svg"
 load "figures/style.gp"
-set terminal svg size 860,500 enhanced font "Helvetica,17" \
+set terminal svg size 720,500 enhanced font "Helvetica,16" \
     background rgb "white"
 set output out
 array Word[8] = ["grab", "pull", "hold", "shake", "slam", "push", "hold", \
@@ -46,8 +46,8 @@ set label 24 "second\nattempt\n(ROBUST)" at 2.85, 16 textcolor ls 2
 slowest(x) = by(3, 9) == PARTS_max ? x : 1/0
 set xlabel "time in the script (s)"
 set ylabel "time for the frame (ms)"
-set label 21 sprintf("n = %d: median %.1f ms, 99 of 100 within %.0f ms, worst \
-%.0f ms", n, p50, p99, worst) at screen 0.01,0.025 left font ",16"
+set label 21 sprintf("n = %d: median %.1f ms, 99 %% within %.0f ms, \
+worst %.0f ms", n, p50, p99, worst) at screen 0.01,0.025 left font ",15"
 plot 1000.0 / 30 with lines ls 8 lw 1.5, \
      data index "frames" using "t":(by(1, 1)) with points ls 1, \
      data index "frames" using "t":(by(2, 2)) with points ls 2, \

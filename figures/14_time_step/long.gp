@@ -53,8 +53,8 @@ unset key
 set style textbox opaque noborder margins 0.6,0.6
 set label 3 "symplectic Euler" at 1e3, 1.18 center front
 set label 4 "midpoint" at 1e4, 1 center tc ls 3 front boxed
-set label 5 "BDF2" at 2.5e2, 0.42 left tc ls 4 front
-set label 6 "backward\nEuler" at 45, 0.25 left tc ls 1 front
+set label 5 "BDF2" at 2.5e2, 0.43 left tc ls 4 front boxed
+set label 6 "backward\nEuler" at 70, 0.26 left tc ls 1 front boxed
 set size noratio
 set logscale x
 set format x "10^{%T}"

@@ -2,7 +2,7 @@
 # every thirtieth of a second, and what it does when a frame cannot be solved.
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 680,430 enhanced font "Helvetica,14"
+set terminal svg size 680,430 enhanced font "Helvetica,16"
 set output out
 unset key
 unset grid
@@ -21,38 +21,38 @@ i = 0
 box(x, y, w, h, c, a, b) = sprintf("i = i + 1; \
     set object i rect from %g, %g to %g, %g fc rgb '%s' lw 1.2; \
     set label 2 * i '%s' at %g, %g center front; \
-    set label 2 * i + 1 '%s' at %g, %g center front font 'Helvetica,12'", \
+    set label 2 * i + 1 '%s' at %g, %g center front font 'Helvetica,14'", \
     x, y, x + w, y + h, c, a, x + w / 2, y + h / 2 + (b eq "" ? 0 : 9), \
     b, x + w / 2, y + h / 2 - 10)
 grey = "#EEEEEE"
 blue = "#CFE3F0"
 orange = "#F7D9C4"
-eval box(15.0, 340.0, 150.0, 56.0, grey, "read the hand", "boundary values g")
-eval box(215.0, 340.0, 230.0, 56.0, blue, "FAST", "close guess, few factorisations")
-eval box(215.0, 236.0, 230.0, 56.0, blue, "ROBUST", "line search, projection")
-eval box(215.0, 132.0, 230.0, 56.0, blue, "ROBUST in 2, 4, 8 parts", \
+eval box(8.0, 340.0, 150.0, 56.0, grey, "read the hand", "boundary values g")
+eval box(195.0, 340.0, 240.0, 56.0, blue, "FAST", "close guess, few factorisations")
+eval box(195.0, 236.0, 240.0, 56.0, blue, "ROBUST", "line search, projection")
+eval box(195.0, 132.0, 240.0, 56.0, blue, "ROBUST in 2, 4, 8 parts", \
     "the hand in smaller steps")
-eval box(215.0, 28.0, 230.0, 56.0, orange, "keep the old state", \
+eval box(195.0, 28.0, 240.0, 56.0, orange, "keep the old state", \
     "count the frame as lost")
-eval box(515.0, 184.0, 150.0, 56.0, grey, "show it", "a picture every 1/30 s")
+eval box(503.0, 184.0, 170.0, 56.0, grey, "show it", "a picture every 1/30 s")
 
 set style arrow 1 lw 1.8 lc rgb "black" head filled size 10, 20
 set style arrow 2 lw 1.8 lc rgb "black" nohead
 set style arrow 3 lw 1.8 lc rgb "#D55E00" head filled size 10, 20
 set style arrow 4 lw 1.8 lc rgb "#D55E00" nohead
-set arrow from 165, 368 to 214, 368 as 1
+set arrow from 158, 368 to 194, 368 as 1
 do for [k = 0:2] {
-    set arrow from 330, 340 - 104 * k to 330, 293 - 104 * k as 3
-    set label "fails" at 340, 316 - 104 * k left tc rgb "#D55E00"
-    set arrow from 445, 368 - 104 * k to 482, 368 - 104 * k as 2
-    set label "OK" at 451, 380 - 104 * k left
+    set arrow from 315, 340 - 104 * k to 315, 293 - 104 * k as 3
+    set label "fails" at 326, 316 - 104 * k left tc rgb "#D55E00"
+    set arrow from 435, 368 - 104 * k to 472, 368 - 104 * k as 2
+    set label "OK" at 440, 380 - 104 * k left
 }
-set arrow from 482, 368 to 482, 160 as 2
-set arrow from 482, 212 to 514, 212 as 1
-set arrow from 445, 56 to 482, 56 as 4
-set arrow from 482, 56 to 482, 159 as 4
+set arrow from 472, 368 to 472, 160 as 2
+set arrow from 472, 212 to 502, 212 as 1
+set arrow from 435, 56 to 472, 56 as 4
+set arrow from 472, 56 to 472, 159 as 4
 # and again
 set arrow from 590, 240 to 590, 416 as 2
-set arrow from 590, 416 to 90, 416 as 2
-set arrow from 90, 416 to 90, 397 as 1
+set arrow from 590, 416 to 83, 416 as 2
+set arrow from 83, 416 to 83, 397 as 1
 plot NaN notitle

@@ -3,7 +3,7 @@
 # Reads   data  tables branches, shape, critical
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,760 enhanced font "Helvetica,19" \
+set terminal svg size 640,690 enhanced font "Helvetica,19" \
     background rgb "white"
 set output out
 bears = system("awk -F'\t' '$0 == \"# critical\" { on = 1 } NF == 0 { on = 0 } \
@@ -13,8 +13,8 @@ at(what, state) = strcol("stable") eq state ? column(what) : NaN
 set multiplot
 set lmargin at screen 0.02
 set rmargin at screen 0.98
-set tmargin at screen 0.99
-set bmargin at screen 0.68
+set tmargin at screen 0.995
+set bmargin at screen 0.749
 set size ratio -1
 set xrange [-1.0:1.0]
 set yrange [-0.22:0.32]
@@ -35,8 +35,8 @@ set datafile columnheaders
 unset label 1
 set lmargin at screen 0.185
 set rmargin at screen 0.95
-set tmargin at screen 0.65
-set bmargin at screen 0.115
+set tmargin at screen 0.716
+set bmargin at screen 0.127
 set size noratio
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"
@@ -50,13 +50,18 @@ set ylabel "deflection of the middle (m)"
 set arrow 1 from Euler, graph 0 to Euler, graph 1 nohead ls 8
 set arrow 2 from bears, graph 0 to bears, graph 0.42 nohead lw 1.5 \
     lc rgb "black"
-set label 2 sprintf("Euler %.4f", Euler) at Euler, graph 0.93 right offset -1, 0
-set label 3 sprintf("80 x 8 cells: %.4f", bears) at 0.0372, graph 0.35
-set label 4 "buckled: projected\non demand, pushed" at 0.0333, 0.168 left
-set label 5 "straight: K is\npositive definite" at 0.0263, 0.026 center
-set label 6 "straight: converged,\na saddle" at 0.0435, 0.026 center \
-    textcolor rgb "#D55E00"
-set label 7 "straight column:\nall 1280 triangles\nhave a negative\neigenvalue" at 0.0263, 0.108 center
+set style textbox opaque noborder margins 0.4,0.4
+set label 2 sprintf("Euler %.4f", Euler) at Euler, graph 0.93 right offset -1, 0 \
+    front boxed
+set label 3 sprintf("80 x 8 cells: %.4f", bears) at 0.0372, graph 0.35 front boxed
+set label 4 "buckled: projected\non demand, pushed" at 0.0334, 0.168 left \
+    front boxed
+set label 5 "straight: K is\npositive definite" at 0.0263, 0.029 center \
+    front boxed
+set label 6 "straight: converged,\na saddle" at 0.0435, 0.029 center \
+    textcolor rgb "#D55E00" front boxed
+set label 7 "straight column:\nall 1280 triangles\nhave a negative\neigenvalue" at 0.0263, 0.112 center \
+    front boxed
 plot data index "branches" using "load":"buckled" with linespoints ls 1, \
      data index "branches" using "load":(at("straight", "stable")) \
          with points ls 3, \

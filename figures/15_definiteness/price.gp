@@ -24,9 +24,12 @@ set yrange [2:300]
 set xlabel "step"
 set ylabel "linear systems in the step"
 unset key
-set label 1 "always: ".total("always")." in all" at 31, 180 tc ls 4
-set label 2 "on demand: ".total("on demand")." in all" at 29, 8 tc ls 3
-set label 3 "never: fails at the cross" at 1, 3.3 tc ls 2
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 "always: ".total("always")." in all" at 31, 180 tc ls 4 \
+    front boxed
+set label 2 "on demand: ".total("on demand")." in all" at 29.5, 8.6 tc ls 3 \
+    front boxed
+set label 3 "never: fails after the cross" at 1, 3.3 tc ls 2 front boxed
 plot data index "steps" using "k":"always" with linespoints ls 4, \
      data index "steps" using "k":"demand" with linespoints ls 3, \
      data index "steps" using "k":"never" with linespoints ls 2 pt 4 ps 1.1 lw 1, \
@@ -41,8 +44,10 @@ set ytics 1e-16, 1e4
 set xlabel "linear systems"
 set ylabel "distance to the solution (m)"
 unset label
-set label 1 "always: each\ndivides it by ".divides at 5.7, 1e-3 tc ls 4
-set label 2 "never, on demand:\nthe digits double" at 2.4, 5e-11 tc ls 3
+set label 1 "always: each\ndivides it by ".divides at 5.7, 1.5e-3 tc ls 4 \
+    front boxed
+set label 2 "never, on demand:\nthe digits double" at 2.4, 3e-11 tc ls 3 \
+    front boxed
 plot data index "approach" using "k":"always" with linespoints ls 4, \
      data index "approach" using "k":"demand" with linespoints ls 3
 unset multiplot

@@ -3,7 +3,7 @@
 # Reads   data  tables stretches, factors, twist, flip, scale_low, scale_high
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,320 enhanced font "Helvetica,16" \
+set terminal svg size 640,640 enhanced font "Helvetica,18" \
     background rgb "white"
 set output out
 factor(m) = system("awk -F'\t' '$1 == \"".m."\" { printf \"%.0f\", $2 }' '".data."'")
@@ -16,17 +16,17 @@ unset tics
 unset border
 unset grid
 unset key
-set label 11 "■" at screen 0.38, 0.06 textcolor rgb "#CCCCCC"
+set label 11 "■" at screen 0.24, 0.025 textcolor rgb "#CCCCCC"
 set label 12 sprintf("the pressed square, s = (%.3f, %.3f)", ONE_max, TWO_max) \
-    at screen 0.405, 0.06
+    at screen 0.28, 0.025
 set label 13 "along it" at -0.92, -0.87 left tc ls 1
 set label 14 "against it" at 0.15, -0.87 tc ls 2
-set multiplot layout 1,4 margins 0.02,0.98,0.13,0.86 spacing 0.02,0
+set multiplot layout 2,2 margins 0.04,0.96,0.065,0.94 spacing 0.04,0.11
 do for [k = 1:4] {
     m = word("twist flip scale_low scale_high", k)
     set label 1 (k == 1 ? "twist" : k == 2 ? "flip" : \
         k == 3 ? "scaling, lower" : "scaling, higher") \
-        at graph 0.5, 1.10 center font ",18"
+        at graph 0.5, 1.10 center font ",19"
     set label 2 factor(m)." N/m²" at graph 0.5, 1.0 center \
         textcolor rgb (k == 1 ? "#D55E00" : "#0072B2")
     plot data index m using "x":"y" with filledcurves closed \

@@ -18,13 +18,14 @@ P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
 log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
 stats data index "principal" using "s1" nooutput
 set xlabel sprintf("s_2   (with s_1  = %.4g, ε = 0.25)", STATS_max)
-set ylabel "principal stress P_2  (kN/m^2)" offset 1
+set ylabel "principal stress P̂_2  (kN/m^2)" offset 1
 set xrange [-1:1.5]
 set yrange [-35:5]
 set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
     fc rgb "#eeeeee" fs solid noborder behind
 set label 1 "inside out" at -0.03, 3.2 right textcolor rgb "#555555"
-set label 2 "log law" at 0.12, -26 left textcolor rgb "#0072B2"
+set style textbox opaque noborder margins 0.4,0.4
+set label 2 "log law" at 0.12, -26 left textcolor rgb "#0072B2" front boxed
 set label 3 "stable" at -0.97, -1.4 left textcolor rgb "#B07800"
 set label 4 "energy" at -0.97, -7.9 left textcolor rgb "#CC79A7"
 set label 5 "cubic" at -0.50, -14.0 right textcolor rgb "#D55E00"
@@ -44,15 +45,15 @@ plot data index "principal" using (of("stress")):(P("stress")) \
          with lines ls 1
 unset label
 unset object
-set label 3 "stable" at 1.17, 0.45 right textcolor rgb "#B07800"
-set label 5 "all others" at 1.12, 0.02 left
+set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed
+set label 5 "all others;\ncubic in orange" at 1.07, -0.05 left front boxed
 set tmargin at screen 0.43
 set bmargin at screen 0.085
 set xrange [0.6:1.4]
 set yrange [-0.9:0.6]
 set xtics 0.2
 set xlabel "s_2   (with s_1  = 1)"
-set ylabel "P_2  (kN/m^2)" offset 1
+set ylabel "P̂_2  (kN/m^2)" offset 1
 plot data index "near_rest" using (of("extended")):(P("extended")) \
          with lines ls 6, \
      "" index "near_rest" using (of("cubic")):(P("cubic")) with lines ls 2, \

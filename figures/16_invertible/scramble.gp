@@ -121,7 +121,9 @@ set style fill solid 0.85 border
 set boxwidth 0.22
 set label 1 "held, n = 4" at -0.38, 125 left tc rgb Colour[1]
 set label 2 "free, n = 2" at -0.11, 110 left tc rgb Colour[2]
-set label 3 "free,\nn = 4" at 0.15, 68 left tc rgb Colour[3]
+set label 3 "free,\nn = 4" at 0.15, 68 left tc rgb Colour[3] front boxed
+set label 4 "number on a bar:\niterations (median)" at 2.58, 127 right font ",18"
+set style textbox opaque noborder margins 0.3,0.3
 plot for [k = 1:3] data index "scramble" using (place(k)):(rate(k)) \
          with boxes ls Style[k], \
      for [k = 1:3] data index "scramble" using (place(k)): \

@@ -47,7 +47,7 @@ do for [i = 1:3] {
     if (i == 3) {
         set colorbox user horizontal origin screen 0.44, screen 0.075 \
             size screen 0.50, screen 0.025
-        set cbtics 0.08 scale 0.4 textcolor rgb "black" offset 0, 0.4
+        set cbtics 0.1 scale 0.4 textcolor rgb "black" offset 0, 0.4
         set label 3 "stretch l of the fibres" at screen 0.41, screen 0.087 right
     }
     plot of("outline", Block[i]) using 2:3 with filledcurves closed fc rgb "#F4EDE4", \

@@ -23,10 +23,12 @@ failed = system("awk -F'\t' '$1 == \"search\" && $7 != \"OK\" { print $2 }' '".d
 on_curve = system(sprintf("awk -F'\t' '$0 == \"# uniform\" { on = 1 } NF == 0 { on = 0 } \
     on && ($1 - %f)^2 < 1e-9 { print $2 }' '%s'", failed, data)) + 0.0
 by(method, x) = strcol("method") eq method ? x : NaN
-set label 1 "if it stayed uniform" at 1.265, 780 left
-set label 2 "line search: ends with NOT\\_SPD" at failed + 0.004, 806 left tc rgb "#D55E00"
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 "if it stayed uniform" at 1.265, 780 left front boxed
+set label 2 "line search: ends with NOT\\_SPD" at failed + 0.004, 808 left tc rgb "#D55E00" \
+    front boxed
 set label 3 "projected on demand: at each drop\nmore of the strip has left the limb" at 1.05, 640 \
-    left tc rgb "#0072B2"
+    left tc rgb "#0072B2" front boxed
 plot data index "uniform" using "l":"P" with lines ls 8 lw 1.5, \
      "" index "pull" using "l":(by("demand+search", column("P"))) with linespoints ls 1, \
      "" index "pull" using "l":(by("search", strcol("reason") eq "OK" ? column("P") : NaN)) \

@@ -30,9 +30,9 @@ do for [r = 1:3] { # a little inside the first ring, outside the others
         at * sin(rad(146)) center front boxed font ",17" tc rgb "#666666"
 }
 set label 3 "3000 N/m^2"
-set label 5 "along the cords" at 2080, 190 center
-set label 6 "without cords" at 850, -1230 left front boxed
-set label 7 "with cords" at 1750, 1080 left tc rgb "#0072B2"
+set label 5 "along the cords" at 2020, 190 center front boxed
+set label 6 "without cords" at 1190, -300 left front boxed
+set label 7 "with cords" at 1900, 860 left tc rgb "#0072B2" front boxed
 set label 8 sprintf("pulled at %.0f° the cords\nadd nothing", idle) \
     at 1150, 1850 left front boxed
 set label 9 "across" at 0, 1640 center

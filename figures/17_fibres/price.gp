@@ -15,11 +15,12 @@ set xlabel "flops of assembly and linear systems"
 set ylabel "error of the shortening (%)" offset 1
 unset key
 of(model, x) = strcol("model") eq model ? x : NaN
-set label 1 "linear cord" at 3e5, 55 center
-set label 2 "cubic cord" at 1.8e6, 20.5 center tc ls 4
-set label 3 "cubic muscle" at 3e6, 0.5 left tc ls 2
-set label 4 "n = 4" at 4e4, 1.6 center tc ls 2
-set label 5 "n = 48" at 6.3e7, 0.06 left tc ls 2
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 "linear cord" at 3e5, 57 center front boxed
+set label 2 "cubic cord" at 1.8e6, 21 center tc ls 4 front boxed
+set label 3 "cubic muscle" at 3e6, 0.5 left tc ls 2 front boxed
+set label 4 "n = 4" at 4e4, 1.75 center tc ls 2 front boxed
+set label 5 "n = 48" at 6.5e7, 0.06 left tc ls 2 front boxed
 plot data index "price" using "flops":(of("linear cord", column("error"))) \
          with linespoints ls 8 lw 1.5 pt 7 ps 0.6, \
      "" index "price" using "flops":(of("cubic cord", column("error"))) \

@@ -61,11 +61,12 @@ set samples 521
 passive(l) = l > 1 ? 200 * (l - 1)**2 : 0
 active(l) = abs(l - 1) < 0.5 ? 300 * (1 - ((l - 1) / 0.5)**2) : 0
 set arrow 1 from 1, 0 to 1, 370 nohead ls 9 lw 1.5
-set label 1 "ascending" at 0.72, 340 center
-set label 2 "descending" at 1.33, 340 center
-set label 3 "active" at 0.68, 120 left tc ls 1
-set label 4 "passive" at 1.2, 45 center tc ls 3
-set label 5 "both" at 1.40, 190 left tc ls 2
+set style textbox opaque noborder margins 0.4,0.4
+set label 1 "ascending" at 0.72, 340 center front boxed
+set label 2 "descending" at 1.33, 340 center front boxed
+set label 3 "active" at 0.68, 130 left tc ls 1 front boxed
+set label 4 "passive" at 1.2, 46 center tc ls 3 front boxed
+set label 5 "both" at 1.415, 180 left tc ls 2 front boxed
 plot passive(x) with lines ls 3 lw 2.5, \
      passive(x) + active(x) with lines ls 2 lw 2.5, \
      active(x) with lines ls 1 lw 2.5 dt 2
