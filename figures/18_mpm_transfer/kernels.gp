@@ -29,7 +29,7 @@ set ylabel "slope h dN/dx" offset 1
 set yrange [-1.15:1.2]
 set label 2 "quadratic" at -1.08, 0.8 right tc ls 2
 set label 3 "cubic" at -1.15, 0.42 right tc ls 3
-set label 1 "linear: jumps\nas the particle\npasses a node" at -2.0, -0.59 \
+set label 1 "linear: jumps\nat a node" at -1.9, -0.66 \
     tc ls 1
 set arrow 1 from -0.92, -0.75 to -0.06, -0.6 lw 1 lc rgb "#666666"
 plot data index "kernels" using "t":"dN_1" with lines ls 1, \

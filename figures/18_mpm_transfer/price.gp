@@ -20,7 +20,7 @@ set yrange [-0.06:1.08]
 set ytics 0.2
 set ylabel "fraction lost in 100 transfers"
 set label 1 "linear" at 2.2e5, 0.14 tc ls 1
-set label 2 "quadratic" at 5.0e5, 0.245 tc ls 2
+set label 2 "quadratic" at 4.9e5, 0.16 tc ls 2
 set label 3 "cubic kernel" at 8.8e5, 0.3 tc ls 3
 set label 4 "PIC: full line" at 1.05e4, 1.03
 set label 7 "APIC (open), as FLIP: 0" at 1.05e4, 0.06

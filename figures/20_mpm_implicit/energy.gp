@@ -6,7 +6,7 @@ set terminal svg size 640,940 enhanced font "Helvetica,18" \
     background rgb "white"
 set output out
 set multiplot
-set lmargin at screen 0.165
+set lmargin at screen 0.185
 set rmargin at screen 0.97
 set tmargin at screen 0.95
 set bmargin at screen 0.55
