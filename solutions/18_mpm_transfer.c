@@ -1,9 +1,8 @@
 /*
  * 18_mpm_transfer.c - what survives the way from particles to a grid and back.
  * Notes: the material point method, interpolating functions, P2G and G2P.
- * Problem.  Particles carry a body's mass and motion, a grid finds the forces:
- * in every step the particles give mass and velocity to the nodes around them,
- * P2G [eq:p2g], and take a velocity back, G2P [eq:g2p], by PIC, FLIP or APIC.
+ * Problem.  In every step particles give their mass and velocity to the nodes
+ * around them, P2G [eq:p2g], and take a velocity back, G2P [eq:g2p].
  *
  *     o - o - o - o     node a = j nodes[0] + i has v[2a] and v[2a + 1], as
  *     |. .|. .| . |     particle p has x[2p], x[2p + 1], v alike, and B[p]
@@ -11,7 +10,8 @@
  *     |  .|. .|  .|     order 2 reaches 3 and order 3 reaches 4.
  * Run       make lesson-18; make lesson-18 ARGS=-h lists its options
  * PREDICT 1 fraction of the spin left by 100 transfers of PIC, --order 1: ...
- * PREDICT 3 and with the cubic kernel, --order 3: ...
+ * PREDICT 2 angular momentum lost by FLIP with --kick 1 (kg m^2/s): ...
+ * PREDICT 3 fraction of the spin left with the cubic kernel, --order 3: ...
  * Plot: spin transfers ratio
  */
 #include "base/options.h"

@@ -2,7 +2,8 @@
 # Reads   data  tables disc, left
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,600
+set terminal svg size 620,600 enhanced font "Helvetica,15" \
+    background rgb "white"
 set output out
 array Way[4] = ["FLIP", "APIC", "PIC", "95 % FLIP"]
 left(way) = real(system(sprintf("awk -F'\t' '/^# left/ { on = 1 } \
@@ -26,10 +27,10 @@ do for [k = 1:4] {
     set label 1 sprintf("%s: %.1f %% of the spin", Way[k], 100 * left(Way[k])) \
         at graph 0.5, graph 1.045 center
     if (k == 4) {
-        set colorbox user origin screen 0.885, screen 0.08 \
+        set colorbox user origin screen 0.89, screen 0.08 \
             size screen 0.02, screen 0.33
         set cbtics 0.1 offset -0.5 textcolor rgb "black"
-        set cblabel "speed (m/s)" offset -0.5 }
+        set label 5 "speed (m/s)" at screen 0.92, screen 0.45 center }
     # a bar as long as what is left, in a frame that is the whole spin
     set object 2 rectangle from -0.2, -0.335 to 0.2, -0.31 fs empty \
         border lc rgb "#999999"

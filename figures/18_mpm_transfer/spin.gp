@@ -5,22 +5,25 @@
 # Writes  out   SVG
 load "figures/style.gp"
 if (!exists("reference")) reference = data
-set terminal svg size 820,360
+set terminal svg size 640,780 enhanced font "Helvetica,17" \
+    background rgb "white"
 set output out
 unset key
 set multiplot
-set lmargin at screen 0.09
-set rmargin at screen 0.50
-set tmargin at screen 0.94
-set bmargin at screen 0.15
+set lmargin at screen 0.16
+set rmargin at screen 0.96
+set tmargin at screen 0.97
+set bmargin at screen 0.60
 set xlabel "transfers"
-set ylabel "what is left of the spin"
+set ylabel "what is left of the spin" offset 1
 set yrange [0:1.1]
 plot reference index "spin" using "transfers":"ratio" with lines lw 7 \
          lc rgb "#DDDDDD", \
      data index "spin" using "transfers":"ratio" with lines ls 1
-set lmargin at screen 0.53
-set rmargin at screen 0.92
+set lmargin at screen 0.13
+set rmargin at screen 0.80
+set tmargin at screen 0.50
+set bmargin at screen 0.01
 unset border
 unset tics
 unset grid
@@ -31,7 +34,7 @@ set xrange [-0.34:0.34]
 set yrange [-0.34:0.34]
 set palette defined (0 "#C6DBEF", 0.5 "#4292C6", 1 "#08306B")
 set cbrange [0:0.3]
-set colorbox user origin screen 0.925, screen 0.2 size screen 0.016, screen 0.6
+set colorbox user origin screen 0.83, screen 0.08 size screen 0.025, screen 0.35
 set cbtics 0.1 offset -0.5 textcolor rgb "black"
 set cblabel "speed (m/s)" offset -0.5
 set object 1 circle at 0, 0 size 0.3 fs empty border lc rgb "#999999" lw 0.5

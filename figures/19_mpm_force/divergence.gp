@@ -4,7 +4,8 @@
 # Reads   data  tables square, point
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,560
+set terminal svg size 640,640 enhanced font "Helvetica,18" \
+    background rgb "white"
 set output out
 set size ratio -1
 set xrange [-0.3:1.4]
@@ -14,12 +15,12 @@ set ytics 0.5
 set xlabel "x (m)"
 set ylabel "y (m)"
 unset key
-set label 1 "with respect to x, as printed" at 1.04, 1.43 right tc ls 2
-set label 2 "of P with respect to X" at 0.46, 0.13 tc ls 1
-set label 3 "dashed: J times that of σ\nwith respect to x" at 0.54, 0.03
+set label 1 "with respect to x, as printed" at 0.06, 1.43 tc ls 2
+set label 2 "of P with respect to X" at 0.56, 0.1 tc ls 1
+set label 3 "dashed: J times that of σ\nwith respect to x" at 0.56, -0.04
 k = 0.0004
-set label 4 "500 N/m³" at -0.02, 1.43
-set arrow 1 from -0.24, 1.43 to -0.24 + 500 * k, 1.43 head filled size 0.022,20 lw 1.5
+set label 4 "500 N/m³" at -0.27, 1.34
+set arrow 1 from -0.27, 1.43 to -0.27 + 500 * k, 1.43 head filled size 0.022,20 lw 1.5
 plot data index "square" every 2 using "x":"y":(k*column("div_x_1")):(k*column("div_x_2")) \
          with vectors head filled size 0.022,20 ls 2, \
      data index "square" every 2 using "x":"y":(k*column("Div_X_1")):(k*column("Div_X_2")) \

@@ -5,7 +5,8 @@
 # Writes  out   SVG
 load "figures/style.gp"
 if (!exists("reference")) reference = data
-set terminal svg size 560,400
+set terminal svg size 620,440 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 set logscale xy
 set format xy "10^{%T}"
@@ -13,10 +14,10 @@ set xlabel "size t of the move"
 set ylabel "what is left"
 unset key
 set label 1 "force" at 0.02, 6e-3 right tc ls 2
-set label 2 "energy" at 0.075, 1.3e-2 tc ls 1
-set label 3 "slope 2" at 0.012, 4e-5
+set label 2 "energy" at 0.0135, 3.6e-4 tc ls 1
+set label 3 "slope 2" at 0.03, 4e-5
 plot for [what in "energy force"] reference index "taylor" using "t":what \
          with lines lw 7 lc rgb "#DDDDDD" notitle, \
      data index "taylor" using "t":"energy" with linespoints ls 1, \
      "" index "taylor" using "t":"force" with linespoints ls 2, \
-     [0.004:0.25] 0.5 * x**2 with lines ls 8
+     [0.004:0.25] 0.15 * x**2 with lines ls 8

@@ -2,7 +2,8 @@
 # Reads   data  table outline
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 820,390
+set terminal svg size 760,400 enhanced font "Helvetica,17" \
+    background rgb "white"
 set output out
 set size ratio -1
 set xrange [0.05:2.75]

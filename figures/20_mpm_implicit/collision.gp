@@ -1,9 +1,10 @@
-# collision.gp - two discs that meet: as particles on one grid they bounce, as
-# triangles they pass through each other.
+# collision.gp - two discs that meet: as particles on one grid they bounce (left),
+# as triangles they pass through each other (right).
 # Reads   data  tables particles, triangles, outcome
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 900,460
+set terminal svg size 680,800 enhanced font "Helvetica,17" \
+    background rgb "white"
 set output out
 array Time[3] = [0.02, 0.07, 0.13]
 blue = "#0072B2"
@@ -24,14 +25,15 @@ set style fill transparent solid 0.5 noborder
 
 set multiplot
 do for [k = 1:3] {
-    set lmargin at screen 0.005 + 0.333*(k - 1)
-    set rmargin at screen 0.325 + 0.333*(k - 1)
-    set tmargin at screen 0.93
-    set bmargin at screen 0.50
-    set label 1 sprintf("%.2f s", Time[k]) at graph 0.5,1.06 center
+    set lmargin at screen 0.01
+    set rmargin at screen 0.49
+    set tmargin at screen 0.93 - 0.325*(k - 1)
+    set bmargin at screen 0.93 - 0.325*(k - 1) - 0.276
+    set label 1 sprintf("%.2f s", Time[k]) at graph 1.02,1.06 center
     set label 2 k == 1 ? "particles on one grid" : k == 3 ? \
-        sprintf("back at %.1f m/s", abs(outcome("particles", 4))) : "" \
-        at graph 0.97,0.04 right front
+        sprintf("back at %.1f m/s", abs(outcome("particles", 4))) : \
+        sprintf("at closest %.2f cells", outcome("particles", 3)) \
+        at graph 0.45,1.06 center front
     # the lines of the grid
     do for [i = -10:10] {
         set arrow 100 + i from i*h, -0.46 to i*h, 0.46 nohead \
@@ -46,11 +48,12 @@ do for [k = 1:3] {
          "" index "particles" using (row("right", k - 1) ? column("x") : 1/0):"y" \
              with points pt 7 ps 0.35 lc rgb orange
     unset arrow
-    set tmargin at screen 0.46
-    set bmargin at screen 0.03
+    set lmargin at screen 0.51
+    set rmargin at screen 0.99
     unset label 1
     set label 2 k == 1 ? "triangles" : k == 3 ? \
-        sprintf("%.0f %% of one in the other", 100 * outcome("mesh", 6)) : ""
+        sprintf("%.0f %% overlap", 100 * outcome("mesh", 6)) : "" \
+        at graph 0.55,1.06 center front
     go = 3 * Time[k]
     edges(side) = "< awk -F'\t' '$1 == \"".side."\" && NF == 7 { print $2, $3; print $4, $5; print $6, $7; \
         print $2, $3; print \"\" }' '".data."'"

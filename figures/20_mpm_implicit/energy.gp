@@ -2,32 +2,39 @@
 # Reads   data  tables energy, elements
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 780,410
+set terminal svg size 640,940 enhanced font "Helvetica,18" \
+    background rgb "white"
 set output out
-set multiplot layout 1,2 margins 0.11,0.985,0.14,0.93 spacing 0.06,0
+set multiplot
+set lmargin at screen 0.185
+set rmargin at screen 0.97
+set tmargin at screen 0.95
+set bmargin at screen 0.55
 set logscale xy
 set xrange [6:420]
 set yrange [0.008:1.9]
 set xtics (10, 20, 40, 80, 160, 320)
 set ytics ("1 %%" 0.01, "3 %%" 0.03, "10 %%" 0.1, "30 %%" 0.3, "100 %%" 1)
-set xlabel "steps per period"
+set format x ""
 set ylabel "energy lost in one period"
 unset key
 set label 3 "PIC" at 30, 0.5 tc ls 1
-set label 4 "FLIP" at 170, 0.013 right tc ls 2
-set label 5 "APIC" at 180, 0.15 right tc ls 3
-set label 1 "explicit steps" at graph 0.02, graph 1.04
-set label 2 "all three fail" at 6.5, 1.55 tc rgb "#555555"
+set label 4 "FLIP" at 150, 0.014 right tc ls 2
+set label 5 "APIC" at 180, 0.16 right tc ls 3
+set label 1 "explicit steps" at graph 0, graph 1.05
+set label 2 "all three\nfail" at 7.3, 0.8 tc rgb "#555555"
 plot for [s = 1:3] data index "energy" every ::7*(s-1)::7*s-1 \
          using "steps":"lost" with linespoints ls s, \
      data index "energy" every ::0::1 using "steps":(1.2) with points \
          pt 2 ps 1 lw 2 lc rgb "#555555"
-unset ylabel
-set format y ""
+set tmargin at screen 0.485
+set bmargin at screen 0.085
+set xlabel "steps per period"
+set xtics ("10" 10, "20" 20, "40" 40, "80" 80, "160" 160, "320" 320)
 unset label 2
-set label 3 "PIC" at 170, 0.78
-set label 4 "FLIP, and finite\nelements (rings)" at 150, 0.085 right tc ls 2
-set label 5 "APIC" at 200, 0.4
+set label 3 "PIC" at 175, 0.75
+set label 4 "FLIP, and finite\nelements (rings)" at 110, 0.075 right tc ls 2
+set label 5 "APIC" at 205, 0.4 left
 set label 1 "implicit steps"
 plot for [s = 1:3] data index "energy" every ::7*(s+2)::7*s+20 \
          using "steps":"lost" with linespoints ls s, \

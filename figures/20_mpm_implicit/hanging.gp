@@ -1,52 +1,46 @@
-# hanging.gp - errors of the hanging bar against work: on one grid, as finite
-# elements, and with a new grid for each of ten loads.
+# hanging.gp - errors of the hanging bar against work: on one grid (above) and
+# with a new grid for each of ten loads (below), and as finite elements.
 # Reads   data  tables elements, once (kernels by a mirror, then held), reset
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 820,430
+set terminal svg size 640,980 enhanced font "Helvetica,18" \
+    background rgb "white"
 set output out
 set multiplot
-set tmargin at screen 0.92
-set bmargin at screen 0.13
+set lmargin at screen 0.165
+set rmargin at screen 0.97
+set tmargin at screen 0.955
+set bmargin at screen 0.55
 unset key
 set logscale xy
 set xrange [13:1400]
-set yrange [3e-6:0.5]
+set yrange [3e-6:0.1]
 set format y "10^{%T}"
-set xlabel "particles × nodes per particle"
+set format x ""
 set ylabel "error of the worst place (m)"
-set lmargin at screen 0.085
-set rmargin at screen 0.45
-set title "one grid: all the load in one step"
-set label 1 "finite\nelements" at 15, 1.6e-4
-set label 2 "nodes held: order 1" at 120, 6e-2 tc rgb "#777777"
-set label 4 "quadratic" at 350, 2.2e-3 right tc rgb "#777777"
-set label 5 "cubic" at 600, 5e-3 tc rgb "#777777"
-set label 6 "mirror: order 2" at 130, 2.6e-4
-set label 7 "linear" at 36, 1.3e-3 tc ls 1
-set label 8 "quadratic" at 57, 8.4e-4 tc ls 2
-set label 9 "cubic" at 77, 5e-4 tc ls 3
+set label 10 "one grid, two particles per cell" at graph 0, graph 1.045
+set label 1 "finite\nelements" at 14.5, 1.4e-4
+set label 2 "quadratic, nodes\nheld: order 1" at 190, 5e-2 tc ls 2
+set label 6 "mirror: order 2" at 190, 1.8e-4
+set label 7 "linear" at 36, 1.6e-3 tc ls 1
+set label 8 "quadratic" at 57, 9e-4 tc ls 2
+set label 9 "cubic" at 80, 5e-4 tc ls 3
 plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
      for [p = 1:3] data index "once" every ::4*(p-1)::4*p-1 \
          using "work":"error" with linespoints ls p, \
-     for [p = 2:3] data index "once" every ::12+4*(p-2)::12+4*(p-2)+3 \
-         using "work":"error" with linespoints ls p dt 3 lc rgb "#999999"
-unset label
-unset ylabel
-set format y ""
-set lmargin at screen 0.49
-set rmargin at screen 0.855
-set title "a new grid for each of ten loads"
-set label 1 "linear, 4 per cell" at 1500, 3.5e-2 tc ls 1
-set label 2 "quadratic, 2" at 1500, 8.1e-3 tc ls 2
-set label 3 "cubic, 2" at 1500, 9e-4 tc ls 3
-set label 4 "quadratic, 4" at 1500, 2.6e-4 tc ls 2
-set label 5 "cubic, 4" at 1500, 1.1e-5 tc ls 3
-set label 6 "linear, 2: NOT\\_SPD on finer grids" at 38, 0.25 tc ls 1
-set label 7 "finite\nelements" at 15, 1.6e-4
+     data index "once" every ::12::15 using "work":"error" \
+         with linespoints ls 2 dt 3
+unset label 2
+unset label 6
+set tmargin at screen 0.49
+set bmargin at screen 0.085
+set format x "%g"
+set xlabel "particles × nodes per particle"
+set label 10 "a new grid for each of ten loads, four per cell"
+set label 7 "linear kernel" at 110, 2e-2
+set label 8 "quadratic" at 300, 7e-4
+set label 9 "cubic" at 560, 5e-5
 plot data index "elements" using "work":"error" with linespoints ls 8 pt 6, \
-     for [p = 1:3] data index "reset" every ::4*(p-1)::4*p-1 \
-         using "work":"error" with linespoints ls p dt 3, \
      for [p = 1:3] data index "reset" every ::4*(p+2)::4*(p+2)+3 \
          using "work":"error" with linespoints ls p
 unset multiplot

@@ -2,7 +2,8 @@
 # Reads   data  tables field, particles
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,300
+set terminal svg size 680,340 enhanced font "Helvetica,16" \
+    background rgb "white"
 set output out
 set xrange [0:8]
 set yrange [-0.05:1.05]

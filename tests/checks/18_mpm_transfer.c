@@ -573,7 +573,10 @@ static void spin_is_the_oracles(void)
 /* What the header asks to PREDICT. */
 static void what_was_predicted(void)
 {
+    struct output *kick = run("--kick 1");
     measured("1", cell(run("--order 1"), "spin", "ratio", 100));
+    measured("2", cell(kick, "transfer", "L_kicked", FLIP) -
+                      cell(kick, "transfer", "L_after", FLIP));
     measured("3", cell(run("--order 3"), "spin", "ratio", 100));
 }
 

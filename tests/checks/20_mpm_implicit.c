@@ -705,6 +705,11 @@ static void hanging_bars_are_right(void)
 static void what_was_predicted(void)
 {
     struct output *held = run("--wall held"), *mirror = run("--wall mirror");
+    struct output *cubic = run("--order 3 --wall mirror");
+    /* one particle in the middle of a linear cell is an element */
+    const double elements = cell(run("--order 1"), "bar", "error", 1);
+    measured("1a", cell(cubic, "bar", "error", 5) / elements);
+    measured("1b", cell(cubic, "bar", "error", 11) / elements);
     measured("2a", log2(cell(held, "bar", "error", 8) /
                         cell(held, "bar", "error", 9)));
     measured("2b", log2(cell(mirror, "bar", "error", 8) /
