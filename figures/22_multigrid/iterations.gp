@@ -5,13 +5,13 @@
 # Writes  out   SVG
 load "figures/style.gp"
 set datafile missing "-"
-set terminal svg size 780,370
+set terminal svg size 580,760
 set output out
 array Name[3] = ["jacobi", "incomplete", "multigrid"]
 array Style[3] = [5, 4, 6]
 of(k, what) = strcol("with") eq Name[k] ? column(what) : NaN
 
-set multiplot layout 1,2 margins 0.085,0.985,0.145,0.96 spacing 0.09,0
+set multiplot layout 2,1 margins 0.12,0.975,0.075,0.985 spacing 0,0.1
 set logscale y
 set grid noxtics
 unset key
@@ -33,11 +33,11 @@ set xtics (16, 32, 64, 128, 256)
 set yrange [2:900]
 set ytics (2, 5, 10, 20, 50, 100, 200, 500)
 set xlabel "squares per side n"
-set ylabel "iterations" offset 1.5
+set ylabel "iterations" offset 0.5
 set label 3 "V-cycle" at 64, 13 tc ls 6
-set label 4 "incomplete\nCholesky" at 72, 160 tc ls 4
+set label 4 "incomplete Cholesky" at 72, 134 tc ls 4
 set label 5 "Jacobi" at 72, 380 tc ls 5
-set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.95
+set label 1 "dashed: to 10^{-4}, full: to 10^{-10}" at graph 0.03,0.955
 set label 2 "slope 1" at 175,40
 plot for [k = 1:3] data index "iterations" using "n":Name[k] \
          with linespoints ls Style[k], \

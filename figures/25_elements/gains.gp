@@ -5,7 +5,7 @@
 # Reads   data  table gains
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,380
+set terminal svg size 580,400
 set output out
 array Name[6] = ["weight", "column", "shake", "pull", "swing", "explicit"]
 array Text[6] = ["weight, 0.003", "column, 0.003", "shake, 0.003", \
@@ -15,17 +15,18 @@ of(k, what) = strcol("scene") eq Name[k] && column("error") == Error[k] \
               ? column(what) : NaN
 set datafile missing "-"
 unset key
+set tmargin 2.5
 set logscale x
 set xrange [0.45:60]
 set xtics ("1/2" 0.5, "1" 1, "2" 2, "5" 5, "10" 10, "20" 20, "40" 40)
 set xlabel "times fewer flops than linear triangles, at the error named"
-set yrange [6.5:0.1]
+set yrange [6.5:0.5]
 set ytics () scale 0
 do for [k = 1:6] { set ytics add (Text[k] k) }
 set arrow from 1, graph 0 to 1, graph 1 nohead ls 8 back
-set label "linear, m = 1.5" at 2.4, 0.45 center tc rgb "#E69F00"
-set label "quadratic" at 9.4, 0.45 center tc rgb "#0072B2"
-set label "quadratic, m = 2" at 28, 0.45 center tc rgb "#009E73"
+set label "linear, m = 1.5" at 2.2, graph 1.045 center tc rgb "#E69F00"
+set label "quadratic" at 8.4, graph 1.045 center tc rgb "#0072B2"
+set label "quadratic, m = 2" at 31, graph 1.045 center tc rgb "#009E73"
 plot for [k = 1:6] data index "gains" using (of(k, "graded")):(k) \
          with points ls 5 ps 1.1, \
      for [k = 1:6] "" index "gains" using (of(k, "quadratic")):(k) \

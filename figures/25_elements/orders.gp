@@ -5,7 +5,7 @@
 # Reads   data  tables error, orders
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,400
+set terminal svg size 580,420
 set output out
 unset key
 set label 1 "linear: 1.42" at 138, 1.3e-3 tc ls 2
@@ -13,7 +13,7 @@ set label 2 "linear, m = 1.5: 2.00" at 138, 3.6e-4 tc ls 5
 set label 3 "quadratic: 1.42" at 14.6, 6.2e-3 right tc ls 1
 set label 4 "quadratic, m = 1.5: 2.13" at 14.6, 3.8e-3 right tc ls 6
 set label 5 "quadratic, m = 2: 2.84" at 14.6, 2.3e-3 right tc ls 3
-set label 6 "dashed, and the number: the predicted order" at 400, 0.25 right
+set label 6 "dashed, and the number: the predicted order" at 470, 0.25 right
 # through a point a little beside the last one of a curve, with its order
 by(x, n, error, order) = error * (x / n)**-order
 of(name, grading) = strcol("element") eq name && column("m") == grading \
@@ -22,7 +22,8 @@ of(name, grading) = strcol("element") eq name && column("m") == grading \
 as(name) = column("n") * (name eq "quadratic" ? 2 : 1)
 set datafile missing "-"
 set logscale xy
-set xrange [4:450]
+set grid noxtics
+set xrange [2.4:560]
 set yrange [5e-5:0.4]
 set xtics (8, 16, 32, 64, 128)
 set format y "10^{%T}"

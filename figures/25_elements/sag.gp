@@ -4,7 +4,7 @@
 # Reads   data  table sag
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 800,400
+set terminal svg size 580,780
 set output out
 array Name[6] = ["linear", "linear", "averaged", "criss-cross", "quadratic", \
                  "quadratic"]
@@ -15,15 +15,15 @@ array Style[6] = [2, 5, 4, 6, 1, 3]
 array Times[6] = [1, 1, 1, sqrt(2), 2, 2] # as many unknowns as linear ones
 of(k, what) = strcol("element") eq Name[k] && column("m") == M[k] \
               ? column(what) : NaN
-set multiplot layout 1,2 margins 0.09,0.99,0.145,0.96 spacing 0.115,0
+set multiplot layout 2,1 margins 0.125,0.975,0.075,0.985 spacing 0,0.1
 set logscale xy
 set grid noxtics
 unset key
 set label 1 "linear, graded or not" at 8.2, 0.23
 set label 2 "criss-cross" at 47, 0.0135 tc ls 6
-set label 3 "averaged" at 8.2, 0.093 tc ls 4
+set label 3 "averaged" at 8.7, 0.079 tc ls 4
 set label 4 "quadratic" at 76, 0.0037 right tc ls 1
-set label 5 "quadratic, m = 2" at 42, 0.00085 right tc ls 3
+set label 5 "quadratic, m = 2" at 37, 0.0023 right tc ls 3
 set xrange [7:78]
 set xtics (8, 16, 32, 64)
 set xlabel "n of linear triangles with as many unknowns"
@@ -34,13 +34,13 @@ plot for [k = 1:6] data index "sag" using (Times[k] * column("n")):(of(k, "missi
          with linespoints ls Style[k]
 unset label
 set label 1 "averaged" at 35, 330 tc ls 4
-set label 2 "linear," at 35, 22 tc ls 2
-set label 3 "m = 1.5" at 35, 12 tc ls 5
+set label 2 "linear" at 35, 7 tc ls 2
+set label 3 "linear, m = 1.5" at 35, 18 tc ls 5
 set label 4 "quadratic, m = 2" at 74, 2.1 right tc ls 3
 set label 5 "quadratic" at 74, 0.68 right tc ls 1
 set label 6 "criss-cross" at 8.2, 0.72 tc ls 6
 set ylabel "size of div u, relative to its limit" offset 1
-set yrange [0.5:2000]
+set yrange [0.3:2000]
 plot for [k = 1:6] data index "sag" using (Times[k] * column("n")):(of(k, "div_0.4999")) \
          with linespoints ls Style[k]
 unset multiplot

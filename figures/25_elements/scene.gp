@@ -3,7 +3,7 @@
 # Reads   data  tables lines, missing
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 720,400
+set terminal svg size 580,340
 set output out
 array Body[2] = ["coarse", "fine"]
 array Cells[2] = ["8 x 8", "32 x 32"]

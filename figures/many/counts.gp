@@ -13,15 +13,16 @@ first_steps(method, p) = strcol("method") eq method && column("steps") == 6 \
 sent(p, what) = strcol("method") eq "geometric" && column("processes") == p \
         && column("n") >= 64 ? column(what) : NaN
 set logscale x
+set grid noxtics
 set xrange [55:590]
 set xtics (64, 128, 256, 512)
 set xlabel "squares per side n"
 set multiplot layout 2,1 margins 0.12,0.97,0.08,0.985 spacing 0,0.10
 set yrange [0:20]
 set ylabel "iterations per linear system" offset 1
-set label 1 "geometric multigrid" at 66,5.4 tc ls 6
-set label 2 "algebraic, with\nrigid motions" at 262,10 tc ls 3
-set label 3 "algebraic, without\nrigid motions" at 262,15.3 tc ls 2
+set label 1 "geometric multigrid" at 66,6 tc ls 6
+set label 2 "algebraic, with\nrigid motions" at 262,9.2 tc ls 3
+set label 3 "algebraic, without\nrigid motions" at 262,14.2 tc ls 2
 set label 4 "one process" at 570,18.8 right
 plot data index "runs" using "n":(first_steps("geometric", 1)) \
          with linespoints ls 6, \
@@ -34,7 +35,7 @@ set yrange [0:1300]
 set ylabel "messages of a process per step" offset 1
 set label 1 "four processes" at 66,860 tc ls 1
 set label 2 "two processes" at 66,330 tc ls 5
-set label 3 "dashed: theory" at 262,640 tc rgb "black"
+set label 3 "dashed: theory" at 262,690 tc rgb "black"
 plot data index "messages" using "n":(sent(4, "messages")) with points ls 1 ps 1, \
      "" index "messages" using "n":(sent(2, "messages")) with points ls 5 ps 1, \
      "" index "messages" using "n":(sent(4, "predicted")) with lines ls 8, \

@@ -17,6 +17,7 @@ counted(x) = strcol("method") eq "geometric" && column("processes") == 1 && \
 array Direct[4] = [64, 128, 256, 512]
 set margins screen 0.15, screen 0.97, screen 0.16, screen 0.97
 set logscale xy
+set grid noxtics
 set format x "10^{%T}"
 set format y "10^{%T}"
 set xrange [3:8e4]
