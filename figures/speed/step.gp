@@ -8,6 +8,7 @@
 load "figures/style.gp"
 set terminal svg size 600,900
 set output out
+set style line 6 pt 15 ps 0.7  # full, as a hollow mark means few steps
 array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
 array Name[5] = ["readable", "lapack: ".lapack(data), "blocked", "best", "sparse"]
 array Style[5] = [2, 4, 6, 1, 3]
