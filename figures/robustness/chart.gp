@@ -3,7 +3,7 @@
 #               ms error), machine
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,1000
+set terminal svg size 560,1180
 set output out
 
 array Title[6] = ["stretch", "jerk", "press past\nthe limit", "crush and\nlet go", \
@@ -13,7 +13,7 @@ number(s) = s eq "stretch" ? 0 : s eq "jerk" ? 1 : s eq "press" ? 2 : \
 # the column of a scene in the panel g
 x_of(s) = int(number(s) / 3) == g ? number(s) % 3 + 1 : NaN
 y_of(i) = -floor(i / 6)
-label_of(m) = m eq "notes" ? "plain" : m eq "search" ? "line search" : \
+label_of(m) = m eq "notes" ? "notes' method" : m eq "search" ? "line search" : \
     m eq "demand+search" ? "projection on demand" : "projection always"
 # the first row, from the top, that passes a scene wholly
 array Seen[6] = [0, 0, 0, 0, 0, 0]
@@ -26,9 +26,9 @@ all(i) = column("passed") == 100 ? count(column("systems")) : \
     "failed"
 unsure(i) = stringcolumn("passed_se") eq "-" ? "" : \
     sprintf(" ± %.0f", column("passed_se"))
+ms(t) = sprintf(t < 9.95 ? "%#.2g ms" : "%.0f ms", t)
 price(i) = column("passed") > 0 ? (column("passed") < 100 ? \
-    count(column("systems")).sprintf("; %.2g ms", column("ms")) : \
-    sprintf("%.2g ms", column("ms"))) : ""
+    count(column("systems"))."; ".ms(column("ms")) : ms(column("ms"))) : ""
 set multiplot
 unset key
 unset border
@@ -37,19 +37,17 @@ unset xtics
 unset ytics
 set lmargin at screen 0.01
 set rmargin at screen 0.99
-set xrange [-1.75:4.4]
-set yrange [-8.5:0.5]
-set label 10 machine(data) at screen 0.985,0.012 right font ",11" \
-    textcolor rgb "#555555"
+set xrange [-1.02:4.48]
+set yrange [-9.5:0.5]
+set label 10 machine(data) at screen 0.985,0.012 right textcolor rgb "#555555"
 do for [g = 0:1] {
-    set tmargin at screen 0.94 - 0.49 * g
-    set bmargin at screen 0.53 - 0.49 * g
+    set tmargin at screen 0.945 - 0.49 * g
+    set bmargin at screen 0.525 - 0.49 * g
     do for [k = 1:3] {
-        set label k Title[3 * g + k] at first k, screen 0.976 - 0.49 * g center
+        set label k Title[3 * g + k] at first k, screen 0.978 - 0.49 * g center
     }
-    set label 7 "stress error\nat 1.1 (%)" at first 3.98, screen 0.976 - 0.49 * g center
-    set label 8 "method" at first -1.7, screen 0.966 - 0.49 * g left
-    set label 9 "law" at first -0.13, screen 0.966 - 0.49 * g left
+    set label 7 "stress error\nat 1.1 (%)" at first 3.98, screen 0.978 - 0.49 * g center
+    set label 8 "method\nlaw" at first -1, screen 0.978 - 0.49 * g left
     plot data index "chart" using (x_of(strcol("scene"))):(y_of($0)): \
              (x_of(strcol("scene")) - 0.48):(x_of(strcol("scene")) + 0.48): \
              (y_of($0) - 0.46):(y_of($0) + 0.46):(shade(column("passed"))) \
@@ -60,14 +58,14 @@ do for [g = 0:1] {
              (y_of($0) - 0.46):(y_of($0) + 0.46) \
              with boxxyerror fs empty border lc rgb "#009E73" lw 3, \
          "" index "chart" using (x_of(strcol("scene"))):(y_of($0) + \
-             (column("passed") > 0 ? 0.17 : 0)):(all(0)) with labels, \
-         "" index "chart" using (x_of(strcol("scene"))):(y_of($0) - 0.24): \
-             (price(0)) with labels font ",12" textcolor rgb "#444444", \
+             (column("passed") > 0 ? 0.18 : 0)):(all(0)) with labels, \
+         "" index "chart" using (x_of(strcol("scene"))):(y_of($0) - 0.22): \
+             (price(0)) with labels textcolor rgb "#444444", \
          "" index "chart" using (3.98):(y_of($0)):(int($0) % 6 == 0 ? \
              sprintf("%.2g", column("error")) : "") with labels, \
-         "" index "chart" using (-1.7):(y_of($0)):(int($0) % 6 == 0 ? \
+         "" index "chart" using (-1):(y_of($0) + 0.18):(int($0) % 6 == 0 ? \
              label_of(strcol("method")) : "") with labels left, \
-         "" index "chart" using (-0.13):(y_of($0)):(int($0) % 6 == 0 ? \
-             strcol("law") : "") with labels left
+         "" index "chart" using (-1):(y_of($0) - 0.22):(int($0) % 6 == 0 ? \
+             strcol("law") : "") with labels left textcolor rgb "#444444"
 }
 unset multiplot

@@ -5,7 +5,7 @@
  * t = pi / 2.  A run ends with the first step that fails; by the log law also
  * when a triangle is flat, J < 0.001: then round-off decides.  "halved" is all
  * cures, and a step that fails is tried again in halves, these in quarters, to
- * dt / 16.  Tables: what the runs reached, and the steps of five with n = 8.
+ * dt / 16.  Tables: what the runs reached, and the steps of four with n = 8.
  */
 #include "plane/scene.h"
 #include "base/study.h"
@@ -127,7 +127,6 @@ int main(void)
     print_path("path_notes", NOTES, &cubic[NOTES]);
     print_path("path_always", EVERY, &cubic[EVERY]);
     print_path("path_demand", DEMAND, &cubic[DEMAND]);
-    print_path("path_log_notes", NOTES, &logarithm[NOTES]);
     print_path("path_log_halved", HALVED, &logarithm[HALVED]);
 
     for (int i = 0; i < SIZES; i++)

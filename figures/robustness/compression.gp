@@ -1,56 +1,58 @@
 # compression.gp - the ends pushed together, n = 8: linear systems of each step
 # and least J after it; crosses: the step that failed.
-# Reads   data  tables path_notes, path_always, path_demand, path_log_notes,
-#               path_log_halved
+# Reads   data  tables path_notes, path_always, path_demand, path_log_halved
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,640
+set terminal svg size 600,680
 set output out
-array Name[5] = ["path_notes", "path_demand", "path_always", \
-    "path_log_notes", "path_log_halved"]
-array Style[5] = [2, 3, 4, 1, 6]
+# the notes' method above projection on demand, with which it begins
+array Name[4] = ["path_always", "path_demand", "path_notes", "path_log_halved"]
+array Style[4] = [4, 3, 2, 6]
+array Wide[4] = [2, 5, 2, 2]
+array Color[4] = ["#CC79A7", "#009E73", "#D55E00", "#56B4E9"]
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
 lost(value) = strcol("reason") ne "OK" ? value : NaN
 set multiplot
-set lmargin at screen 0.115
-set rmargin at screen 0.985
+set lmargin at screen 0.125
+set rmargin at screen 0.975
+set grid noxtics ytics
 set xrange [0:2.02]
 set arrow 1 from pi / 2, graph 0 to pi / 2, graph 1 nohead ls 8
 set tmargin at screen 0.97
-set bmargin at screen 0.54
+set bmargin at screen 0.55
 unset key
-set label 2 "cubic, always projecting" at 0.03, 120 tc ls 4
-set label 3 "cubic, on demand" at 1.53, 2.55 right tc ls 3
-set label 4 "log, all cures,\nhalved steps" at 1.34, 420 right tc ls 6
-set label 5 "log, notes' method" at 0.56, 1300 right tc ls 1
-set label 6 "cubic, notes' method" at 0.81, 1300 tc ls 2
+set label 2 "cubic, always projecting" at 0.03, 140 tc ls 4
+set label 3 "cubic, on demand" at 1.60, 6.3 tc ls 3
+set label 4 "log, all cures,\nhalved steps" at 1.34, 480 right tc ls 6
+set label 6 "cubic, notes' method" at 0.72, 1250 right tc ls 2
 set logscale y
 set yrange [2:2000]
 set format x ""
-set label 1 "× the step failed" at 0.03, 520 textcolor rgb "#555555"
+set label 1 "× the step failed" at 0.03, 450 textcolor rgb "#555555"
 set ylabel "linear systems per step"
-plot for [k = 1:5] data index Name[k] using "t":(ok("iterations")) \
-         with linespoints ls Style[k], \
-     for [k = 1:5] data index Name[k] using "t":(lost(1300)) \
-         with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
-#0072B2 #56B4E9", k) notitle
+plot for [k = 1:4] data index Name[k] using "t":(ok("iterations")) \
+         with lines lw Wide[k] lc rgb Color[k], \
+     for [k = 1:4] data index Name[k] using "t":(ok("iterations")) \
+         every 4 with points ls Style[k], \
+     for [k = 1:4] data index Name[k] using "t":(lost(1250)) \
+         with points pt 2 ps 1.2 lw 3 lc rgb Color[k]
 do for [i = 1:6] { unset label i }
 unset logscale y
-set tmargin at screen 0.50
+set tmargin at screen 0.51
 set bmargin at screen 0.10
 set format x "%g"
 set xlabel "t (s); the ends have moved by sin t each and meet at π/2"
 set ylabel "least J after the step"
 set yrange [-0.12:1.02]
 set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
-set label 7 "log, all cures,\nhalved steps" at 0.87, 0.34 tc ls 6
-set label 8 "cubic, both ways of projecting" at 1.58, 0.22 center tc ls 4
-set label 9 "cubic, notes' method" at 0.69, -0.07 right tc ls 2
-set label 10 "log, notes' method" at 0.64, 0.42 tc ls 1
-set label 11 "inverted, yet OK" at 1.555, -0.07 right tc ls 4
-plot for [k = 1:5] data index Name[k] using "t":(ok("min_J")) \
-         with linespoints ls Style[k], \
-     for [k = 1:5] data index Name[k] using "t":(lost(column("min_J"))) \
-         with points pt 2 ps 1.2 lw 3 lc rgb word("#D55E00 #009E73 #CC79A7 \
-#0072B2 #56B4E9", k) notitle
+set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc ls 6
+set label 8 "cubic,\nboth projections" at 1.60, 0.36 tc ls 4
+set label 9 "cubic, notes' method" at 0.66, -0.07 right tc ls 2
+set label 11 "inverted, yet OK" at 1.1, -0.07 tc ls 4
+plot for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \
+         with lines lw 2 lc rgb Color[k + 0], \
+     for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \
+         every 4 with points ls Style[k + 0], \
+     for [k in "3 4"] data index Name[k + 0] using "t":(lost(column("min_J"))) \
+         with points pt 2 ps 1.2 lw 3 lc rgb Color[k + 0]
 unset multiplot

@@ -4,7 +4,7 @@
 # Reads   data  tables scattered, tangled
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,760
+set terminal svg size 580,760
 set output out
 polygons(test, first) = sprintf( \
     "< awk -F'\t' '$0 == \"# tangled\" { on = 1; next } NF == 0 { on = 0 } \
@@ -24,11 +24,10 @@ from(k) = left(strcol("held"), column("amplitude")) + WIDE * part(k - 1)
 to(k) = left(strcol("held"), column("amplitude")) + WIDE * part(k)
 percent(k) = 100.0 * column(word(ways, k)) / column("seeds")
 # what a cell says: how many come back, or that none does
-said(k) = percent(k) < 1.5 ? "" : k == 2 ? sprintf("%.0f %%\nfolded", percent(k)) \
-    : k == 1 ? sprintf("%.0f %%", percent(k)) \
+said(k) = percent(k) < 1.5 ? "" : k < 3 ? sprintf("%.0f %%", percent(k)) \
     : percent(k) < 99 ? "" : k == 3 ? "stops" : "fails"
-# ... in the middle of its part, or where there is room
-middle(k) = to(k) - from(k) < 0.3 ? from(k) + 0.22 : 0.5 * (from(k) + to(k))
+# ... in the middle of its part, or beside it where it is narrow
+middle(k) = to(k) - from(k) < 0.3 ? to(k) + 0.19 : 0.5 * (from(k) + to(k))
 array Color[4] = ["#7FCFB4", "#A9D6F2", "#F3D59A", "#F0B08A"]
 set multiplot
 unset key
@@ -42,7 +41,7 @@ set tmargin at screen 0.895
 set bmargin at screen 0.415
 set xrange [0:5.14]
 set yrange [4.5:-0.5]
-array Way[5] = ["as in the notes", "line search", "projection\non demand", \
+array Way[5] = ["notes' method", "line search", "projection\non demand", \
     "both: demand,\nline search", "projection always,\nline search"]
 do for [m = 1:5] {
     set label m Way[m] at -0.08, m - (m > 2 ? 1.13 : 1.0) right

@@ -4,7 +4,7 @@
 #               machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,520
+set terminal svg size 580,540
 set output out
 array Column[5] = ["readable", "projected", "both", "residual", "clear"]
 array Name[5] = ["readable", "closed form, clamped", \
@@ -12,12 +12,13 @@ array Name[5] = ["readable", "closed form, clamped", \
 array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#999999"]
 place(group, k) = 6.0 * group + k
 unset key
-set label 1 machine(data) at screen 0.01,0.022 left font ",10"
+set label 1 machine(data) at screen 0.01,0.022 left textcolor rgb "#555555"
 set lmargin 6
 set rmargin 3
 set tmargin 1
 set bmargin 5
 set style fill solid 0.9 noborder
+set style textbox opaque noborder margins 0.3,0.3
 set grid noytics
 stats data index "assembly" using "readable" nooutput
 set xrange [0:1.3 * STATS_max]
@@ -30,4 +31,4 @@ plot for [k = 1:5] data index "assembly" \
          (place($0, k) + 0.42) with boxxyerror lc rgb Colour[k], \
      for [k = 1:5] data index "assembly" \
          using (column(Column[k]) + 0.01 * STATS_max):(place($0, k)):(Name[k]) \
-         with labels left tc rgb Colour[k] font ",12"
+         with labels left boxed tc rgb Colour[k]

@@ -18,8 +18,8 @@ of(k) = strcol("solver") eq Solver[int(k)] ? column("n") : NaN
 set multiplot layout 2,1 margins 0.12,0.70,0.09,0.985 spacing 0,0.09
 unset key
 set label 2 "slope 4" at 75, 1.2
-if (has("gsl_dense")) { set label 3 Name[1] at 35, 1.1e3 tc ls Style[1] }
-set label 9 machine(data) at screen 0.01,0.012 left font ",11"
+if (has("gsl_dense")) { set label 3 Name[1] at 35, 2.1e3 tc ls Style[1] }
+set label 9 machine(data) at screen 0.01,0.012 left textcolor rgb "#555555"
 set logscale xy
 set xtics (16, 32, 64, 128)
 set xrange [14:150]

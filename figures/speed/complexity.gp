@@ -5,7 +5,7 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,880
+set terminal svg size 600,880
 set output out
 set datafile missing "-"
 array Name[6] = ["dense", "band", "dissection", "jacobi", "incomplete", \
@@ -21,7 +21,7 @@ slope(k, what) = real(system(sprintf("awk -F'\t' '$0 == \"# exponents\" \
 # above or below; a thin line leads to it where another curve lies between.
 set multiplot layout 2,1 margins 0.115,0.735,0.10,0.985 spacing 0,0.09
 unset key
-set label 9 machine(data) at screen 0.01,0.012 left font ",11"
+set label 9 machine(data) at screen 0.01,0.012 left textcolor rgb "#555555"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
@@ -46,14 +46,14 @@ plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
 do for [k = 9:16] { unset label k }
 unset arrow
-array Time[6] = [170, 52, 104, 1250, 215, 430]
+array Time[6] = [170, 48, 85, 1250, 520, 250]
 array From[6] = [31, 136, 320, 136, 320, 320]
 do for [k = 1:6] {
     color = Style[k]
     set label 10 + k Text[k] at From[k], Time[k] tc ls color
 }
 color = Style[5]
-set arrow 5 from 136, 350 to 305, 225 nohead ls color lw 0.8
+set arrow 5 from 136, 368 to 305, 500 nohead ls color lw 0.8
 set label 11 right
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]

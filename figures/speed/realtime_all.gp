@@ -5,7 +5,7 @@
 #               machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,680
+set terminal svg size 580,700
 set output out
 of(word) = strcol("systems") eq word ? column("n") : NaN
 most(word) = real(system(sprintf("awk -F'\t' '$1 == \"%s\" { print $2 }' '%s'", \
@@ -19,7 +19,7 @@ set rmargin at screen 0.97
 set tmargin at screen 0.975
 set bmargin at screen 0.46
 unset key
-set label 9 machine(data) at screen 0.01,0.018 left font ",10"
+set label 9 machine(data) at screen 0.01,0.018 left textcolor rgb "#555555"
 set logscale xy
 set xtics (16, 24, 32, 48, 64)
 set xrange [14:74]
@@ -27,7 +27,8 @@ set yrange [0.1:1e4]
 set ytics 0.1, 10, 1e4
 set xlabel "squares per side n"
 set ylabel "worst frame (ms)" offset 1
-set label 1 "whole swing,\nup to 300 systems a frame" at 15,2500 tc ls 2
+set grid noxtics
+set label 1 "whole swing,\nup to 300 systems a frame" at 15,4500 tc ls 2
 set label 2 sprintf("at most 8 systems a frame,\nin time up to n = %.0f", \
     most("capped_most")) at 27,3.5 tc ls 1
 set label 3 "1/30 s" at 15,55
@@ -44,13 +45,14 @@ set lmargin at screen 0.27
 set xrange [0:1.2 * most("kept")]
 set yrange [4.6:0.4]
 set xtics autofreq
-set ytics ("band" 1, "dissection" 2, "... in single" 3, "... and kept" 4) \
+set ytics ("band" 1, "dissection" 2, "in single precision" 3, \
+    "kept across steps" 4) \
     scale 0
-set grid noytics
+unset grid
 unset ylabel
-set xlabel "the largest n in time in 99 of 100 steps, only stretched"
+set xlabel "the largest n in time in 99 of 100 steps; body only stretched"
 set style fill solid 0.9 noborder
-do for [k = 1:4] { 
+do for [k = 1:4] {
     set label k sprintf("%.0f", most(Name[k])) at most(Name[k]), k offset 0.6,0
 }
 plot for [k = 1:4] "+" using (0):(k):(0):(most(Name[k])):(k - 0.33):(k + 0.33) \

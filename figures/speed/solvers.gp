@@ -6,7 +6,7 @@
 #               from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,820
+set terminal svg size 580,820
 set output out
 array Name[4] = ["band", "dissection", "single", "cholmod"]
 array Style[4] = [1, 3, 6, 4]
@@ -25,7 +25,7 @@ over(k) = strcol("solver") eq Name[int(k)] ? \
 
 set multiplot layout 2,1 margins 0.11,0.98,0.095,0.985 spacing 0,0.1
 unset key
-set label 9 machine(data) at screen 0.01,0.014 left font ",10"
+set label 9 machine(data) at screen 0.01,0.014 left textcolor rgb "#555555"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128, 256)
@@ -34,12 +34,12 @@ set yrange [1e-2:2e3]
 set xlabel "squares per side n"
 set ylabel "whole time step (ms)"
 set arrow 1 from C_max, graph 0 to C_max, graph 0.45 nohead ls 8
-set label 1 "1/30 s" at 7.6,52 left
+set label 1 "1/30 s" at 8.5,52 left
 set label 2 "band" at 165,400 right tc ls 1
 set label 3 "dissection" at 105,4.2 left tc ls 3
-set label 4 (cholmod ? "CHOLMOD" : "") at 7.6,0.6 left tc ls 4
+set label 4 (cholmod ? "CHOLMOD" : "") at 8.5,0.45 left tc ls 4
 set label 5 sprintf("dissection is\nfaster from\nn = %d on", C_max) \
-    at C_max * 1.12,0.085 left
+    at C_max * 1.12,0.065 left
 plot for [k in cholmod ? "1 2 4" : "1 2"] data index "solvers" \
          using (of(k)):"step_ms" with linespoints ls Style[int(k)], \
      1000.0 / 30.0 with lines ls 8
@@ -47,13 +47,14 @@ unset label
 unset arrow
 unset logscale y
 set format y "%g"
+set grid noxtics
 set yrange [0:5.2]
 set ytics 1
 set ylabel "one solve, relative to dissection"
-set label 1 "single precision,\nrefined" at 11,4.3 left tc ls 6
+set label 1 "single precision,\nrefined" at 11,4.7 left tc ls 6
 set label 2 "band" at 205,4.75 right tc ls 1
 set label 3 "dissection" at 280,0.74 right tc ls 3
-set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.85 left tc ls 4
+set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.7 left tc ls 4
 plot for [k in cholmod ? "1 3 4" : "1 3"] data index "solvers" \
          using (of(k)):(over(k)) with linespoints ls Style[int(k)], \
      1 with lines ls 3

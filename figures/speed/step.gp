@@ -1,13 +1,14 @@
 # step.gp - what a whole time step costs, beside the limits of a core
 # [eq:roofline], and what an accuracy costs.
 # Expected: slope 4 in n for large n, where factoring is everything.
-# Reads   data  tables steps (method n median_ms real_time), roofline
+# Reads   data  tables steps (method n samples median_ms real_time), roofline
 #               (n predicted_ms), accuracy (n rms *_ms), machine, and peer
 #               (method n step_ms) of figures/many/peer.c; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 620,900
+set terminal svg size 600,900
 set output out
+set style line 6 pt 15 ps 0.7  # full, as a hollow mark means few steps
 array Method[5] = ["readable", "lapack", "blocked", "best", "sparse"]
 array Name[5] = ["readable", "lapack: ".lapack(data), "blocked", "best", "sparse"]
 array Style[5] = [2, 4, 6, 1, 3]
@@ -30,7 +31,7 @@ set lmargin at screen 0.12
 set rmargin at screen 0.745
 set tmargin at screen 0.98
 set bmargin at screen 0.56
-set label 9 machine(data) at screen 0.01,0.010 left font ",11"
+set label 9 machine(data) at screen 0.01,0.010 left textcolor rgb "#555555"
 set logscale xy
 set format y "10^{%T}"
 set xtics (8, 16, 32, 64, 128)
@@ -38,8 +39,8 @@ set xrange [7:140]
 set yrange [1e-3:8e3]
 set xlabel "squares per side n"
 set ylabel "median time per step (ms)"
-set label 10 "1/30 s" at 7.4,55 left
-set label 11 "limits of the core, band" at 26, 0.011
+set label 10 "1/30 s" at 8.6,55 left
+set label 11 "bound for\na band" at 34, 0.0055
 do for [k in there] {
     i = int(k)
     set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] tc ls Style[i]
@@ -51,6 +52,9 @@ if (peer) {
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
+     for [k in there] data index "steps" \
+         using (column("samples") < 90 ? of(k) : NaN):"median_ms" \
+         with points pt 7 ps 0.3 lc rgb "white", \
      for [word in rows] data index "peer" using (by(word)):"step_ms" \
          with points pt (word eq "notes" ? 11 : 13) ps 1 lc rgb "#666666", \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \

@@ -26,14 +26,15 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($8 > 0.35 * last) next; last = $8; \
         element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
         if ($13 > 1) element = element \", graded\"; \
-        how = $4 == \"static\" ? \"static \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
+        how = $4 == \"static\" ? \"static n = \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
 set multiplot
 set logscale xy
+set grid noxtics ytics
 set format y "10^{%T}"
 set format x "10^{%T}"
 set xrange [4e3:2e8]
-set yrange [1.5e-4:3]
+set yrange [3e-5:3]
 set xtics 1e4, 10, 1e8
 unset key
 do for [s = 1:2] {
@@ -47,9 +48,9 @@ do for [s = 1:2] {
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",13" \
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
-    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.81 tc rgb "#CC79A7"
-    set label 6 (s == 2 ? "known to" : "") at 6e3, 7.5e-4
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.855 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.79 tc rgb "#CC79A7"
+    set label 6 "known to" at 6e3, s == 1 ? 6.4e-5 : 7.3e-4
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
          apart using (here(s) ? column("flops") : NaN):"error" \

@@ -7,7 +7,7 @@
 #               even linear triangles, else the rule)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,1080
+set terminal svg size 580,2320
 set output out
 array Scene[6] = ["slow_pull", "fast_pull", "shake", "swing", "buckle", "push"]
 array Title[6] = ["slow pull", "fast pull", "shake", "swing (a hump let go)", \
@@ -27,31 +27,31 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($8 > 0.35 * last) next; last = $8; \
         element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
         if ($13 > 1) element = element \", graded\"; \
-        how = $4 == \"static\" ? \"static \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
+        how = $4 == \"static\" ? \"static n = \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
 set multiplot
 set logscale xy
+set grid noxtics ytics
 set format y "10^{%T}"
 set format x "10^{%T}"
 set xrange [4e3:2e8]
-set yrange [1.5e-4:3]
+set yrange [3e-5:3]
 set xtics 1e4, 10, 1e8
 unset key
 do for [s = 1:6] {
-    column_ = (s - 1) % 2
-    row = (s - 1) / 2
-    set lmargin at screen 0.085 + 0.49 * column_
-    set rmargin at screen 0.085 + 0.49 * column_ + 0.415
-    set tmargin at screen 0.965 - 0.325 * row
-    set bmargin at screen 0.965 - 0.325 * row - 0.265
-    set label 1 Title[s] at graph 0.5, 1.05 center font ",14"
-    set xlabel row == 2 ? "flops counted" : ""
-    set ylabel column_ == 0 ? "relative error of u at the end" : ""
-    set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",12" \
+    set lmargin at screen 0.13
+    set rmargin at screen 0.97
+    set tmargin at screen 0.985 - 0.163 * (s - 1)
+    set bmargin at screen 0.985 - 0.163 * (s - 1) - 0.135
+    set label 1 Title[s] at graph 0.5, 1.05 center font ",15"
+    set xlabel s == 6 ? "flops counted" : ""
+    set ylabel "relative error of u at the end"
+    set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right \
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
-    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.81 tc rgb "#CC79A7"
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.855 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.79 tc rgb "#CC79A7"
+    set label 6 (s == 1 ? "known to" : "") at 6e3, 6.4e-5
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
          apart using (here(s) ? column("flops") : NaN):"error" \
@@ -63,9 +63,9 @@ do for [s = 1:6] {
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
          corners using (here(s) && column("flops") < 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels left offset 0.8,0.5 font ",11", \
+             with labels left offset 0.8,0.5, \
          corners using (here(s) && column("flops") >= 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels right offset -0.8,-0.5 font ",11", \
+             with labels right offset -0.8,-0.5, \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
 }

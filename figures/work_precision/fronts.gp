@@ -5,7 +5,7 @@
 #               scenes (scene floor), machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 580,720
+set terminal svg size 580,760
 set output out
 array Scene[2] = ["slow_pull", "shake"]
 array Title[2] = ["slow pull", "shake"]
@@ -26,14 +26,15 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\\tms\
     NF == 0 { on = 0 } on && $1 != \"scene\" { \
         if ($1 != scene) last = 9; scene = $1; \
         if ($7 > 0.35 * last) next; last = $7; \
-        how = $3 == \"static\" ? \"static \" $4 : $3 \" \" $4 \"×\" $5; \
+        how = $3 == \"static\" ? \"static n = \" $4 : $3 \" \" $4 \"×\" $5; \
         print $1 \"\\t\" $8 \"\\t\" $7 \"\\t\" $2 \" \" how }' '%s'", data)
 explicit = system(sprintf("awk -F'\t' '$0 == \"# front\" { on = 1 } NF == 0 { on = 0 } \
     on && $1 == \"shake\" { row = $8 \" \" $7 \" \" $2 \" \" $4 \"×\" $5; \
         last = $3 ~ /^symp/ } END { if (last) print row }' '%s'", data))
 set multiplot
-set label 20 machine(data) at screen 0.99,0.992 right font ",10"
+set label 20 machine(data) at screen 0.99,0.99 right textcolor rgb "#555555"
 set logscale xy
+set grid noxtics ytics
 set format y "10^{%T}"
 set format x "10^{%T}"
 set xrange [2e-3:2e3]
@@ -42,19 +43,19 @@ unset key
 do for [s = 1:2] {
     set lmargin at screen 0.13
     set rmargin at screen 0.97
-    set tmargin at screen 0.95 - 0.475 * (s - 1)
-    set bmargin at screen 0.95 - 0.475 * (s - 1) - 0.395
+    set tmargin at screen 0.935 - 0.475 * (s - 1)
+    set bmargin at screen 0.935 - 0.475 * (s - 1) - 0.395
     set label 1 Title[s] at graph 0.5, 1.05 center font ",15"
     set yrange [Least[s]:Most[s]]
     set xlabel s == 2 ? "time to the answer (ms)" : ""
     set ylabel "relative error of u at the end"
-    set label 2 "failed: ".lost(s) at graph 0.03, 0.06 font ",12" \
+    set label 2 "failed: ".lost(s) at graph 0.03, s == 1 ? 0.06 : 0.3 \
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
     set label 5 "real time" at Lasts[s], graph 0.95 right offset -0.5, 0
     if (s == 2 && words(explicit) == 4) {
-        set label 6 word(explicit, 3)." symplectic ".word(explicit, 4) \
+        set label 6 word(explicit, 3)." sympl. ".word(explicit, 4) \
             at real(word(explicit, 1)), real(word(explicit, 2)) left offset 0.6,-0.9 font ",13"
     }
     set arrow 1 from Lasts[s], graph 0 to Lasts[s], graph 1 nohead ls 8

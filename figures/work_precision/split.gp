@@ -12,7 +12,7 @@ array Color[4] = ["#CC79A7", "#009E73", "#F0E442", "#666666"]
 sum(k) = (k > 0 ? column("model") : 0) + (k > 1 ? column("space") : 0) + \
          (k > 2 ? column("time") : 0) + (k > 3 ? column("solver") : 0)
 share(k) = 100.0 * sum(k) / sum(4)
-set lmargin at screen 0.50
+set lmargin at screen 0.515
 set rmargin at screen 0.985
 set tmargin at screen 0.945
 set style fill solid 0.9 border lc rgb "white"
@@ -22,7 +22,7 @@ unset grid
 set yrange [9.6:-0.9]
 set xrange [0:114]
 set xlabel "share of the sum of their sizes (%)"
-set ytics scale 0 font ",12"
+set ytics scale 0
 set xtics 0, 20, 100 nomirror
 set label 1 "error" at 102, -0.75
 plot for [k = 1:4] data index "split" \

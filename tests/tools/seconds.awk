@@ -46,7 +46,8 @@ function print_elements(    s, e, scene, error, linear) {
     split("weight column", scene, " ")
     split("0.01 0.003", error, " ")
     print "| scene | error | linear, Mflop | ms | $m=1.5$: times fewer flops | " \
-        "times faster | quadratic: fewer | faster | quadratic, $m=2$: fewer | faster |"
+        "times faster | quadratic: times fewer | times faster | " \
+        "quadratic, $m=2$: times fewer | times faster |"
     print "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|"
     for (s = 1; s <= 2; s++)
         for (e = 1; e <= 2; e++) {
