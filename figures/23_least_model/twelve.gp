@@ -15,11 +15,12 @@ set ylabel "estimated error (%)"
 set format xy "%g"
 set key at graph 0.02, graph 0.98 left top vertical maxrows 3 reverse Left samplen 2
 of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate") : NaN
-set label 1 "3 times the truth" at 1.4, 6.2 rotate by 41 font ",11" textcolor rgb "#555555"
-set label 2 "a third of it" at 0.16, 0.035 rotate by 41 font ",11" textcolor rgb "#555555"
-set label 3 "a straight column above its buckling load:\nno estimate of triangles sees it;\nK is not positive definite" \
-    at 180, 0.62 right font ",11" textcolor rgb "#D55E00"
-set label 4 "10 %" at 0.0135, 12.5 font ",11" textcolor rgb "#555555"
+set style textbox opaque noborder margins 0.2, 0.2
+set label 1 "3 times" at 0.125, 0.5 rotate by 38 textcolor rgb "#555555"
+set label 2 "a third" at 0.40, 0.107 rotate by 38 textcolor rgb "#555555"
+set label 3 "a straight column above\nits buckling load: triangles\nestimate little, but K is\nnot positive definite" \
+    at 180, 0.62 right textcolor rgb "#C00000" boxed
+set label 4 "10 %" at 0.0135, 12.8 textcolor rgb "#555555"
 set arrow 1 from 0.012, 10 to 200, 10 nohead ls 9
 set style fill transparent solid 0.12 noborder
 plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) ** (($0) / 99.0) / 3):(3 * 0.012 * (200 / 0.012) ** (($0) / 99.0)) \
@@ -29,7 +30,7 @@ plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) *
      "" index "rungs" using "error":(of("linear")) with points pt 13 ps 1.0 lc rgb "black" title "linear", \
      "" index "rungs" using "error":(of("cubic")) with points ls 2 ps 0.9 title "cubic", \
      "" index "rungs" using "error":(of("log")) with points ls 1 ps 0.9 notitle, \
-     "" index "chosen" using "error":"estimate" with points pt 6 ps 1.9 lw 1.5 lc rgb "black" \
+     "" index "chosen" using "error":"estimate" with points pt 6 ps 1.7 lw 1 lc rgb "black" \
          title "enough for 10 %", \
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
-         with points pt 2 ps 1.4 lw 2.5 lc rgb "#D55E00" title "unstable"
+         with points pt 2 ps 1.4 lw 2.5 lc rgb "#C00000" title "unstable"

@@ -4,7 +4,7 @@
 # Reads   data  tables pull, cut, cells
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 860,460 font "Helvetica,14"
+set terminal svg size 560,680 font "Helvetica,14"
 set output out
 cut(column) = system(sprintf("awk -F'\t' '$0 == \"# cut\" { on = 1 } \
     on && $1 ~ /^[0-9]/ { print $%d; exit }' '%s'", column, data)) + 0.0
@@ -38,10 +38,10 @@ set size ratio -1
 set xrange [-56:88]
 set yrange [-18.5:21]
 set lmargin at screen 0.01
-set rmargin at screen 0.61
+set rmargin at screen 0.99
 do for [k = 1:2] {
-    set tmargin at screen k == 1 ? 0.94 : 0.48
-    set bmargin at screen k == 1 ? 0.53 : 0.07
+    set tmargin at screen k == 1 ? 0.985 : 0.745
+    set bmargin at screen k == 1 ? 0.755 : 0.515
     F = cut(k)
     set object 1 rectangle from -55, -16 to -50, 16 fc rgb "#EFE9DA" \
         fs solid noborder behind
@@ -68,20 +68,23 @@ set size noratio
 set border 3 back ls 9
 set tics nomirror textcolor rgb "black"
 set grid back ls 9
-set lmargin at screen 0.72
-set rmargin at screen 0.98
-set tmargin at screen 0.80
-set bmargin at screen 0.14
+set lmargin at screen 0.13
+set rmargin at screen 0.97
+set tmargin at screen 0.46
+set bmargin at screen 0.105
 set xrange [0:15.5]
 set yrange [0:50]
 set xlabel "pull (mm)"
 set ylabel "force in the hand (mN)"
-set key above left maxrows 3 samplen 2
+set style textbox opaque noborder margins 0.2, 0.2
+set label 1 "whole" at 9.2, 34.5 right tc ls 1 boxed
+set label 2 "cut" at 12.6, 25.5 left tc ls 2 boxed
+set label 3 sprintf("shaded: %.1f µJ, released by the cut", 1e6 * cut(6)) \
+    at 15.2, 5 right boxed
 plot data index "pull" using (1e3*column("d")):(1e3*column("whole")):\
-         (1e3*column("cut")) with filledcurves fc rgb "#F6DDC9" \
-         title sprintf("released: %.1f µJ", 1e6 * cut(6)), \
+         (1e3*column("cut")) with filledcurves fc rgb "#F6DDC9", \
      "" index "pull" using (1e3*column("d")):(1e3*column("whole")) \
-         with linespoints ls 1 title "whole", \
+         with linespoints ls 1, \
      "" index "pull" using (1e3*column("d")):(1e3*column("cut")) \
-         with linespoints ls 2 title "cut"
+         with linespoints ls 2
 unset multiplot

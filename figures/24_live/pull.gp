@@ -8,15 +8,16 @@ set terminal svg size 580,740
 set output out
 set multiplot layout 2,1 margins 0.13,0.97,0.08,0.985 spacing 0,0.11
 set key off
+set style textbox opaque noborder margins 0.2, 0.2
 set lmargin 9
 set xlabel "squares per side n"
 set ylabel "speed of the hand (m/s)"
 set xrange [14:34]
 set yrange [2:9]
 set xtics (16, 24, 32)
-set label 1 "lesson 11: 2.2 h per frame" at 25.6,5.8 tc rgb "black"
-set label 2 "cubic law: frames are lost above" at 14.6,4.4 tc rgb "#D55E00"
-set label 3 "log law: no frame lost up to 7.5 m/s" at 20.4,7.85 tc rgb "#0072B2"
+set label 1 "lesson 11: 2.2 h per frame" at 26.6,5.75 tc rgb "black" boxed
+set label 2 "cubic law: frames are lost above the line" at 14.6,3.5 tc rgb "#D55E00" boxed
+set label 3 "log law: no frame lost up to 7.5 m/s" at 20.4,8.5 tc rgb "#0072B2" boxed
 plot law / x with lines ls 8, \
      [16:32] 7.5 with lines ls 1, \
      data index "limit" using "n":"cubic" with linespoints ls 2
@@ -26,8 +27,8 @@ set ylabel "G' (N/m^2)" offset 1
 set xrange [1:3]
 set yrange [-500:1500]
 set xtics 0.5
-set label 1 "μ: above, a part of K is not positive" at 1.05,460
-set label 2 "cubic law" at 1.72,1050 tc rgb "#D55E00"
+set label 1 "μ: above, a part of K is not positive" at 1.05,560 boxed
+set label 2 "cubic law" at 1.95,1150 tc rgb "#D55E00"
 set label 3 "log law" at 2.5,-70 tc rgb "#0072B2"
 plot data index "slope" using "J":"mu" with lines ls 8, \
      "" index "slope" using "J":"cubic" with lines ls 2, \
