@@ -66,7 +66,7 @@ valgrind)
 esac
 [ $kind = sanitize ] || [ $kind = valgrind ] || exit 0
 run=
-[ $kind = sanitize ] || run='valgrind -q --leak-check=full --error-exitcode=9'
+[ $kind = sanitize ] || run='valgrind -q --leak-check=full --read-inline-info=no --error-exitcode=9'
 
 # ---- the default run of every solution; of every study under the sanitizers,
 # which are quicker than valgrind: what it does in its first second -------------
@@ -101,19 +101,22 @@ long_for() {
     [ -n "$whole" ] || case $kind.$1 in
     valgrind.body) echo the_lift_cures_the_first_step \
         the_best_guess_needs_one_factorisation_a_step dynamics_equal_the_oracle ;;
-    valgrind.cells) echo a_tenth_of_a_second_is_measured ;;
+    valgrind.cells) echo a_tenth_of_a_second_is_measured \
+        cells_say_what_a_finer_mesh_says ;;
     valgrind.hang) echo a_limit_goes_on_as_three_meshes_do \
-        all_elements_have_one_limit ;;
+        all_elements_have_one_limit trials_rest_and_move ;;
     valgrind.integrate) echo frames_fall_back_or_keep_the_state ;;
     valgrind.judge) echo what_gives_up_at_once_explains_nothing \
         words_must_be_the_reference_s unsolved_runs_keep_their_tables ;;
     valgrind.kept) echo old_factors_find_the_same_step ;;
-    valgrind.ladder) echo the_mesh_estimate_meets_the_error ;;
+    valgrind.ladder) echo the_mesh_estimate_meets_the_error \
+        a_climb_ends_with_enough ;;
     valgrind.live) echo downhill_goes_down ;;
     valgrind.matrix) echo a_band_of_any_width_equals_gsl \
         memory_starts_at_a_line_of_the_cache \
         the_room_behind_a_column_stays_zero ;;
-    valgrind.motion) echo implicit_orders_are_due ;;
+    valgrind.modes) echo a_column_walks_on ;;
+    valgrind.motion) echo implicit_orders_are_due log_protects_the_points_alone ;;
     valgrind.particles) echo the_disc_is_the_oracles ;;
     valgrind.rivals) echo blocks_fall_as_elements_do ;;
     valgrind.robustness) echo projecting_on_demand_is_several_times_cheaper \
@@ -124,9 +127,12 @@ long_for() {
         what_is_indefinite_is_solved_with_signs \
         a_body_in_either_storage_has_the_same_matrix \
         the_order_takes_every_free_vertex_once rounded_factors_have_seven_digits \
-        the_verbs_are_those_of_dense_storage ;;
-    valgrind.without) echo nothing_is_the_ladder_of_live ;;
-    valgrind.work) echo limits_are_limits failures_have_no_answer ;;
+        the_verbs_are_those_of_dense_storage a_line_separates_its_two_sides \
+        a_step_in_either_storage_is_the_same ;;
+    valgrind.study) echo a_rate_is_as_sure_as_its_runs ;;
+    valgrind.without) echo nothing_is_the_ladder_of_live a_play_repeats_itself ;;
+    valgrind.work) echo limits_are_limits failures_have_no_answer \
+        methods_have_their_orders ;;
     esac
 }
 for program in "$dir"/unit/*; do
