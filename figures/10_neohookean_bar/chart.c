@@ -3,7 +3,7 @@
  *
  * The hanging bar, cubic law, c = 500: relative error of u(1) against the
  * seconds of the whole solve; the same with five steps on a million elements,
- * with the distance of the first increment from that of the sweep from both ends.
+ * and how far the first increment is from that of the sweep from both ends.
  * Four programs: bar_newton(); bar_gsl.h; the sweeps of bar_fast.h, from the
  * left and from both ends [alg:fused-sweep].
  */
