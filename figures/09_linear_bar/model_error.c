@@ -44,8 +44,8 @@ static double strain_at(const struct material *law, enum error_of what,
     return sign * study_root(above_level, &level, 1e-5, 0.4);
 }
 
-/* Both errors of both laws, log and cubic; returned is how far the stress errors
- * of the smallest strain are from slope |e|. */
+/* Both errors of both laws, log and cubic; returned is how far the stress
+ * errors of the smallest strain are from slope |e|. */
 static double print_errors(const struct material law[2], double slope)
 {
     double off = 0.0;
