@@ -10,4 +10,6 @@ eval reach(1.05)
 set yrange [-0.35:0.35]
 set xtics 1
 set ytics 0.2
+set xlabel "x (m)"
+set ylabel "y (m)"
 plot @SQUARE
