@@ -2,7 +2,7 @@
 # Reads   data  table nodes (X Y u_x u_y)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,260
+set terminal svg size 640,270 enhanced font "Helvetica,16" background rgb "white"
 set output out
 table = "nodes"
 load "figures/square.gp"
