@@ -12,4 +12,5 @@ set xtics 1
 set ytics 0.2
 set xlabel "x (m)"
 set ylabel "y (m)"
+set rmargin at screen 0.80
 plot @SQUARE
