@@ -17,13 +17,13 @@ set ylabel "frames unfinished, of 300" offset 0.5
 set label 1 "cubic law" at 2.9,150 tc ls 2
 set label 2 "log law" at 2.6,60 right tc ls 1
 set label 3 "none" at 32,1.5 center
-off(name) = strcol(name) eq "-" ? "" : sprintf("%.2g m", column(name))
-near(name) = column(name) < 1e-3 ? "0.03 mm" : off(name)
+off(name) = strcol(name) eq "-" ? "" : column(name) < 1e-3 ? \
+    sprintf("%.1g mm", 1e3 * column(name)) : sprintf("%.2g m", column(name))
 plot data index "sizes" using "budget":(column("log_late") > 0 ? column("log_late") : NaN) \
          with linespoints ls 1, \
      "" index "sizes" using "budget":(column("cubic_late") > 0 ? column("cubic_late") : NaN) \
          with linespoints ls 2, \
-     "" index "sizes" using "budget":"log_late":(near("log_off")) \
+     "" index "sizes" using "budget":"log_late":(off("log_off")) \
          with labels right offset -1,-0.7 tc ls 1, \
      "" index "sizes" using "budget":"cubic_late":(off("cubic_off")) \
          with labels left offset 1,0.7 tc ls 2
