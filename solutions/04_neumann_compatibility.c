@@ -7,7 +7,7 @@
  * Problem.  -u'' = e^x on (0, 1) with flux u' n = 0 at x = 0 and -(e - 1) at
  * x = 1 has solutions.  But A is singular, and with b from a quadrature rule
  * A u = b has none [eq:neumann-compatibility].  Measure that defect, remove it,
- * solve for the member of minimum norm of the family [eq:neumann-family], and
+ * solve for the member of least norm of the family [eq:neumann-family], and
  * refuse a problem that has no solution.
  *
  *     |  k -k  .  . |

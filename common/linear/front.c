@@ -192,16 +192,33 @@ INLINE void fetch(const int single, const struct front *f, ptrdiff_t l,
 /* Numbers i .. i + V - 1 of what is kept. */
 INLINE vec numbers(const int single, const struct front *f, ptrdiff_t i)
 {
-    return single ? VEC_OF(&f->rounded[i]) : VEC(f->l[i]);
+#define ROUNDED(i, r) f->rounded[(i) + (r)]
+    return single ? VEC_OF(ROUNDED, i) : VEC(f->l[i]);
 }
+
+/* Of twice `half` vecs t the first half := the sums of lanes r and r + half,
+ * where r has no bit `half`; where it has, of lanes r - half and r of the vec
+ * that is `half` later.  With constants for lanes it is two shuffles and a sum,
+ * so it is a macro. */
+#define LOWER(half, r) ((r) & (half) ? b : a)[(r) & ~(half)]
+#define UPPER(half, r) ((r) & (half) ? b : a)[(r) | (half)]
+#define FOLD(half, t) \
+    UNROLL for (int c = 0; c < half; c++) { \
+        const vec a = t[c], b = t[c + half]; \
+        t[c] = VEC_OF(LOWER, half) + VEC_OF(UPPER, half); \
+    }
 
 /* y[c] := the sum of all numbers of t[c]. */
 INLINE void add_up(vec t[W], double y[W])
 {
-    UNROLL for (int half = V / 2; half > 0; half /= 2)
-        UNROLL for (int c = 0; c < W; c++)
-            UNROLL for (int r = 0; r < half; r++) t[c][r] += t[c][r + half];
-    UNROLL for (int c = 0; c < W; c++) y[c] = t[c][0];
+#if VEC_WIDTH > 4
+    FOLD(4, t)
+#endif
+#if VEC_WIDTH > 2
+    FOLD(2, t)
+#endif
+    FOLD(1, t)
+    VEC(y[0]) = t[0];
 }
 
 INLINE void forward(const int single, const struct front *f, double x[])

@@ -172,14 +172,19 @@ void matrix_keep_single(struct matrix *A, int single)
     A->single = single;
 }
 
+static enum status factor_sparse(struct matrix *A, double b[])
+{
+    if (!A->factor)
+        A->factor = allocate_lines(A->sparse->size(A->pattern, A->single));
+    return A->sparse->factor(A->pattern, A->a, A->single, A->factor, b);
+}
+
 enum status matrix_factor(struct matrix *A)
 {
     if (A->storage == DENSE) return dense_factor(A->n, A->a);
     if (is_wide(A)) return tiles_factor(A->n, A->p, A->stride, A->a);
     if (A->storage != SPARSE) return banded_factor(A->n, A->p, A->a);
-    if (!A->factor)
-        A->factor = allocate_lines(A->sparse->size(A->pattern, A->single));
-    return A->sparse->factor(A->pattern, A->a, A->single, A->factor);
+    return factor_sparse(A, NULL);
 }
 
 void matrix_solve(const struct matrix *L, double b[])
@@ -192,6 +197,14 @@ void matrix_solve(const struct matrix *L, double b[])
         tiles_solve(L->n, L->p, L->stride, L->a, b);
     else
         banded_solve(L->n, L->p, L->a, b);
+}
+
+enum status matrix_factor_solve(struct matrix *A, double b[])
+{
+    if (A->storage == SPARSE) return factor_sparse(A, b);
+    const enum status status = matrix_factor(A);
+    if (status == OK) matrix_solve(A, b);
+    return status;
 }
 
 enum status matrix_solve_indefinite(const struct matrix *A, double b[],

@@ -44,7 +44,7 @@ struct matrix_sparse {
                      const double x[], double y[]);
     size_t (*size)(const struct sparse *s, int single);
     enum status (*factor)(const struct sparse *s, const double a[], int single,
-                          double memory[]);
+                          double memory[], double b[]);
     void (*solve)(const struct sparse *s, int single, double memory[],
                   double b[]);
     enum status (*solve_indefinite)(const struct sparse *s, const double a[],
@@ -143,6 +143,10 @@ enum status matrix_factor(struct matrix *A);
 
 /* b := A^{-1} b, for L from matrix_factor(). */
 void matrix_solve(const struct matrix *L, double b[]);
+
+/* Both, with the same digits; a sparse L is read once less.  A status that is
+ * not OK leaves b spoilt. */
+enum status matrix_factor_solve(struct matrix *A, double b[]);
 
 /*
  * b := A^{-1} b for an A that is not factored, not dense, and need not be

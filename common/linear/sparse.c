@@ -194,8 +194,44 @@ static struct front front_of(const struct sparse *s, int i, struct memory m)
                           rounded, m.sign ? &m.sign[2 * f->piece.first] : NULL};
 }
 
+/* The part of front i in b := L^-1 b; or (back) in L^-T b. */
+static void substitute_one(const struct sparse *s, int i, struct memory m,
+                           int back, double b[])
+{
+    const struct sparse_front *f = &s->front[i];
+    const struct front front = front_of(s, i, m);
+    const int p = front.pivots, *place = &s->rest[f->at];
+    const int rows = front_row(p, front_row(front.rest, 0));
+    double *x = &m.all[s->vector], *rest = &x[front_row(p, 0)];
+    double *pivot = &b[2 * f->piece.first];
+    memset(x, 0, (size_t)rows * sizeof *x);
+    memcpy(x, pivot, (size_t)p * sizeof *x);
+    if (back) {
+        for (int k = 0; k < f->rest; k++)
+            memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
+        front_backward(&front, x);
+    } else {
+        front_forward(&front, x);
+        for (int k = 0; k < f->rest; k++) {
+            b[2 * place[k]] += rest[2 * k];
+            b[2 * place[k] + 1] += rest[2 * k + 1];
+        }
+    }
+    memcpy(pivot, x, (size_t)p * sizeof *x);
+}
+
+/* b := L^-1 b, by all fronts; or (back) L^-T b. */
+static void substitute(const struct sparse *s, struct memory m, int back,
+                       double b[])
+{
+    const int n = s->order->n_piece;
+    for (int i = 0; i < n; i++)
+        substitute_one(s, back ? n - 1 - i : i, m, back, b);
+}
+
+/* Factor a; and, b not NULL, b := L^-1 b. */
 static enum status factor(const struct sparse *s, const double a[],
-                          struct memory m)
+                          struct memory m, double b[])
 {
     double *diagonal = &m.all[s->vector];
     enum status status = OK;
@@ -219,14 +255,18 @@ static enum status factor(const struct sparse *s, const double a[],
                 front_extend(&child, &s->up[s->front[k].at], &front, after);
             }
         }
+        if (b && status == OK) substitute_one(s, i, m, 0, b);
     }
     return status;
 }
 
 enum status sparse_factor(const struct sparse *s, const double a[], int single,
-                          double memory[])
+                          double memory[], double b[])
 {
-    return factor(s, a, (struct memory){single, memory, NULL});
+    const struct memory m = {single, memory, NULL};
+    const enum status status = factor(s, a, m, b);
+    if (b && status == OK) substitute(s, m, 1, b);
+    return status;
 }
 
 /* Every block and its mirror image; a block of the diagonal is one. */
@@ -246,35 +286,6 @@ void sparse_multiply(const struct sparse *s, const double a[],
             y[2 * j] += a_b[0] * x_i[0] + a_b[1] * x_i[1];
             y[2 * j + 1] += a_b[2] * x_i[0] + a_b[3] * x_i[1];
         }
-    }
-}
-
-/* b := L^-1 b, by all fronts; or (back) L^-T b. */
-static void substitute(const struct sparse *s, struct memory m, int back,
-                       double b[])
-{
-    double *x = &m.all[s->vector];
-    for (int turn = 0; turn < s->order->n_piece; turn++) {
-        const int i = back ? s->order->n_piece - 1 - turn : turn;
-        const struct sparse_front *f = &s->front[i];
-        const struct front front = front_of(s, i, m);
-        const int p = front.pivots, *place = &s->rest[f->at];
-        const int rows = front_row(p, front_row(front.rest, 0));
-        double *pivot = &b[2 * f->piece.first], *rest = &x[front_row(p, 0)];
-        memset(x, 0, (size_t)rows * sizeof *x);
-        memcpy(x, pivot, (size_t)p * sizeof *x);
-        if (back) {
-            for (int k = 0; k < f->rest; k++)
-                memcpy(&rest[2 * k], &b[2 * place[k]], 2 * sizeof *b);
-            front_backward(&front, x);
-        } else {
-            front_forward(&front, x);
-            for (int k = 0; k < f->rest; k++) {
-                b[2 * place[k]] += rest[2 * k];
-                b[2 * place[k] + 1] += rest[2 * k + 1];
-            }
-        }
-        memcpy(pivot, x, (size_t)p * sizeof *x);
     }
 }
 
@@ -302,7 +313,7 @@ enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
     double *x = allocate(n, sizeof *x), *r = allocate(n, sizeof *r);
     int below = 0;
     const struct memory m = {0, memory, sign};
-    const enum status status = factor(s, a, m);
+    const enum status status = factor(s, a, m, NULL);
     if (status == OK) {
         memcpy(x, b, n * sizeof *x);
         solve(s, m, x);

@@ -59,9 +59,11 @@ void sparse_multiply(const struct sparse *s, const double a[],
 size_t sparse_size(const struct sparse *s, int single);
 
 /* Factor a, in double precision; keep L in single precision, or as it is.  The
- * memory starts at a line of the cache.  Statuses as matrix_factor(). */
+ * memory starts at a line of the cache.  Statuses as matrix_factor().  And, b
+ * not NULL, b := A^{-1} b, to the digit as sparse_solve(): its first half goes
+ * with the factorisation, which has each front in the cache. */
 enum status sparse_factor(const struct sparse *s, const double a[], int single,
-                          double memory[]);
+                          double memory[], double b[]);
 
 /* b := A^{-1} b, for L as it is kept. */
 void sparse_solve(const struct sparse *s, int single, double memory[],

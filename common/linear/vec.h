@@ -22,13 +22,15 @@
 #define VEC_WIDTH 2
 #endif
 #endif
+/* The vec of f(x, 0), f(x, 1), ... */
 #if VEC_WIDTH == 8
-#define VEC_OF(x) \
-    (vec){(x)[0], (x)[1], (x)[2], (x)[3], (x)[4], (x)[5], (x)[6], (x)[7]}
+#define VEC_OF(f, x) \
+    (vec){f(x, 0), f(x, 1), f(x, 2), f(x, 3), \
+          f(x, 4), f(x, 5), f(x, 6), f(x, 7)}
 #elif VEC_WIDTH == 4
-#define VEC_OF(x) (vec){(x)[0], (x)[1], (x)[2], (x)[3]}
+#define VEC_OF(f, x) (vec){f(x, 0), f(x, 1), f(x, 2), f(x, 3)}
 #else
-#define VEC_OF(x) (vec){(x)[0], (x)[1]}
+#define VEC_OF(f, x) (vec){f(x, 0), f(x, 1)}
 #endif
 enum { V = VEC_WIDTH };
 enum { W = V, Q = 3, H = Q * V }; /* of a tile: columns, vecs, rows */

@@ -243,9 +243,9 @@ enum status body_assemble(struct body *body, struct incremental Phi,
     const enum status status = triangles_assemble(body, Phi, u, tangent, q);
     if (status != OK) return status;
     if (body->add) body->add(body, dt, u, tangent, NULL, q);
-    for (int r = 0; r < n_dof; r++)
-        if (!isfinite(q[r])) return NONFINITE;
-    return OK;
+    int bad = 0;
+    for (int r = 0; r < n_dof; r++) bad |= !isfinite(q[r]);
+    return bad ? NONFINITE : OK;
 }
 
 enum status body_force(const struct body *body, const double u[], double q[])
@@ -301,14 +301,15 @@ void body_scatter(const struct body *body, const double some[], double all[])
  * the largest of the bits is found without a branch. */
 double body_max_free(const struct body *body, const double v[])
 {
-    unsigned long long most = 0;
+    long long most = 0;
     double largest;
-    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
+    const int n_dof = 2 * body->mesh->n_vertex;
+    for (int r = 0; r < n_dof; r++) {
         const double size = fabs(v[r]);
-        unsigned long long bits;
+        long long bits;
         memcpy(&bits, &size, sizeof bits);
-        if (body->equation[r] < 0) bits = 0;
-        if (bits > most) most = bits;
+        bits = body->equation[r] < 0 ? 0 : bits;
+        most = bits > most ? bits : most;
     }
     memcpy(&largest, &most, sizeof largest);
     return isfinite(largest) ? largest : INFINITY;

@@ -105,48 +105,61 @@ enum status step_search(const struct body *body, struct incremental Phi,
     return status;
 }
 
-/*
- * Factor K, which has been assembled at u.  When it is not SPD: project it, or
- * (*as_it_is) leave it assembled for matrix_solve_indefinite(), or give up.
- */
-static enum status factor(struct body *body, const struct step_control *control,
-                          struct incremental Phi, const double u[], double q[],
-                          struct step_report *report, int *as_it_is)
+/* b := -R^T q of the free unknowns, R = (c -s; s c) at all vertices. */
+static void right_side(const struct body *body, const double q[],
+                       const double turned[2], double b[])
 {
-    *as_it_is = 0;
-    report->factorisations++;
-    report->projections += control->projection == ALWAYS;
-    if (matrix_factor(body->K) == OK) return OK;
-    if (control->projection == ON_DEMAND) {
-        report->factorisations++;
-        report->projections++;
-        body_assemble(body, Phi, u, PROJECTED, q);
-        return matrix_factor(body->K);
-    }
-    if (control->projection == ALWAYS || control->line_search) return NOT_SPD;
-    report->indefinite++;
-    *as_it_is = 1;
-    return body_assemble(body, Phi, u, EXACT, q);
-}
-
-/* du := -K^-1 q, 0 at prescribed vertices; K as it was when it was factored,
- * and turned since then: R K R^T for R = (c -s; s c) at all vertices. */
-static enum status increment(struct body *body, const double q[], int as_it_is,
-                             const double turned[2], double b[], double du[])
-{
-    const int n_dof = 2 * body->mesh->n_vertex;
     const double c = turned[0], s = turned[1];
-    enum status status = OK;
-    for (int r = 0; r < n_dof; r += 2) {
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r += 2) {
         const int k = body->equation[r];
         if (k < 0) continue;
         b[k] = -(c * q[r] + s * q[r + 1]);
         b[k + 1] = -(c * q[r + 1] - s * q[r]);
     }
-    if (as_it_is)
-        status = matrix_solve_indefinite(body->K, b, NULL);
-    else
+}
+
+/*
+ * Factor K, which has been assembled at u, and b := -K^-1 q.  When it is not
+ * SPD: project it, or (*as_it_is) solve without its factors, or give up.
+ */
+static enum status factor(struct body *body, const struct step_control *control,
+                          struct incremental Phi, const double u[], double q[],
+                          struct step_report *report, int *as_it_is, double b[])
+{
+    static const double not_turned[2] = {1.0, 0.0};
+    *as_it_is = 0;
+    report->factorisations++;
+    report->projections += control->projection == ALWAYS;
+    right_side(body, q, not_turned, b);
+    if (matrix_factor_solve(body->K, b) == OK) return OK;
+    if (control->projection == ON_DEMAND) {
+        report->factorisations++;
+        report->projections++;
+        body_assemble(body, Phi, u, PROJECTED, q);
+        right_side(body, q, not_turned, b);
+        return matrix_factor_solve(body->K, b);
+    }
+    if (control->projection == ALWAYS || control->line_search) return NOT_SPD;
+    report->indefinite++;
+    *as_it_is = 1;
+    body_assemble(body, Phi, u, EXACT, q);
+    right_side(body, q, not_turned, b);
+    return matrix_solve_indefinite(body->K, b, NULL);
+}
+
+/* du := -K^-1 q, 0 at prescribed vertices, from b where it is solved; else K is
+ * as it was when it was factored, but turned since then: R K R^T. */
+static enum status increment(const struct body *body, const double q[],
+                             int solved, const double turned[2], double b[],
+                             double du[])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    const double c = turned[0], s = turned[1];
+    enum status status = OK;
+    if (!solved) {
+        right_side(body, q, turned, b);
         matrix_solve(body->K, b);
+    }
     for (int r = 0; r < n_dof; r += 2) {
         const int k = body->equation[r];
         du[r] = k >= 0 ? c * b[k] - s * b[k + 1] : 0.0;
@@ -234,13 +247,13 @@ static struct step_report newton(struct body *body,
         if (fresh && small)
             body_assemble(body, Phi, u, kind, room.q);
         report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
-                                       &as_it_is)
+                                       &as_it_is, room.trial)
                               : OK;
         if (fresh && report.status == OK && control->chord == KEPT_ACROSS)
             keep(body, Phi, u, scale, !as_it_is, turned);
         if (report.status == OK)
-            report.status = increment(body, room.q, as_it_is, turned,
-                                      room.trial, room.du);
+            report.status = increment(body, room.q, fresh, turned, room.trial,
+                                      room.du);
         if (report.status != OK) break;
         report.iterations++;
         const double before = report.increment;

@@ -38,7 +38,7 @@ set yrange [-0.3:2.75]
 set xtics 45
 set ytics 0.5
 set label 1 "linear" at 88, 1.6 right tc ls 2 boxed
-set label 2 "left: turns along" at 179, 0.5 right tc ls 3 boxed
+set label 2 "left: changes" at 179, 0.5 right tc ls 3 boxed
 set label 3 "Green: none" at 179, -0.14 right tc ls 1 boxed
 plot data index "angles" using "degrees":"linear_change" \
          with linespoints ls 2 pi 5 notitle, \

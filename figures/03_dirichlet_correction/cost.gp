@@ -49,14 +49,17 @@ unset arrow 2
 unset label 1
 unset label 4
 unset logscale y
-set yrange [-0.03:1.05]
+set yrange [-0.13:1.05]
 set format y "%g"
 set label 2 "1 on\nthe diagonal" at 90, 0.9 left textcolor ls 2 boxed
-set label 3 "the old entry" at 1e-4, 0.08 left textcolor ls 1 boxed
+set label 3 "the old entry" at 2e6, -0.075 right textcolor ls 1 boxed
+set label 5 "1, started\nat u_0 = g" at 1.2e2, 0.21 left textcolor ls 2 boxed
 set xrange [5e-5:2e6]
 set xlabel "factor of β and f"
 set ylabel "largest error of u, relative"
 plot data index "units" using "scale":(of("one", "error")) with linespoints ls 2, \
      "" index "units" using "scale":(of("kept", "error")) \
-         with linespoints ls 1
+         with linespoints ls 1, \
+     "" index "units" using "scale":(of("one_from_g", "error")) \
+         with points ls 2 pt 6 ps 1.3
 unset multiplot

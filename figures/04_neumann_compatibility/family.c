@@ -38,7 +38,7 @@ int main(void)
     matrix_dirichlet(L, u, 1, node, zero, KEEP_DIAGONAL);
     if (matrix_factor(L) != OK) die("the pinned matrix is not SPD");
     matrix_solve(L, u);
-    subtract_mean(u); /* the solution of minimum norm */
+    subtract_mean(u); /* the solution of least norm */
     for (int i = 0; i < N; i++) exact[i] = x[i] - exp(x[i]);
     subtract_mean(exact);
 

@@ -19,7 +19,7 @@ set yrange [-0.9:0.85]
 unset grid
 set xzeroaxis ls 9
 set label 1 "c = 0.3" at 1.035, -0.15 tc ls 2
-set label 2 "c = 0: minimum\nnorm; the values\nadd up to 0" at 1.035, -0.39 tc ls 1
+set label 2 "c = 0: least norm;\nthe values add\nup to 0" at 1.035, -0.39 tc ls 1
 set label 3 "c = -0.3" at 1.035, -0.8 tc ls 3
 set label 4 "all: c = -0.4, -0.3, ..., 0.4" at 0.98, 0.79 right tc rgb "#777777"
 set label 5 "dashed: exact" at 0.98, 0.66 right

@@ -5,7 +5,7 @@
  * elements, midpoint rule: b is not compatible [eq:neumann-compatibility], with
  * the excess the problem is not either.  The equation of node k is replaced by
  * u_k = 0.  Table: the point load at the node that this amounts to; how far the
- * answer is from the u of minimum norm of the projected system, and from the
+ * answer is from the u of least norm of the projected system, and from the
  * exact solution, both in the energy norm and relative to that of u.
  */
 #include "bar/poisson.h"

@@ -53,9 +53,10 @@ set lmargin at screen 0.60
 set rmargin at screen 0.98
 set ylabel "factor and solve, seconds"
 set yrange [1e-7:1e2]
-set label 1 sprintf("dense: N^{%.2f}", p_dense) at 13, 3e0 left tc ls 2
-set label 2 sprintf("p = 1: N^{%.2f}", p_banded) at 1.2e4, 2e-5 left tc ls 1
-set label 3 "dashed: slopes 3 and 1" at 1.2e6, 2.5e-7 right
+set label 1 sprintf("dense: N^{%.2f}", p_dense) at 8e2, 5e-2 left tc ls 2
+set label 2 sprintf("p = 1: N^{%.2f}", p_banded) at 2e5, 7e-3 right tc ls 1
+set label 3 "slope 3" at 2.5e3, 2e0 left
+set label 4 "slope 1" at 6e4, 1e-4 left
 plot data index dense using "N":"seconds" with linespoints ls 2 lw 1, \
      s_first * (x / N_first)**3 with lines ls 8, \
      data index banded using "N":"seconds" with linespoints ls 1 lw 1, \

@@ -13,7 +13,7 @@ set style line 11 lc rgb "#7A3500" lw 2
 set style line 12 lc rgb "#D55E00" lw 2
 set style line 13 lc rgb "#F5A25D" lw 2
 set multiplot
-set tmargin at screen 0.96
+set tmargin at screen 0.87
 set bmargin at screen 0.17
 unset key
 
@@ -28,6 +28,7 @@ set label 3 "log law,\nν = 0.3" at 2.65, 0.82 tc ls 1 boxed
 set label 4 "cubic law,\nν = 0.3" at 2.0, 1.25 right tc ls 11 boxed
 set label 5 "ν = 0.05" at 3.4, 0.3 left tc ls 12 boxed
 set label 6 "ν = 0" at 3.6, -0.6 tc ls 13 boxed
+set label 7 "one element" at graph 0.5, graph 1.08 center
 set label 1 "limit loads" at 1.4, 0.66 right boxed
 set label 2 "no stress\nagain" at 2.8, -0.14 right boxed
 plot data index "stress" using (column("F") > 0.05 ? column("F") : NaN): \
@@ -42,6 +43,7 @@ plot data index "stress" using (column("F") > 0.05 ? column("F") : NaN): \
          with points pt 6 ps 1.1 lw 1.5 lc rgb "black"
 unset label
 set label 1 "cubic law, ν = 0.3" at 0.04, 2.1 tc ls 11 boxed
+set label 3 "ten elements, pulled\nto twice the length" at graph 0.5, graph 1.12 center
 set label 2 "ν = 0.05" at 0.86, 3.3 right tc ls 12 boxed
 
 set lmargin at screen 0.68

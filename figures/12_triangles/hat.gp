@@ -97,6 +97,7 @@ set label 2 "1" at x[2] + 0.08, y[2] - 0.1 left
 set label 3 "2" at x[3], y[3] + 0.14 center
 set label 7 "∇{/:Italic N}_2" at 0.62 + nX / height + 0.02, 0.3 + nY / height + 0.13 \
     right front tc rgb "#D55E00"
-set label 8 "{/:Italic N}_2 = 0.25, 0.5, 0.75 on the lines" at 1.0, -0.48 center
+set label 8 "lines of equal" at 1.25, -0.48 right
+set label 9 "{/:Italic N}_2" at 1.32, -0.48 left
 plot NaN notitle
 unset multiplot

@@ -31,6 +31,8 @@ do for [body in "upright turned"] {
     set label 2 "column for row" at (left ? 6.6 : 5), (left ? 5e-5 : 2e3) tc ls 2 boxed
     set label 3 (left ? "half of μ\nor both" : "half of μ") \
         at 0, (left ? 2e4 : 2e3) tc ls 3 boxed
+    set label 5 (left ? "" : "both; column for row\nby Cholesky: no step") \
+        at 4.4, 3e-5 boxed
     set label 4 (left ? "column for row,\nby Cholesky" : "") \
         at 3.6, 2e4 tc ls 2 boxed
     plot for [i = 1:4] data index "slip_history" \

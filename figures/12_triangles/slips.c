@@ -3,7 +3,8 @@
  * where would a test of symmetry see them?
  *
  * The slips [eq:dP-dF]: cof(:,j) where cof(j,:) is meant; mu added to one
- * diagonal entry of each block, (i,i), in place of both.  Table: error and
+ * diagonal entry of each block, (i,i), in place of both.  The last row is no
+ * slip of the notes: columns for rows in both factors.  Table: error and
  * asymmetry of dP/dF as a 4x4 matrix, relative to its norm; cubic law.
  */
 #include "material/material.h"
@@ -13,9 +14,9 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-enum { NONE, COLUMN, HALF, SLIPS = 4 };
+enum { NONE, COLUMN, HALF, TWICE = 4, SLIPS };
 static const char *const name[] = {"none", "column for row", "half of mu",
-                                   "both"};
+                                   "both", "column for row, twice"};
 
 /* D[2i + k][2j + m] = dP_ik/dF_jm, with slips. */
 static void slopes(mat2 F, int slip, double D[4][4])
@@ -30,8 +31,8 @@ static void slopes(mat2 F, int slip, double D[4][4])
             for (int j = 0; j < 2; j++)
                 for (int m = 0; m < 2; m++)
                     D[2 * i + k][2 * j + m] =
-                        c1 * cof.m[i][k] *
-                        (slip & COLUMN ? cof.m[m][j] : cof.m[j][m]);
+                        c1 * (slip & TWICE ? cof.m[k][i] : cof.m[i][k]) *
+                        (slip & (COLUMN | TWICE) ? cof.m[m][j] : cof.m[j][m]);
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
             double *row = D[2 * i + k];
@@ -61,7 +62,7 @@ int main(void)
     const mat2 states[4] = {mat2_identity(), {{{1.0, 0.5}, {0.0, 1.0}}},
                             mat2_rotation(M_PI / 6.0),
                             {{{1.2385, 0.3714}, {-0.2385, 0.8714}}}};
-    double off[SLIPS][4], odd[SLIPS][4], most_odd = 0.0;
+    double off[SLIPS][4], odd[SLIPS][4], most_odd = 0.0, twice_odd = 0.0;
 
     table_begin("slips", "slip rest shear rotated general asym_rest "
                          "asym_rotated");
@@ -72,7 +73,10 @@ int main(void)
                   odd[i][0], odd[i][2]);
     }
     table_end();
-    for (int k = 0; k < 4; k++) most_odd = fmax(most_odd, odd[HALF][k]);
+    for (int k = 0; k < 4; k++) {
+        most_odd = fmax(most_odd, odd[HALF][k]);
+        twice_odd = fmax(twice_odd, odd[TWICE][k]);
+    }
     claim(off[COLUMN][0] < 1e-15 && odd[COLUMN][0] < 1e-15,
           "a column for a row is right at rest (wrong by %g)", off[COLUMN][0]);
     claim(off[COLUMN][2] > 0.8 && odd[COLUMN][2] > 1.0,
@@ -81,5 +85,9 @@ int main(void)
     claim(most_odd < 1e-15 && off[HALF][0] > 0.2,
           "half of mu is symmetric in every state (%g) and wrong by more than "
           "0.2 at rest (%g)", most_odd, off[HALF][0]);
+    claim(twice_odd < 1e-15 && off[TWICE][0] < 1e-15 && off[TWICE][2] > 1.0,
+          "columns for rows in both factors are symmetric in every state (%g), "
+          "right at rest (wrong by %g), and wrong by more than 1 when turned "
+          "(%g)", twice_odd, off[TWICE][0], off[TWICE][2]);
     return table_finish();
 }

@@ -73,6 +73,7 @@ set label 3 "a jump of h puts the\nfirst column inside out" at 1.06, 8.35 front 
 set label 4 "log" at 0.71, 8.4 right tc ls 1 front boxed
 set label 5 "cubic" at 0.61, 6.42 tc ls 2 front boxed
 set label 6 "both, from the lifted start" at 1.06, 4.4 front boxed
+set label 7 "n = 8, Newton with Cholesky" at graph 0, graph 1.06
 done(name) = strcol(name) eq "-" ? NaN : column(name)
 lost(name, y) = strcol(name) eq "-" ? y : NaN
 array Law[2] = ["log", "cubic"]

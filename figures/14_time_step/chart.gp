@@ -45,7 +45,7 @@ set label 7 sprintf("backward Euler:\norder %.2f", Slope[2]) at 1.7e-3, 0.27 tc 
     front boxed
 set label 8 sprintf("midpoint:\norder %.2f", Slope[3]) at 1.15e-3, 5e-4 right tc ls 3 \
     front boxed
-set label 10 sprintf("BDF2:\norder %.2f", Slope[4]) at 2.7e-3, 1.1e-2 tc ls 4 front boxed
+set label 10 sprintf("BDF2:\norder %.2f", Slope[4]) at 3.3e-3, 1.1e-2 tc ls 4 front boxed
 plot for [m = 1:4] data index "chart" \
          using (ok(m - 1, "seconds")):(ok(m - 1, "error")) \
          with linespoints ls Style[m], \

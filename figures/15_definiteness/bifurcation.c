@@ -4,7 +4,7 @@
  *
  * Tables: the load up to which K of the straight column is positive definite,
  * by mesh, beside Euler's; the straight branch and the buckled one of 80 x 8
- * cells; the shape at the last load.
+ * squares; the shape at the last load.
  */
 #include "plane/scene.h"
 #include "base/study.h"

@@ -53,7 +53,7 @@ set arrow 2 from bears, graph 0 to bears, graph 0.42 nohead lw 1.5 \
 set style textbox opaque noborder margins 0.4,0.4
 set label 2 sprintf("Euler %.4f", Euler) at Euler, graph 0.93 right offset -1, 0 \
     front boxed
-set label 3 sprintf("80 x 8 cells: %.4f", bears) at 0.0372, graph 0.35 front boxed
+set label 3 sprintf("80 x 8 squares: %.4f", bears) at 0.0372, graph 0.35 front boxed
 set label 4 "buckled: projected\non demand, pushed" at 0.0334, 0.168 left \
     front boxed
 set label 5 "straight: K is\npositive definite" at 0.0263, 0.029 center \

@@ -27,8 +27,8 @@ do for [k = 1:4] {
     set label 1 (k == 1 ? "twist" : k == 2 ? "flip" : \
         k == 3 ? "scaling, lower" : "scaling, higher") \
         at graph 0.5, 1.10 center font ",19"
-    set label 2 factor(m)." N/m²" at graph 0.5, 1.0 center \
-        textcolor rgb (k == 1 ? "#D55E00" : "#0072B2")
+    set label 2 factor(m)." N/m²".(factor(m) < 0 ? ", negative" : "") \
+        at graph 0.5, 1.0 center
     plot data index m using "x":"y" with filledcurves closed \
              fc rgb "#DDDDDD" fs solid, \
          data index m using "x_plus":"y_plus" with lines ls 1, \

@@ -1,7 +1,7 @@
 /*
  * walks.c - what does each Newton's method end in when the column is pressed?
  *
- * 80 x 8 cells, walked through rising loads, straight or pushed by 1e-3 while
+ * 80 x 8 squares, walked through rising loads, straight or pushed by 1e-3 while
  * it is straight.  Table: linear systems (400 at most), deflection of the
  * middle (0: below 1e-9 m), energy, elements with an eigenvalue < 0; SADDLE
  * is converged, and K there is not positive definite.  Beyond the bifurcation a

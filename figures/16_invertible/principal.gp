@@ -17,7 +17,7 @@ of(l) = stringcolumn("law") eq l ? column("s2") : NaN
 P(l) = stringcolumn("law") eq l ? column("P2") / 1000 : NaN
 log_P(l) = stringcolumn("law") eq l ? column("log") / 1000 : NaN
 stats data index "principal" using "s1" nooutput
-set xlabel sprintf("s_2   (with s_1  = %.4g, ε = 0.25)", STATS_max)
+set xlabel sprintf("s_2  (with s_1 = %.4g, ε = 0.25)", STATS_max)
 set ylabel "principal stress P̂_2  (kN/m^2)" offset 1
 set xrange [-1:1.5]
 set yrange [-35:5]
@@ -46,13 +46,14 @@ plot data index "principal" using (of("stress")):(P("stress")) \
 unset label
 unset object
 set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed
-set label 5 "all others;\ncubic in orange" at 1.07, -0.05 left front boxed
+set label 5 "all others;" at 1.07, -0.05 left front boxed
+set label 6 "cubic in orange" at 1.07, -0.17 left textcolor rgb "#D55E00" front boxed
 set tmargin at screen 0.43
 set bmargin at screen 0.085
 set xrange [0.6:1.4]
 set yrange [-0.9:0.6]
 set xtics 0.2
-set xlabel "s_2   (with s_1  = 1)"
+set xlabel "s_2  (with s_1 = 1)"
 set ylabel "P̂_2  (kN/m^2)" offset 1
 plot data index "near_rest" using (of("extended")):(P("extended")) \
          with lines ls 6, \

@@ -30,7 +30,7 @@ do for [k = 1:4] {
         set colorbox user origin screen 0.89, screen 0.08 \
             size screen 0.02, screen 0.33
         set cbtics 0.1 offset -0.5 textcolor rgb "black"
-        set label 5 "speed (m/s)" at screen 0.92, screen 0.45 center }
+        set label 5 "speed (m/s)" at screen 0.92, screen 0.035 center }
     # a bar as long as what is left, in a frame that is the whole spin
     set object 2 rectangle from -0.2, -0.335 to 0.2, -0.31 fs empty \
         border lc rgb "#999999"

@@ -42,13 +42,14 @@ static const struct {
     enum method method;
     int seed; /* 0: hard */
     const char *what;
-} RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, "u at the end (m)"},
-            {TROUBLE, LOG, BACKWARD_EULER, 7, "frames unfinished"},
+} RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0,
+             "u at the end of a swing that should go on (m)"},
             {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand waits"},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
             {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand waits"},
             {BOUND, CUBIC, BACKWARD_EULER, 25, "energy (J)"},
-            {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"}};
+            {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"},
+            {TROUBLE, LOG, BACKWARD_EULER, 7, "frames unfinished"}};
 
 /* value[k] := what tells, with all rungs and without one; of mad with all
  * rungs, frames are counted, and those lost. */
@@ -65,9 +66,9 @@ static void print_rare(double value[][2])
             const struct without_result r =
                 without_play(less ? RARE[k].which : NOTHING, 8, RARE[k].law,
                              RARE[k].method, &script);
-            const double tells[COUNT(RARE)] = {r.last,   r.unfinished, r.stands,
-                                               r.energy, r.stands,     r.energy,
-                                               r.speed};
+            const double tells[COUNT(RARE)] = {r.last,   r.stands, r.energy,
+                                               r.stands, r.energy, r.speed,
+                                               r.unfinished};
             value[k][less] = tells[k];
             if (less || !seed) continue;
             frames += script.n;

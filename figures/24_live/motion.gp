@@ -6,8 +6,8 @@
 # Yours   the lesson with --film 3
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate optimize delay 10 loop 0 size 720,640 @gif_font \
-    noenhanced background rgb "white"
+set terminal gif animate optimize delay 10 loop 0 size 720,664 @gif_font \
+    enhanced background rgb "white"
 set output out
 
 # triangles with J > 0 (sign 1) or not (sign 0), of frame k, and a
@@ -42,11 +42,11 @@ set size ratio -1
 set tmargin 1
 set border 15 back ls 9
 set xrange [-2.7:2.9]
-set yrange [-2.5:2.2]
+set yrange [-2.5:2.4]
 set xtics 1
 set ytics 1
-set xlabel "x1 (m)"
-set ylabel "x2 (m)"
+set xlabel "x_1 (m)"
+set ylabel "x_2 (m)"
 set style fill solid noborder
 strip(k) = -2.5 + 5.2 * k / (last + 3.0)
 if (has_rungs) {
@@ -60,8 +60,8 @@ set arrow 1 from -1, -1 to -1, 1 nohead lw 4 lc rgb "#555555" front
 do for [k = 0:last:3] {
     set label 1 sprintf("t = %.1f s", k / 30.0) at graph 0.03, graph 0.96
     plot frame(k, 1) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
-         frame(k, 0) using 1:2 with filledcurves closed fc rgb "#D600BE", \
          frame(k, 1) using 1:2 with lines lw 1 lc rgb "#0072B2", \
+         frame(k, 0) using 1:2 with filledcurves closed fc rgb "#D600BE", \
          rungs(k) using (strip($1)):(-2.35):2 with points pt 5 ps 0.6 \
              lc rgb variable, \
          held(k) using 1:2 with points pt 7 ps 1.2 lc rgb "#D55E00", \

@@ -27,7 +27,7 @@ set ylabel "G' (N/m^2)" offset 1
 set xrange [1:3]
 set yrange [-500:1500]
 set xtics 0.5
-set label 1 "μ: above, a part of K is not positive" at 1.05,560 boxed
+set label 1 "μ: above, a part of K is not positive definite" at 1.05,560 boxed
 set label 2 "cubic law" at 1.95,1150 tc rgb "#D55E00"
 set label 3 "log law" at 2.5,-70 tc rgb "#0072B2"
 plot data index "slope" using "J":"mu" with lines ls 8, \

@@ -19,10 +19,10 @@ unset border
 unset tics
 unset grid
 set size ratio -1
-set xrange [-1.12:1.2]
+set xrange [-1.2:1.2]
 set yrange [-1.78:1.05]
 set arrow 1 from -1, -1 to -1, 1 nohead lw 4 lc rgb "#333333" front
-set label 2 "held" at -1.06, 0 center rotate by 90
+set label 2 "held" at -1.13, 0 center rotate by 90
 do for [k = 1:2] {
     set label 1 Cells[k]." cells: ".lost(Body[k])." % of the sag is missing" \
         at 0, 1.13 center

@@ -1,4 +1,4 @@
-# realtime.gp - the worst frame of a whole swing, with and without a cap of
+# realtime.gp - the longest step of a whole swing, with and without a cap of
 # systems (realtime_all.gp: and the largest n that is in time).
 # Reads   data  tables swing (systems n worst_ms), machine; from `make bench`
 # Writes  out   SVG
@@ -16,9 +16,9 @@ set xtics (16, 24, 32, 48, 64)
 set xrange [14:72]
 set yrange [0.2:1e4]
 set xlabel "squares per side n"
-set ylabel "worst frame (ms)" offset 1
-set label 1 "without a budget:\nup to 300 systems per frame" at 15,4500 tc ls 2
-set label 2 "at most 8 systems per frame" at 28,4 tc ls 1
+set ylabel "longest step (ms)" offset 2
+set label 1 "without a budget:\nup to 300 systems per step" at 15,4500 tc ls 2
+set label 2 "at most 8 systems per step" at 28,4 tc ls 1
 set label 3 "1/30 s: in time below" at 28,47
 plot data index "swing" using (of("all")):"worst_ms" with linespoints ls 2, \
      data index "swing" using (of("capped")):"worst_ms" with linespoints ls 1, \

@@ -243,7 +243,7 @@ static void nodal_mean_is_zero(void)
         largest = fmax(largest, fabs(s.u[i]));
     }
     expect_close(sum, 0.0, ROUND_OFF, largest,
-                 "sum of the nodal values of the solution of minimum norm");
+                 "sum of the nodal values of the solution of least norm");
 }
 
 /* u = sum_k w_k (w_k . b) / lambda_k over the eigenvalues that are not 0. */
@@ -323,7 +323,7 @@ static void numbers_are_the_oracles(void)
                      "sum b for n = %d", n);
         for (int i = 0; n == 4 && i < COUNT(oracle_neumann_u4); i++)
             expect_close(cell(output, "nodes", "u", i), oracle_neumann_u4[i],
-                         ROUND_OFF, 1.0, "u[%d] of minimum norm for n = 4", i);
+                         ROUND_OFF, 1.0, "u[%d] of least norm for n = 4", i);
     }
 }
 

@@ -523,6 +523,33 @@ static void rounded_factors_have_seven_digits(void)
             }
 }
 
+static void factors_solve_on_their_way(void)
+{
+    for (int n = 1; n <= 14; n++)
+        for (int hold = 0; hold < HOLDS; hold++)
+            for (int kind = 0; kind < 3; kind++) { /* single, double, dense */
+                struct pattern p = pattern_alloc(n, hold, (unsigned)n, 5);
+                struct matrix *A, *B;
+                double x[450], y[450];
+                random_pair(p, 7, &A, &B);
+                matrix_keep_single(A, kind == 0);
+                struct matrix *C = matrix_copy(kind < 2 ? A : B);
+                if (kind == 0) matrix_keep_single(C, 1);
+                fill(p.n, x);
+                ck_assert_int_eq(matrix_factor(kind < 2 ? A : B), OK);
+                matrix_solve(kind < 2 ? A : B, x);
+                for (int turn = 0; turn < (kind < 2 ? 2 : 1); turn++) {
+                    fill(p.n, y);
+                    ck_assert_int_eq(matrix_factor_solve(C, y), OK);
+                    for (int i = 0; i < p.n; i++) ck_assert(x[i] == y[i]);
+                }
+                matrix_free(A);
+                matrix_free(B);
+                matrix_free(C);
+                pattern_free(p);
+            }
+}
+
 static void rounded_factors_are_refined(void)
 {
     for (int n = 5; n <= 40; n += 7) {
@@ -691,25 +718,29 @@ static void a_step_with_rounded_factors_is_the_same(void)
         }
 }
 
-/* The inverting scene of the notes' Newton: K is indefinite on the way. */
+/* The inverting scene of the notes' Newton: K is indefinite on the way, and
+ * solved as it is, or projected. */
 static void an_indefinite_step_is_the_same_too(void)
 {
     struct scene_setting set = scene_notes(GRAVITY, CUBIC, 6);
-    struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
-    struct step_control control = step_method("notes");
-    struct step_report report[2];
-    body_store(s[1]->body, SPARSE);
-    for (int k = 0; k < 2; k++) {
-        double w[98] = {0.0};
-        scene_scatter(s[k], 3, 0.3);
-        control.max_iterations = 3;
-        const struct incremental Phi = {1.0, w, s[k]->f};
-        report[k] = step_solve(s[k]->body, &control, Phi, s[k]->u);
-        ck_assert_int_ge(report[k].indefinite, 1);
+    for (int project = 0; project < 2; project++) {
+        struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
+        struct step_control control = step_method(project ? "demand" : "notes");
+        struct step_report report[2];
+        body_store(s[1]->body, SPARSE);
+        for (int k = 0; k < 2; k++) {
+            double w[98] = {0.0};
+            scene_scatter(s[k], 3, 0.3);
+            control.max_iterations = 3;
+            const struct incremental Phi = {1.0, w, s[k]->f};
+            report[k] = step_solve(s[k]->body, &control, Phi, s[k]->u);
+            ck_assert_int_ge(report[k].indefinite, !project);
+            ck_assert_int_ge(report[k].projections, project);
+        }
+        ck_assert_int_eq(report[0].indefinite, report[1].indefinite);
+        same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-9);
+        for (int k = 0; k < 2; k++) scene_free(s[k]);
     }
-    ck_assert_int_eq(report[0].indefinite, report[1].indefinite);
-    same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-9);
-    for (int k = 0; k < 2; k++) scene_free(s[k]);
 }
 
 /* At n and below it: one more cell across, of quadratic triangles two. */
@@ -760,6 +791,7 @@ static const struct unit_law laws[] = {
     {"a_pivot_of_zero_is_reported_with_signs",
      a_pivot_of_zero_is_reported_with_signs},
     {"rounded_factors_have_seven_digits", rounded_factors_have_seven_digits},
+    {"factors_solve_on_their_way", factors_solve_on_their_way},
     {"rounded_factors_are_refined", rounded_factors_are_refined},
     {"a_turn_must_halve_the_residual", a_turn_must_halve_the_residual},
     {"refinement_ends_and_says_how", refinement_ends_and_says_how},
