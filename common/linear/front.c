@@ -73,6 +73,8 @@ void front_extend(const struct front *child, const int row[],
 {
     const unsigned n = (unsigned)child->rest / 2;
     const int skip = front_row(child->pivots, 0);
+    double *to[V / 2] = {NULL};
+    ptrdiff_t down[V / 2] = {0}, of_child;
     unsigned J = 0, next, end = 0;
     while (end < n && row[end] < parent->pivots) end++;
     if (after) {
@@ -80,8 +82,6 @@ void front_extend(const struct front *child, const int row[],
         end = n;
     }
     for (; J < end; J = next) { /* columns of one panel of the child */
-        double *to[V / 2];
-        ptrdiff_t down[V / 2], of_child;
         next = (2 * J / V + 1) * V / 2;
         if (next > end) next = end;
         for (unsigned j = J; j < next; j++)
