@@ -9,16 +9,16 @@
 #     <!-- map 4 2 2; Neo-Hookean bar; L2 2.1 to 2.5; PS -->
 #
 # the place (column 1 to 6, row from 1), the part of the course (`-` for what is
-# only read), a short title, and the section of the notes.  There are as many
-# rows as the chapters ask for.  An arrow is drawn where no other way leads
-# there, round about where boxes are in its way.  A chapter without a place and
-# two in one are errors.
+# only read), a short title, and the section of the notes, which is not drawn,
+# or after which lesson it may be read.  There are as many rows as the chapters
+# ask for.  An arrow is drawn where no other way leads there, round about where
+# boxes are in its way.  A chapter without a place and two in one are errors.
 
 BEGIN {
-    split("Poisson's equation|Material and bar|The moving square|" \
-        "Its limits|Particles (MPM)|Cost and use", part, "|")
+    split("Poisson|Material, bar|Moving square|Its limits|" \
+        "Particles|Cost and use", part, "|")
     split("#CFE3F0 #FBE3CF #CDEBDD #F2DCEA #FCEFC0 #E4E4E4", fill, " ")
-    width = 132; height = 58; left = 8; top = 8; right = 150.8; down = 94
+    width = 134; height = 76; left = 8; top = 8; right = 150.8; down = 114
 }
 
 function bad(text) {
@@ -99,6 +99,13 @@ function crossings(    i, sum) {
     for (i = 1; i <= arrows; i++) sum += over(tail[i], tip[i])
     return sum + 0
 }
+# after how many letters of a title its first line ends
+function two_lines(text,    k, best) {
+    if (length(text) <= 12) return length(text)
+    for (k = 1; k <= 12; k++)
+        if (substr(text, k + 1, 1) == " ") best = k
+    return best ? best : length(text)
+}
 function say(x, y, size, anchor, text, more) {
     if (anchor != "") more = " text-anchor=\"" anchor "\"" more
     printf "<text x=\"%g\" y=\"%g\" font-size=\"%d\"%s>%s</text>\n", x, y, \
@@ -127,6 +134,9 @@ function arrow(b, a,    x0, y0, x1, y1, way) {
                 x1 + width / 2, y1 + height + 2) \
             : sprintf("M%g,%g V%g H%g", x0 + width / 2, y0 + height, \
                 y1 + height / 2, x1 + width + 2)
+    } else if (column[a] < column[b] - 1) { # level, below other arrows
+        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 24, y0 + height, \
+            y0 + height + 22, x1 + width / 2 + 28, y1 - 2)
     } else {                           # down
         way = sprintf("M%g,%g C%g,%g %g,%g %g,%g", x0 + width / 2, y0 + height, \
             x0 + width / 2, y0 + height + 24, x1 + width / 2, y1 - 26, \
@@ -165,7 +175,7 @@ END {
             at[c, r] = ""
         }
     bottom = 2 * top + down * (rows - 1) + height + 2
-    if (bottom < 470) bottom = 470 # what stands on the left
+    if (bottom < 515) bottom = 515 # what stands on the left
     print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" " \
         "height=\"" bottom "\" viewBox=\"0 0 900 " bottom "\" " \
         "font-family=\"Helvetica, Arial, sans-serif\">"
@@ -183,26 +193,26 @@ END {
             kind[nn] ? fill[kind[nn]] : "#ffffff", \
             kind[nn] ? "" : " stroke-dasharray=\"5 4\""
         if (kind[nn]) {
-            say(X[nn] + 8, Y[nn] + 18, 14, "", nn, " font-weight=\"bold\"")
-            say(X[nn] + width - 8, Y[nn] + 17, 11, "end", minutes[nn] " min", "")
-        } else say(X[nn] + 8, Y[nn] + 17, 11, "", "to read", "")
-        say(X[nn] + 8, Y[nn] + 34, 12, "", title[nn], "")
-        say(X[nn] + 8, Y[nn] + 50, 11, "", where[nn], " fill=\"#444\"")
+            say(X[nn] + 7, Y[nn] + 22, 18, "", nn, " font-weight=\"bold\"")
+            say(X[nn] + width - 7, Y[nn] + 22, 18, "end", minutes[nn] " min", \
+                "")
+        } else say(X[nn] + 7, Y[nn] + 22, 18, "", "read " where[nn], "")
+        k = two_lines(title[nn])
+        say(X[nn] + 7, Y[nn] + 44, 18, "", substr(title[nn], 1, k), "")
+        say(X[nn] + 7, Y[nn] + 65, 18, "", substr(title[nn], k + 2), "")
     }
     y = top + down + 12
     for (i = 1; i <= 6; i++) {
         printf "<rect x=\"%g\" y=\"%g\" width=\"13\" height=\"13\" rx=\"2\" " \
             "fill=\"%s\" stroke=\"#222\"/>\n", left, y, fill[i]
-        say(left + 20, y + 11, 11, "", part[i], "")
-        say(left + 20, y + 25, 11, "", sprintf("%d h %02d", sum[i] / 60, \
+        say(left + 19, y + 13, 18, "", part[i], "")
+        say(left + 19, y + 33, 18, "", sprintf("%d h %02d", sum[i] / 60, \
             sum[i] % 60), " fill=\"#444\"")
-        y += 42
+        y += 52
     }
-    say(left, y + 14, 11, "", sprintf("together %.0f hours", total / 60), "")
-    print "<path d=\"M" left "," y + 40 " h34\" stroke=\"#222\" " \
+    say(left, y + 17, 18, "", sprintf("in all %.0f h", total / 60), "")
+    print "<path d=\"M" left "," y + 46 " h22\" stroke=\"#222\" " \
         "stroke-width=\"1.5\" marker-end=\"url(#tip)\"/>"
-    say(left + 42, y + 44, 11, "", "is needed for", "")
-    say(left, y + 72, 11, "", "L1, L2, L3: lectures", "")
-    say(left, y + 88, 11, "", "PS: problem session", "")
+    say(left + 28, y + 51, 18, "", "needed for", "")
     print "</svg>"
 }

@@ -186,7 +186,7 @@ int main(int argc, char *argv[])
          .help = "last element length over first, in the scene"},
         {"order", .choice = &reversed, .choices = "natural reversed",
          .help = "order of the elements"},
-        {"rule", .choice = &rule, .choices = "midpoint trapezoid gauss",
+        {"rule", .choice = &rule, .choices = "midpoint trapezoid gauss2",
          .help = "quadrature rule"},
     };
     options_parse("08_element_assembly", options, COUNT(options), argc, argv);

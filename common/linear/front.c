@@ -59,11 +59,22 @@ void front_fill(const struct front *f, int n, const int place[],
     }
 }
 
+/* Add a 2x2 block of a child to rows `row` and row + 1 of two columns. */
+INLINE void add_block(const double *add, double *to, ptrdiff_t down,
+                      unsigned row)
+{
+    double *sum = &to[row / V * down + row % V];
+    TWO(sum[0]) += TWO(add[0]);
+    TWO(sum[V]) += TWO(add[V]);
+}
+
 void front_extend(const struct front *child, const int row[],
                   const struct front *parent, int after)
 {
     const unsigned n = (unsigned)child->rest / 2;
     const int skip = front_row(child->pivots, 0);
+    double *to[V / 2] = {NULL};
+    ptrdiff_t down[V / 2] = {0}, of_child;
     unsigned J = 0, next, end = 0;
     while (end < n && row[end] < parent->pivots) end++;
     if (after) {
@@ -71,8 +82,6 @@ void front_extend(const struct front *child, const int row[],
         end = n;
     }
     for (; J < end; J = next) { /* columns of one panel of the child */
-        double *to[V / 2];
-        ptrdiff_t down[V / 2], of_child;
         next = (2 * J / V + 1) * V / 2;
         if (next > end) next = end;
         for (unsigned j = J; j < next; j++)
@@ -83,11 +92,14 @@ void front_extend(const struct front *child, const int row[],
             const unsigned at = (unsigned)row[i];
             /* two of the V rows of a panel: row 2 i is in number 2 i / V */
             const double *add = &from[2 * i / V * V * V + 2 * i % V];
-            for (unsigned j = J; j < next && j <= i; j++, add += 2 * V) {
-                double *sum = &to[j - J][at / V * down[j - J] + at % V];
-                TWO(sum[0]) += TWO(add[0]);
-                TWO(sum[V]) += TWO(add[V]);
-            }
+            /* nearly always the whole panel: with a constant for bound */
+            const unsigned columns = (i < next ? i + 1 : next) - J;
+            if (columns == V / 2)
+                UNROLL for (unsigned c = 0; c < V / 2; c++)
+                    add_block(add + 2 * V * c, to[c], down[c], at);
+            else
+                for (unsigned c = 0; c < columns; c++)
+                    add_block(add + 2 * V * c, to[c], down[c], at);
         }
     }
 }

@@ -265,14 +265,11 @@ size_t matrix_bytes(const struct matrix *A)
 
 double matrix_max_diagonal(const struct matrix *A)
 {
-    const int each = A->storage == SPARSE ? 2 : 1; /* a block has two */
     double largest = 0.0;
-    for (int r = 0; r < A->n; r += each) {
-        const double *A_rr = entry(A, r, r);
-        for (int k = 0; k < each; k++) {
-            const double A_kk = A_rr[(size_t)k * A->stride];
-            if (A_kk > largest) largest = A_kk;
-        }
+    if (A->storage == SPARSE) return A->sparse->max_diagonal(A->pattern, A->a);
+    for (int r = 0; r < A->n; r++) {
+        const double A_rr = *entry(A, r, r);
+        if (A_rr > largest) largest = A_rr;
     }
     return largest;
 }

@@ -50,6 +50,7 @@ struct matrix_sparse {
     enum status (*solve_indefinite)(const struct sparse *s, const double a[],
                                     double memory[], double b[],
                                     int *negative);
+    double (*max_diagonal)(const struct sparse *s, const double a[]);
 };
 
 struct matrix {

@@ -289,6 +289,17 @@ void sparse_multiply(const struct sparse *s, const double a[],
     }
 }
 
+double sparse_max_diagonal(const struct sparse *s, const double a[])
+{
+    double largest = 0.0;
+    for (int v = 0; v < s->n_vertex; v++) {
+        const double *a_vv = &a[4 * s->start[v]];
+        if (a_vv[0] > largest) largest = a_vv[0];
+        if (a_vv[3] > largest) largest = a_vv[3];
+    }
+    return largest;
+}
+
 /* b := A^-1 b. */
 static void solve(const struct sparse *s, struct memory m, double b[])
 {
@@ -335,7 +346,8 @@ struct matrix *matrix_alloc_sparse(const struct sparse *s)
 {
     static const struct matrix_sparse methods = {
         sparse_block,  sparse_multiply, sparse_size,
-        sparse_factor, sparse_solve,    sparse_solve_indefinite};
+        sparse_factor, sparse_solve,    sparse_solve_indefinite,
+        sparse_max_diagonal};
     return matrix_alloc_with(&methods, s, 2 * s->n_vertex,
                              4 * (size_t)s->start[s->n_vertex]);
 }

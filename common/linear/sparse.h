@@ -55,6 +55,9 @@ int sparse_block(const struct sparse *s, int i, int j);
 void sparse_multiply(const struct sparse *s, const double a[],
                      const double x[], double y[]);
 
+/* As matrix_max_diagonal(), of the blocks a. */
+double sparse_max_diagonal(const struct sparse *s, const double a[]);
+
 /* Numbers of the memory below: room to work, and L, as it is or rounded. */
 size_t sparse_size(const struct sparse *s, int single);
 

@@ -41,10 +41,11 @@ struct points {
     vec F[2][2], J, c[GRADIENTS], m_aa, m_ab, mu, dG, ddG;
 };
 
-/* The numbers of V vertices, component i of vertex a of each triangle. */
+/* The numbers of V vertices, component i of vertex a of each triangle.  Indices
+ * are of the width of an address: a product of ints would be widened. */
 INLINE vec lanes_of(const double u[], const int vertex[], int a, int i)
 {
-#define LANE(l) u[2 * vertex[3 * (l) + a] + i]
+#define LANE(l) u[2 * (ptrdiff_t)vertex[3 * (l) + a] + i]
 #if VEC_WIDTH == 8
     return (vec){LANE(0), LANE(1), LANE(2), LANE(3),
                  LANE(4), LANE(5), LANE(6), LANE(7)};
@@ -126,7 +127,7 @@ INLINE void add_forces(const struct points *at, const vec g[KEPT],
         }
     for (int l = 0; l < V; l++)
         for (int a = 0; a < 3; a++)
-            TWO(q[2 * vertex[3 * l + a]]) +=
+            TWO(q[2 * (ptrdiff_t)vertex[3 * l + a]]) +=
                 (two){pull[2 * a][l], pull[2 * a + 1][l]};
 }
 

@@ -148,14 +148,13 @@ static enum status factor(struct body *body, const struct step_control *control,
 }
 
 /* du := -K^-1 q, 0 at prescribed vertices, from b where it is solved; else K is
- * as it was when it was factored, but turned since then: R K R^T. */
-static enum status increment(const struct body *body, const double q[],
-                             int solved, const double turned[2], double b[],
-                             double du[])
+ * as it was when it was factored, but turned since then: R K R^T.  Returns the
+ * largest |du|, INFINITY where du is not finite. */
+static double increment(const struct body *body, const double q[], int solved,
+                        const double turned[2], double b[], double du[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const double c = turned[0], s = turned[1];
-    enum status status = OK;
     if (!solved) {
         right_side(body, q, turned, b);
         matrix_solve(body->K, b);
@@ -164,10 +163,8 @@ static enum status increment(const struct body *body, const double q[],
         const int k = body->equation[r];
         du[r] = k >= 0 ? c * b[k] - s * b[k + 1] : 0.0;
         du[r + 1] = k >= 0 ? s * b[k] + c * b[k + 1] : 0.0;
-        if (status == OK && !(isfinite(du[r]) && isfinite(du[r + 1])))
-            status = NONFINITE;
     }
-    return status;
+    return body_max_free(body, du);
 }
 
 /* Are the factors in K still good for a step of Phi [alg:kept]? */
@@ -251,13 +248,14 @@ static struct step_report newton(struct body *body,
                               : OK;
         if (fresh && report.status == OK && control->chord == KEPT_ACROSS)
             keep(body, Phi, u, scale, !as_it_is, turned);
-        if (report.status == OK)
-            report.status = increment(body, room.q, fresh, turned, room.trial,
+        if (report.status != OK) break;
+        const double before = report.increment;
+        const double size = increment(body, room.q, fresh, turned, room.trial,
                                       room.du);
+        report.status = isinf(size) ? NONFINITE : OK;
         if (report.status != OK) break;
         report.iterations++;
-        const double before = report.increment;
-        report.increment = body_max_free(body, room.du);
+        report.increment = size;
         if (control->line_search)
             report.status = line_search(body, Phi, room, u, &halved);
         else

@@ -43,15 +43,16 @@ plot for [k = 1:3] data index "solution" using "h":"L2_".Rule[k] \
 set title "β jumps inside an element" offset 0,-0.5
 unset ylabel
 unset xlabel
-set xrange [5.5e-3:4]
+set xrange [5.5e-3:4.6]
 set yrange [0.03:0.6]
 set ytics (0.05, 0.1, 0.2, 0.4)
 set format y "%g"
-set lmargin at screen 0.6
+set lmargin at screen 0.61
 set rmargin at screen 0.98
 set tmargin at screen 0.91
 set bmargin at screen 0.59
-set label 1 "energy: slope 0.5" at 0.0065, 0.42 left boxed
+set ylabel "energy error" offset 0.5,0
+set label 1 "slope 0.5" at 0.0075, 0.3 left boxed
 unset label 2
 set label 3 "midpoint" at 0.29, 0.215 left textcolor ls 1 boxed
 set label 4 "exact mean" at 0.29, 0.15 left textcolor ls 4 boxed
@@ -67,7 +68,8 @@ set ytics auto
 set format y "10^{%T}"
 set tmargin at screen 0.53
 set bmargin at screen 0.155
-set label 1 "L^2: slope 1" at 0.0065, 3e-2 left boxed
+set ylabel "L^2  error" offset 0.5,0
+set label 1 "slope 1" at 0.0085, 2.5e-2 left boxed
 set label 2 "slope 1.5" at 0.055, 2e-4 left boxed
 set label 3 "midpoint" at 0.29, 0.09 left textcolor ls 1 boxed
 set label 4 "exact mean" at 0.29, 0.033 left textcolor ls 4 boxed

@@ -19,7 +19,7 @@ set xrange [-0.28:0.28]
 set xtics ("-20 %%" -0.2, "-10 %%" -0.1, "0" 0, "10 %%" 0.1, "20 %%" 0.2)
 set xlabel "strain e = F - 1"
 set ylabel "relative error of the linear stress" offset 1,0
-set label 3 "log" at -0.195, 20.9 tc ls 1 boxed
+set label 3 "log" at 0.215, 15.5 left tc ls 1 boxed
 set label 4 "cubic" at -0.18, 14 right tc ls 2 boxed
 set label 5 sprintf("dashed: %.2f |e|", SLOPE_max) at 0, 20.9 center boxed
 set label 1 "compression" at graph 0.03, graph 0.13 tc rgb "#555555" boxed
@@ -41,8 +41,8 @@ plot data index "model_error" using "e":(100 * column("stress_t")) \
          (sprintf("%+#.3g %%", 100 * column(word("strain_t strain_c", k)))) \
          with labels left offset (k == 1 ? 0.8 : -7.5),0 boxed
 
-set label 3 "log law" at -95, 15.2 center tc ls 1 boxed
-set label 4 ""
+set label 3 "log" at 255, 14.6 left tc ls 1 boxed
+set label 4 "cubic" at -222, 13.4 right tc ls 2 boxed
 set label 5 sprintf("dashed:\n%.2f |P| / (2μ + λ)", SLOPE_max) at 0, 20.9 center boxed
 set xrange [-320:320]
 set xtics -300,150,300
@@ -52,6 +52,10 @@ plot data index "model_error" using "load_t":(100 * column("strain_t")) \
          with lines ls 1, \
      "" index "model_error" using (-column("load_c")): \
          (100 * column("strain_c")) with lines ls 1, \
+     "" index "model_error" using "cubic_load_t": \
+         (100 * column("cubic_strain_t")) with lines ls 2, \
+     "" index "model_error" using (-column("cubic_load_c")): \
+         (100 * column("cubic_strain_c")) with lines ls 2, \
      100 * SLOPE_max / MODULUS_max * abs(x) ls 8, \
      for [side in "t c"] data index "thresholds" every ::0::2 \
          using (column("load_".side)):"percent" with points ls 1 ps 0.9 \

@@ -484,8 +484,8 @@ static const struct claim claims[] = {
 static const char *const runs[] = {
     "",
     "--n 4 --grading 1 --order reversed",
-    "--n 9 --grading 0.2385 --order reversed --rule gauss",
-    "--n 12 --grading 3.714 --order reversed --rule gauss",
+    "--n 9 --grading 0.2385 --order reversed --rule gauss2",
+    "--n 12 --grading 3.714 --order reversed --rule gauss2",
     "--n 1 --order reversed --rule trapezoid",
 };
 
