@@ -22,6 +22,8 @@ ways = "rest stable not_spd fails"
 part(k) = k == 0 ? 0 : column(word(ways, k)) / column("seeds") + part(k - 1)
 from(k) = left(strcol("held"), column("amplitude")) + WIDE * part(k - 1)
 to(k) = left(strcol("held"), column("amplitude")) + WIDE * part(k)
+# a part that is empty is not drawn, not even as a hair
+box(k) = part(k) > part(k - 1) ? to(k) : NaN
 percent(k) = 100.0 * column(word(ways, k)) / column("seeds")
 # what a cell says: how many come back, or that none does
 said(k) = percent(k) < 1.5 ? "" : k < 3 ? sprintf("%.0f %%", percent(k)) \
@@ -52,7 +54,7 @@ do for [i = 1:5] {
 }
 set label 20 "both ends held, thrown by up to" at 1.47, -1.05 center
 set label 21 "left end held, by up to" at 4.14, -1.05 center
-plot for [k = 1:4] data index "scattered" using (to(k)):(row(strcol("method"))): \
+plot for [k = 1:4] data index "scattered" using (box(k)):(row(strcol("method"))): \
          (from(k)):(to(k)):(row(strcol("method")) - 0.42): \
          (row(strcol("method")) + 0.42) with boxxyerror fc rgb Color[k], \
      for [k = 1:4] data index "scattered" using (middle(k)): \

@@ -41,12 +41,12 @@ unset label
 unset logscale
 set tmargin at screen 0.34
 set bmargin at screen 0.125
-set lmargin at screen 0.27
+set lmargin at screen 0.36
 set xrange [0:1.2 * most("kept")]
 set yrange [4.6:0.4]
 set xtics autofreq
-set ytics ("band" 1, "dissection" 2, "in single precision" 3, \
-    "kept across steps" 4) \
+set ytics ("band" 1, "dissection" 2, "dissection, single" 3, \
+    "dissection, single, kept" 4) \
     scale 0
 unset grid
 unset ylabel

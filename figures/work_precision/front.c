@@ -15,12 +15,35 @@
 #include "base/study.h"
 #include "base/table.h"
 
+#include <math.h>
+
 /* The front of the first `count` settings. */
 static void print_front(const struct trials *s, int count, double asked)
 {
     for (int i = trials_cheapest(s, count, 10.0); i >= 0;
          i = trials_cheapest(s, count, s->error[i] * (1.0 - 1e-9)))
         trials_row(s, i, asked);
+}
+
+/* In the mean of all pairs: what the loose tolerance takes of the sharp one. */
+static void compare_tolerances(struct trials *const s[])
+{
+    double systems = 0.0, flops = 0.0, change = 0.0;
+    int pairs = 0;
+    for (int k = 0; k < JOLTED_PULL; k++)
+        for (int i = 1; i < s[k]->count; i++) {
+            const struct work *loose = &s[k]->work[i - 1], *sharp = loose + 1;
+            if (s[k]->set[i - 1].tolerance <= s[k]->set[i].tolerance) continue;
+            pairs++;
+            systems += (double)loose->systems / sharp->systems;
+            flops += loose->flops / sharp->flops;
+            change = fmax(change,
+                          fabs(s[k]->error[i - 1] / s[k]->error[i] - 1.0));
+        }
+    claim(fabs(systems / pairs - 0.5) < 0.05 &&
+              fabs(flops / pairs - 0.75) < 0.05 && change < 0.25,
+          "a loose tolerance saves half of the systems, a quarter of the flops "
+          "(%g, %g, %g)", systems / pairs, flops / pairs, change);
 }
 
 int main(void)
@@ -63,6 +86,7 @@ int main(void)
         }
     table_end();
     balance_tables(s);
+    compare_tolerances(s);
     for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
     claim(failed == squeezed, "only symplectic Euler fails, and other "
           "elements whose corner is squeezed (%d, %d)", failed, squeezed);

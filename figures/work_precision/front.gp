@@ -34,7 +34,6 @@ set grid noxtics ytics
 set format y "10^{%T}"
 set format x "10^{%T}"
 set xrange [4e3:2e8]
-set yrange [3e-5:3]
 set xtics 1e4, 10, 1e8
 unset key
 do for [s = 1:2] {
@@ -43,18 +42,19 @@ do for [s = 1:2] {
     set tmargin at screen 0.965 - 0.485 * (s - 1)
     set bmargin at screen 0.965 - 0.485 * (s - 1) - 0.405
     set label 1 Title[s] at graph 0.5, 1.05 center font ",15"
+    set yrange [s == 1 ? 3e-5 : 3e-4 : s == 1 ? 0.3 : 3]
     set xlabel s == 2 ? "flops counted" : ""
     set ylabel "relative error of u at the end"
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",13" \
         textcolor rgb "#555555"
-    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
-    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.855 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.79 tc rgb "#CC79A7"
+    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.335 tc rgb "#777777"
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.27 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.205 tc rgb "#CC79A7"
     set label 6 "known to" at 6e3, s == 1 ? 6.4e-5 : 7.3e-4
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
          apart using (here(s) ? column("flops") : NaN):"error" \
-             with points pt 7 ps 0.25 lc rgb "#B0B0B0", \
+             with points pt 7 ps 0.3 lc rgb "#909090", \
          data index "front" using (here(s) && column("asked") == -1 ? column("flops") : NaN):"error" \
              with steps lw 2 dt 3 lc rgb "#009E73", \
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
@@ -62,7 +62,7 @@ do for [s = 1:2] {
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
          corners using (here(s) && column("flops") < 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels left offset 0.8,0.5 font ",13", \
+             with labels left offset 0.8,(s == 1 ? 1.05 : 0.5) font ",13", \
          corners using (here(s) && column("flops") >= 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5 font ",13", \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
