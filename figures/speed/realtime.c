@@ -141,8 +141,8 @@ static void time_swing(const char *word, int n, int most)
 }
 
 /* The largest n in time: of the swing, capped, or (k < SOLVERS) of k; *seconds
- * := its p99, and *in_time := its swing, when that was found. */
-static int largest(int k, int single, double *seconds, struct swing *in_time)
+ * := its p99, and *timed := its swing, when that was found. */
+static int largest(int k, int single, double *seconds, struct swing *timed)
 {
     struct swing s = {.t = {0}};
     int n = LEAST, late = MOST;
@@ -163,7 +163,7 @@ static int largest(int k, int single, double *seconds, struct swing *in_time)
         }
         n = middle;
         *seconds = t;
-        *in_time = s;
+        *timed = s;
     }
     return n;
 }
@@ -172,9 +172,9 @@ int main(void)
 {
     int n[SOLVERS];
     double p99[SOLVERS] = {NAN, NAN, NAN, NAN}, unused;
-    struct swing in_time = {.t = {0}};
+    struct swing timed = {.t = {0}};
     study_machine();
-    for (int k = 0; k < SOLVERS; k++) n[k] = largest(k, 0, &p99[k], &in_time);
+    for (int k = 0; k < SOLVERS; k++) n[k] = largest(k, 0, &p99[k], &timed);
     table_begin("realtime", "solver n p99_ms over_band");
     for (int k = 0; k < SOLVERS; k++)
         table_row(name[k], n[k], 1e3 * p99[k], (double)n[k] / n[BAND]);
@@ -183,8 +183,8 @@ int main(void)
                      "unfinished residual", "capped: at most %d", CAP);
     for (int k = 0; k < SIZES; k++) time_swing("all", sizes[k], 300);
     for (int k = 0; k < SIZES; k++) time_swing("capped", sizes[k], CAP);
-    print_swing("capped_most", largest(SOLVERS, 0, &unused, &in_time), &in_time);
-    print_swing("single_most", largest(SOLVERS, 1, &unused, &in_time), &in_time);
+    print_swing("capped_most", largest(SOLVERS, 0, &unused, &timed), &timed);
+    print_swing("single_most", largest(SOLVERS, 1, &unused, &timed), &timed);
     table_end();
     return table_finish();
 }
