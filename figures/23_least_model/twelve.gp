@@ -33,4 +33,6 @@ plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) *
      "" index "chosen" using "error":"estimate" with points pt 6 ps 1.7 lw 1 lc rgb "black" \
          title "enough for 10 %", \
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
-         with points pt 2 ps 1.4 lw 2.5 lc rgb "#C00000" title "unstable"
+         with points pt 2 ps 2.1 lw 6 lc rgb "white" notitle, \
+     "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
+         with points pt 2 ps 1.9 lw 2.5 lc rgb "#C00000" title "unstable"

@@ -17,9 +17,9 @@ set yrange [2:9]
 set xtics (16, 24, 32)
 set label 1 "lesson 11: 2.2 h per frame" at 26.6,5.75 tc rgb "black" boxed
 set label 2 "cubic law: frames are lost above the line" at 14.6,3.5 tc rgb "#D55E00" boxed
-set label 3 "log law: no frame lost up to 7.5 m/s" at 20.4,8.5 tc rgb "#0072B2" boxed
+set label 3 "fastest hand, 7.5 m/s: the log law loses no frame" at 17.6,8.4 tc rgb "#555555" boxed
 plot law / x with lines ls 8, \
-     [16:32] 7.5 with lines ls 1, \
+     [16:32] 7.5 with lines lw 2 dt 3 lc rgb "#777777", \
      data index "limit" using "n":"cubic" with linespoints ls 2
 unset label
 set xlabel "J of a stretched triangle"

@@ -20,7 +20,7 @@ set xlabel "squares per side n"
 set multiplot layout 2,1 margins 0.12,0.97,0.08,0.985 spacing 0,0.10
 set yrange [0:20]
 set ylabel "iterations per linear system" offset 1
-set label 1 "geometric multigrid" at 66,6 tc ls 6
+set label 1 "geometric multigrid" at 66,6 tc rgb "#22739F"
 set label 2 "algebraic, with\nrigid motions" at 262,9.2 tc ls 3
 set label 3 "algebraic, without\nrigid motions" at 262,14.2 tc ls 2
 set label 4 "one process" at 570,18.8 right
@@ -34,7 +34,7 @@ unset label 4
 set yrange [0:1300]
 set ylabel "messages of a process per step" offset 1
 set label 1 "four processes" at 66,860 tc ls 1
-set label 2 "two processes" at 66,330 tc ls 5
+set label 2 "two processes" at 66,330 tc rgb "#8F6300"
 set label 3 "dashed: theory" at 262,690 tc rgb "black"
 plot data index "messages" using "n":(sent(4, "messages")) with points ls 1 ps 1, \
      "" index "messages" using "n":(sent(2, "messages")) with points ls 5 ps 1, \

@@ -24,7 +24,7 @@ set xrange [3:8e4]
 set yrange [1.5e-6:5e-4]
 set xlabel "Mflop per step"
 set ylabel "change of u when h is halved, rms (m)" offset 1
-set label 1 "multigrid" at 60,1.3e-5 right tc ls 6
+set label 1 "multigrid" at 60,1.3e-5 right tc rgb "#22739F"
 set label 2 "dissection" at 4500,1.9e-5 left tc ls 3
 set label 3 "n = 48" at mflop(48, 3700) * 1.3,error(48) * 1.2 left
 set label 4 "dashed: extrapolated" at 4e4,3e-4 right
