@@ -3,10 +3,11 @@
  *
  * Notes: the material point method, weak form to the semi-discrete equations.
  *
- * Problem.  Node a moves by u_a.  Each particle has then the gradients F_hat,
- * since t^n, and F = F_hat F_p, since ever [eq:pull-back]; their energy sum V_p
- * psi(F) [eq:particle-energy] gives the nodes forces [eq:particle-force], and
- * these a tangent [eq:particle-tangent].  V_p is the volume at t = 0.
+ * Problem.  Node a moves by u_a.  Each particle then has the gradient F_hat of
+ * the motion since t^n, and F = F_hat F_n of all of it [eq:pull-back].  The
+ * particles' energy sum V_p psi(F) [eq:particle-energy] gives the nodes forces
+ * [eq:particle-force], and these a tangent [eq:particle-tangent].  V_p is the
+ * volume at t = 0.
  *
  *     o -- o -- o -- o     component k of node a is u[2a + k], as in f, w; the
  *     |  . |    |.   |     nodes that particle p reaches and grad N_a there are

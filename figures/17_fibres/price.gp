@@ -1,5 +1,6 @@
 # price.gp - by how much a block gets shorter: error of three models on finer and
-# finer meshes, over the flops of their linear systems.
+# finer meshes, over the flops of their assembly and linear
+# systems.
 # Reads   data  table price (model n flops error)
 # Writes  out   SVG
 load "figures/style.gp"
@@ -11,7 +12,7 @@ set format x "10^{%T}"
 set xrange [4e3:3e8]
 set yrange [0.02:100]
 set ytics ("0.03" 0.03, "0.1" 0.1, "0.3" 0.3, "1" 1, "3" 3, "10" 10, "30" 30)
-set xlabel "flops of assembly and linear systems"
+set xlabel "flops of assembly (with fibres) and linear systems"
 set ylabel "error of the shortening (%)" offset 1
 unset key
 of(model, x) = strcol("model") eq model ? x : NaN

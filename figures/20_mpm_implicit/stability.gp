@@ -18,8 +18,6 @@ set lmargin at screen 0.15
 set rmargin at screen 0.97
 grey = "#555555"
 set label 1 "one implicit step of 1/30 s" at 1e-3, 17 center tc rgb grey
-set label 5 "cubic: fails" at 8e-7, 26 tc ls 3
-set label 6 "" at 1e-6, 9.784 point pt 2 ps 1.3 lw 2.5 lc rgb "#009E73" front
 set label 2 "linear: falls to 0 like 2 √ε" at 1.3e-6, 0.22 tc ls 1
 set label 7 "with FLIP like √(2 ε)" at 1.1e-4, 4e-3 tc ls 1
 set label 3 "quadratic: falls to 0.95" at 1.3e-6, 0.58 tc ls 2
