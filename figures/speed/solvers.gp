@@ -52,7 +52,7 @@ set yrange [0:5.2]
 set ytics 1
 set ylabel "one solve, relative to dissection"
 set label 1 "single precision,\nrefined" at 11,4.7 left tc ls 6
-set label 2 "band" at 205,4.75 right tc ls 1
+set label 2 "band" at 125,4.3 right tc ls 1
 set label 3 "dissection" at 280,0.74 right tc ls 3
 set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.7 left tc ls 4
 plot for [k in cholmod ? "1 3 4" : "1 3"] data index "solvers" \

@@ -15,6 +15,11 @@ function line(what, goal, got,    met, wanted, here, word) {
 function kept(key, name) { return of("kept", "kept", key, name) }
 function peer(method, n) { return of("peer", "peer", method " " n, "over_ours") }
 function mean(a, b) { return a == "-" || b == "-" ? "-" : (a + b) / 2 }
+# Exponent from n = 64 to 256, of its two doublings.
+function growth(solver, to) {
+    return mean(of("solvers", "growth", solver, to "128"), \
+        of("solvers", "growth", solver, to "256"))
+}
 END {
     gsl = lapack = rival = notes = worst = late = "-"
     for (n = 32; n <= 128; n *= 2) {
@@ -29,10 +34,6 @@ END {
         late = least(late, over(kept(scene[i] " within", "p99_ms"), \
             kept(scene[i] " across", "p99_ms")))
     }
-    grown = of("solvers", "growth", "dissection", "to_128")
-    grown = mean(grown, of("solvers", "growth", "dissection", "to_256"))
-    cold = of("solvers", "growth", "dissection", "cold_to_128")
-    cold = mean(cold, of("solvers", "growth", "dissection", "cold_to_256"))
     printf "\n  %-58s %9s %9s  %s\n", "times faster, or as it says", "goal", \
         "here", "met"
     line("band, factor and solve, than GSL, least of n = 32 to 128", 7, gsl)
@@ -53,8 +54,10 @@ END {
     line("... spin", 1, kept("spin across", "faster"))
     line("... 99th percentile of the steps, least of four scenes", 0.9, late)
     line("... worst step, least of four scenes", 0.9, worst)
-    line("exponent of a step, n = 64 to 256, warm caches", -2.6, grown)
-    line("... caches full of another\047s numbers", 0, cold)
+    line("exponent of a step, n = 64 to 256, warm caches", -2.6, \
+        growth("dissection", "to_"))
+    line("... caches full of another\047s numbers", 0, growth("dissection", "cold_to_"))
+    line("... with factors kept across steps, warm", -2.6, growth("kept", "to_"))
     line("bar, 1e6 unknowns: ns per unknown and iteration", -6, \
         of("newton_1d", "bar", "1000000 fused_both", "ns_per_unknown"))
     line("... than the same loop with GSL", 5, \
