@@ -183,10 +183,8 @@ int main(void)
                      "unfinished residual", "capped: at most %d", CAP);
     for (int k = 0; k < SIZES; k++) time_swing("all", sizes[k], 300);
     for (int k = 0; k < SIZES; k++) time_swing("capped", sizes[k], CAP);
-    int most = largest(SOLVERS, 0, &unused, &in_time);
-    print_swing("capped_most", most, &in_time);
-    most = largest(SOLVERS, 1, &unused, &in_time);
-    print_swing("single_most", most, &in_time);
+    print_swing("capped_most", largest(SOLVERS, 0, &unused, &in_time), &in_time);
+    print_swing("single_most", largest(SOLVERS, 1, &unused, &in_time), &in_time);
     table_end();
     return table_finish();
 }
