@@ -30,14 +30,14 @@ do for [k in "0 4 6"] {
 }
 entry(v) = v == 0 ? NaN : 1
 set lmargin at screen 0.065
-set rmargin at screen 0.335
+set rmargin at screen 0.325
 set tmargin at screen 0.90
 set bmargin at screen 0.2
 set label 1 "as assembled: singular" at graph 0, graph 1.06
 plot data index "A" using "j":(entry(column("value"))*column("i")) \
          with points pt 5 ps 1.6 lc rgb "#0072B2"
-set lmargin at screen 0.39
-set rmargin at screen 0.66
+set lmargin at screen 0.405
+set rmargin at screen 0.665
 set label 1 "corrected at 0, 4, 6"
 plot data index "A_corrected" \
          using "j":(entry(column("value"))*column("i")) \
@@ -47,7 +47,7 @@ unset object
 unset label 1
 set size noratio
 set lmargin at screen 0.765
-set rmargin at screen 0.985
+set rmargin at screen 0.97
 set tmargin at screen 0.96
 set bmargin at screen 0.2
 set border 3 back ls 9

@@ -2,7 +2,7 @@
 # error costs with four programs, and what they need per unknown and step.
 # Expected: error ~ n^-2 and cost ~ n, slope -2.
 # Reads   data  tables chart_readable, chart_gsl, chart_fused, chart_both (n
-#               iterations error seconds ns_per_unknown), large, machine
+#               iterations error seconds ns_per_unknown), machine
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 740,430 enhanced font "Helvetica,15.5" \
@@ -44,6 +44,7 @@ set label 1 "1/30 s" at 0.025, 3e-4 right boxed
 set label 2 "slopes near -2\n(dashed)" at 4e-7, 5e-13 boxed
 set label 3 "readable" at 1.3e-4, 8e-6 tc ls 2 boxed
 set label 4 "both ends" at 1e-4, 5e-10 right tc ls 1 boxed
+set label 5 "(colours:\nsee right)" at 1e-4, 1e-10 right font ",14" boxed
 plot for [s = 1:4] data index Table[s] using "seconds":"error" \
          with linespoints ls Style[s], \
      4e-17 * x**-2 with lines ls 8
@@ -52,18 +53,16 @@ unset label
 unset arrow
 set format y "%g"
 set ytics (2, 5, 10, 20, 50, 100, 200)
-set xrange [8:1.4e6]
+set xrange [8:4e5]
 set xtics 1e2, 100
 set yrange [3:200]
 set xlabel "elements n"
 set ylabel "time per unknown and step (ns)"
 do for [s = 1:4] {
     color = Style[s]
-    set label s Name[s].sprintf(":\n%.1f ns", cell("large", "ns_per_unknown", s - 1)) \
-        at 2e6, cell("large", "ns_per_unknown", s - 1) * (s == 3 ? 1.2 : s == 4 ? 0.8 : 1.05) tc ls color
+    ns = cell(Table[s], "ns_per_unknown", last(Table[s]))
+    set label s sprintf("%s:\n%.1f ns", Name[s], ns) at 5e5, 1.05 * ns tc ls color
 }
 plot for [s = 1:4] data index Table[s] using "n":"ns_per_unknown" \
-         with linespoints ls Style[s], \
-     for [s = 1:4] data index "large" every ::s-1::s-1 \
-         using "n":"ns_per_unknown" with points ls Style[s] ps 1.2
+         with linespoints ls Style[s]
 unset multiplot

@@ -34,7 +34,7 @@ do for [m = 1:4] {
     set xlabel line == 1 ? "u" : ""
     set ylabel col == 0 ? "v / ω" : ""
     stats data index "cat" using "area" every ::row(m, 3)::row(m, 3) nooutput
-    set label 1 sprintf("%s: %.2f", Name[m], STATS_max) at graph 0.5, graph 1.08 \
+    set label 1 sprintf("%s, area %.2f", Name[m], STATS_max) at graph 0.5, graph 1.08 \
         center
     plot data index "cat" using "u":"v" every ::row(m, 0)::row(m, 0)+29 \
              with filledcurves closed lc rgb "#bbbbbb", \
@@ -54,7 +54,7 @@ set style textbox opaque noborder margins 0.6,0.6
 set label 3 "symplectic Euler" at 1e3, 1.18 center front
 set label 4 "midpoint" at 1e4, 1 center tc ls 3 front boxed
 set label 5 "BDF2" at 2.5e2, 0.43 left tc ls 4 front boxed
-set label 6 "backward\nEuler" at 70, 0.26 left tc ls 1 front boxed
+set label 6 "backward Euler" at 45, 0.18 left tc ls 1 front
 set size noratio
 set logscale x
 set format x "10^{%T}"

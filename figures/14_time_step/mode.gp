@@ -60,12 +60,15 @@ set logscale xy
 set format xy "10^{%T}"
 set xtics autofreq
 set ytics autofreq
-set xrange [2e-3:1]
+set xrange [2e-4:1]
+do for [m = 1:4] {
+    set label m + 1 Name[m] at 1.8e-3, Constant[m] * 2.1e-3**Due[m] right tc ls Style[m]
+}
 set yrange [1e-7:3]
 set xlabel "ω Δt"
 set ylabel "error at ω T = 2.385"
 plot for [m = 1:4] data index "orders" using "w_dt":"error" \
          every ::9*m-9::9*m-1 with points ls Style[m], \
-     for [m = 1:4] Constant[m] * x**Due[m] with lines ls 8
+     for [m = 1:4] (x < 2e-3 ? NaN : Constant[m] * x**Due[m]) with lines ls 8
 unset multiplot
 set output

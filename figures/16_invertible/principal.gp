@@ -46,8 +46,8 @@ plot data index "principal" using (of("stress")):(P("stress")) \
 unset label
 unset object
 set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed
-set label 5 "all others;" at 1.07, -0.05 left front boxed
-set label 6 "cubic in orange" at 1.07, -0.17 left textcolor rgb "#D55E00" front boxed
+set label 5 "log law, stress,\nenergy, extended" at 1.07, -0.03 left textcolor rgb "#0072B2" front boxed
+set label 6 "cubic" at 0.603, -0.6 left font ",16" textcolor rgb "#D55E00" front
 set tmargin at screen 0.43
 set bmargin at screen 0.085
 set xrange [0.6:1.4]
