@@ -71,7 +71,7 @@ int main(void)
     table_begin_note("two_answers",
                      "method reason iterations indefinite projections phi "
                      "min_J definite",
-                     "step %d from the same state; phi in units of dt^2 (J)",
+                     "step %d from the same state; phi in units of dt^2 (J/m)",
                      LAST);
     for (int m = 0; m < 2; m++) {
         a[m] = squeeze(method[m]);

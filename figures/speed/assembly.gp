@@ -8,7 +8,7 @@ set terminal svg size 580,540
 set output out
 array Column[5] = ["readable", "projected", "both", "residual", "clear"]
 array Name[5] = ["readable", "closed form, clamped", \
-                 "closed form", "residual alone", "zeros into the band"]
+                 "closed form", "residual alone", "zeros into the band (part of the upper three)"]
 array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#999999"]
 place(group, k) = 6.0 * group + k
 unset key

@@ -46,14 +46,14 @@ plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
 do for [k = 9:16] { unset label k }
 unset arrow
-array Time[6] = [170, 48, 85, 1250, 520, 250]
-array From[6] = [31, 136, 320, 136, 320, 320]
+array Time[6] = [170, 72, 85, 1250, 950, 430]
+array From[6] = [31, 138, 320, 142, 320, 320]
 do for [k = 1:6] {
     color = Style[k]
     set label 10 + k Text[k] at From[k], Time[k] tc ls color
 }
 color = Style[5]
-set arrow 5 from 136, 368 to 305, 500 nohead ls color lw 0.8
+set arrow 5 from 136, 440 to 305, 900 nohead ls color lw 0.8
 set label 11 right
 set ylabel "time of a solve (ms)"
 set yrange [2e-3:5e3]
