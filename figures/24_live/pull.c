@@ -6,9 +6,10 @@
  * from the elastic lift, from the lift by rows, or from the last state with the
  * held values written in.  Tables: pull (frames lost of 40 at 6 m/s, and the
  * most systems in a frame), limit (the least speed, in steps of 0.1 m/s, that
- * loses one of the first three frames from the last state, against lesson 11's
- * 2.2 h / dt; frames lost of 40 under LOG at the fastest hand, 7.5 m/s), slope
- * (G' of both laws over J: K is a sum of matrices with an eigenvalue mu - G').
+ * loses one of the first three frames from the last state, beside 2.2 h / dt of
+ * lesson 11's free bar under LOG; frames lost of 40 under LOG at the fastest
+ * hand, 7.5 m/s), slope (G' of both laws over J: dP/dF of a triangle has the
+ * eigenvalue mu - G').
  */
 #include "motion/live.h"
 #include "base/options.h"
