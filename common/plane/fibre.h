@@ -28,7 +28,8 @@
 enum fibre_law { MUSCLE, CORD };
 struct fibre {
     enum fibre_law law;
-    double k;          /* passive stiffness (N/m^2) */
+    double k;          /* of a cord its stiffness, of a muscle its passive
+                        * tension at l = 2 (N/m^2) */
     double sigma;      /* largest active tension (N/m^2) */
     double width;      /* w, 0 < w < 1: half the width of the active part */
     double activation; /* a, 0 <= a <= 1 */

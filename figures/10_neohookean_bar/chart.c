@@ -72,8 +72,7 @@ static void print_large(int n)
         for (int i = 0; i <= n; i++)
             difference[k] = fmax(difference[k], fabs(s->u[i] - first->u[i]));
         difference[k] /= bar_max_free(&first->bar, first->u);
-        const double step =
-            timed(s, (enum solver)k, 5, 0.0, 3) / 5;
+        const double step = timed(s, (enum solver)k, 5, 0.0, 3) / 5;
         table_row(name[k], n, 1e9 * step / n, difference[k]);
     }
     table_end();

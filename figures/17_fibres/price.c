@@ -80,8 +80,7 @@ int main(void)
             flops[m][k] = r.flops;
             fibres[m][k] = 100.0 * r.fibres / (r.flops - r.fibres);
             table_row(name[m], mesh[k], r.systems, r.flops, r.shorter,
-                      error[m][k],
-                      fibres[m][k]);
+                      error[m][k], fibres[m][k]);
         }
     table_end();
     const double *linear = error[LINEAR_CORD], *cord = error[CUBIC_CORD];

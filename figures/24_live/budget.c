@@ -6,8 +6,8 @@
  * with more and more sub-steps.  Table: systems per frame at the median, at the
  * 99th percentile and at most; frames unfinished, and lost; how far an
  * unfinished frame is (largest distance of a vertex, m) from where it ends
- * without a budget.  Table sizes: unfinished frames (late)
- * and their largest distance, of the second rung alone, by the budget.
+ * without a budget.  Table sizes: unfinished frames (late) and their largest
+ * distance, of the second rung alone, by the budget.
  */
 #include "motion/live.h"
 #include "base/study.h"
