@@ -47,7 +47,7 @@ unset label
 unset object
 set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed
 set label 5 "log law, stress,\nenergy, extended" at 1.07, -0.03 left textcolor rgb "#0072B2" front boxed
-set label 6 "cubic" at 0.592, -0.81 right textcolor rgb "#D55E00" front
+set label 6 "cubic" at 0.592, -0.725 right textcolor rgb "#D55E00" front
 set tmargin at screen 0.43
 set bmargin at screen 0.085
 set xrange [0.48:1.4]
