@@ -1,8 +1,9 @@
 /*
  * chart.c - what does a method cost for a given error?
  *
- * The square, n = 8, both ends held, lumped mass, is let go from a large smooth
- * swing and followed for three frames, 0.1 s, in 1, 2, 4, ... steps per frame.
+ * The square, n = 8 or 16, both ends held, lumped mass, is let go from a large
+ * smooth swing and followed for three frames, 0.1 s, in 1, 2, 4, ... steps per
+ * frame.
  * The reference is the midpoint rule with 512 and 1024 steps per frame and
  * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
  * distance from the extrapolation one level below bounds that error.
@@ -62,15 +63,22 @@ static double distance(const struct model *model, double u[], const double w[])
     return model_norm(model, u) / scale;
 }
 
-int main(void)
+struct result {
+    double bound, critical; /* of the reference's error; step (s) */
+    double ratio, last;     /* of the midpoint rule's errors; BDF2's last */
+    int arrived;            /* methods, with one step per frame */
+    int enough[N_METHOD];   /* steps per frame, the fewest below 1 %, or 0 */
+};
+
+static struct result chart(int n, const char *table)
 {
-    struct scene_setting set = scene_notes(STRETCH, CUBIC, 8);
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    double *u[3], *reference = scene->u, error[LEVELS], ratio = 0.0;
+    double *u[3], *reference = scene->u, error[LEVELS];
+    struct result result = {0};
     struct run run;
-    int arrived = 0;
 
     for (int k = 0; k < 3; k++)
         u[k] = run_swing(model, scene->g, IMPLICIT_MIDPOINT, FINEST << k).end.u;
@@ -78,13 +86,10 @@ int main(void)
         reference[i] = (4.0 * u[2][i] - u[1][i]) / 3.0;
         u[1][i] = (4.0 * u[1][i] - u[0][i]) / 3.0;
     }
-    const double bound = distance(model, u[1], reference);
-    study_machine();
-    table_begin("reference", "levels error critical");
-    table_row(LEVELS, bound, 2.0 / model_frequency(model));
-    table_end();
-    table_begin("chart", "method per_frame dt status steps error energy "
-                         "iterations factorisations seconds");
+    result.bound = distance(model, u[1], reference);
+    result.critical = 2.0 / model_frequency(model);
+    table_begin(table, "method per_frame dt status steps error energy "
+                       "iterations factorisations seconds");
     for (int m = 0; m < N_METHOD; m++)
         for (int k = 0; k < LEVELS; k++) {
             struct times times = {0};
@@ -101,19 +106,46 @@ int main(void)
                       cell_if(ok, run.total.iterations / 3.0),
                       cell_if(ok, run.total.factorisations / 3.0),
                       times_best(&times) / 3.0);
-            arrived += k == 0 && ok;
-            if (m == IMPLICIT_MIDPOINT) ratio = error[k ? k - 1 : 0] / error[k];
+            result.arrived += k == 0 && ok;
+            if (!result.enough[m] && ok && error[k] < 0.01)
+                result.enough[m] = 1 << k;
+            if (m == IMPLICIT_MIDPOINT)
+                result.ratio = error[k ? k - 1 : 0] / error[k];
             state_free(&run.end);
         }
     table_end();
+    result.last = error[LEVELS - 1];
     for (int k = 0; k < 3; k++) free(u[k]);
     model_free(model);
     scene_free(scene);
+    return result;
+}
 
-    claim(fabs(ratio - 4.0) < 0.05 && bound < 1e-3 * error[LEVELS - 1],
-          "half a step of the midpoint rule is a quarter of its error, and the "
-          "reference is good enough to see it (%g, %g)", ratio, bound);
-    claim(arrived == 1, "with one step per frame only one method arrives (%d)",
-          arrived);
+int main(void)
+{
+    study_machine();
+    const struct result coarse = chart(8, "chart");
+    const struct result fine = chart(16, "chart_16");
+    const struct result *const both[] = {&coarse, &fine};
+    table_begin("reference", "levels error critical");
+    for (int i = 0; i < 2; i++)
+        table_row(LEVELS, both[i]->bound, both[i]->critical);
+    table_end();
+
+    for (int i = 0; i < 2; i++) {
+        const struct result *r = both[i];
+        claim(fabs(r->ratio - 4.0) < 0.05 && r->bound < 1e-3 * r->last,
+              "half a step of the midpoint rule is a quarter of its error, "
+              "and the reference is good enough to see it (%g, %g)", r->ratio,
+              r->bound);
+        claim(r->arrived == 1,
+              "with one step per frame only one method arrives (%d)",
+              r->arrived);
+        claim(r->enough[SYMPLECTIC_EULER] == 64,
+              "1 %% takes symplectic Euler 64 steps per frame on either mesh");
+    }
+    claim(coarse.enough[IMPLICIT_MIDPOINT] == 32 &&
+              fine.enough[IMPLICIT_MIDPOINT] == 64,
+          "1 %% takes the midpoint rule 32 steps per frame, or 64 (n = 16)");
     return table_finish();
 }

@@ -47,11 +47,11 @@ unset label
 unset object
 set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed
 set label 5 "log law, stress,\nenergy, extended" at 1.07, -0.03 left textcolor rgb "#0072B2" front boxed
-set label 6 "cubic" at 0.603, -0.6 left font ",16" textcolor rgb "#D55E00" front
+set label 6 "cubic" at 0.592, -0.725 right textcolor rgb "#D55E00" front
 set tmargin at screen 0.43
 set bmargin at screen 0.085
-set xrange [0.6:1.4]
-set yrange [-0.9:0.6]
+set xrange [0.48:1.4]
+set yrange [-0.95:0.6]
 set xtics 0.2
 set xlabel "s_2  (with s_1 = 1)"
 set ylabel "P̂_2  (kN/m^2)" offset 1

@@ -44,12 +44,14 @@ static const struct {
     const char *what;
 } RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0,
              "u at the end of a swing that should go on (m)"},
-            {PROJECTION, CUBIC, BACKWARD_EULER, 33, "frames the hand waits"},
+            {PROJECTION, CUBIC, BACKWARD_EULER, 33,
+             "frames in which the hand waits"},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, "energy (J)"},
-            {HALVING, LOG, BACKWARD_EULER, 18, "frames the hand waits"},
+            {HALVING, LOG, BACKWARD_EULER, 18,
+             "frames in which the hand waits"},
             {BOUND, CUBIC, BACKWARD_EULER, 25, "energy (J)"},
             {LEAPING, CUBIC, BACKWARD_EULER, 38, "speed (m/s)"},
-            {TROUBLE, LOG, BACKWARD_EULER, 7, "frames unfinished"}};
+            {TROUBLE, LOG, BACKWARD_EULER, 7, "unfinished frames"}};
 
 /* value[k] := what tells, with all rungs and without one; of mad with all
  * rungs, frames are counted, and those lost. */

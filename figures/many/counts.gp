@@ -21,8 +21,8 @@ set multiplot layout 2,1 margins 0.12,0.97,0.08,0.985 spacing 0,0.10
 set yrange [0:20]
 set ylabel "iterations per linear system" offset 1
 set label 1 "geometric multigrid" at 66,6 tc rgb "#22739F"
-set label 2 "algebraic, with\nrigid motions" at 262,9.2 tc ls 3
-set label 3 "algebraic, without\nrigid motions" at 262,14.2 tc ls 2
+set label 2 "algebraic, with rigid motions" at 66,11.9 tc ls 3
+set label 3 "algebraic, without rigid motions" at 66,16.6 tc ls 2
 set label 4 "one process" at 570,18.8 right
 plot data index "runs" using "n":(first_steps("geometric", 1)) \
          with linespoints ls 6, \

@@ -28,6 +28,8 @@ set label 1 "multigrid" at 60,1.3e-5 right tc rgb "#22739F"
 set label 2 "dissection" at 4500,1.9e-5 left tc ls 3
 set label 3 "n = 48" at mflop(48, 3700) * 1.3,error(48) * 1.2 left
 set label 4 "dashed: extrapolated" at 4e4,3e-4 right
+do for [k = 1:4] { set label 4 + k sprintf(k == 1 ? "n = %d" : "%d", Direct[k]) \
+    at mflop(Direct[k], 78 * Direct[k]) * 1.15,error(Direct[k]) * 1.28 left tc ls 3 }
 set parametric
 set trange [24:512]
 set samples 200

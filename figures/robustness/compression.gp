@@ -1,5 +1,5 @@
 # compression.gp - the ends pushed together, n = 8: linear systems of each step
-# and least J after it; crosses: the step that failed.
+# and least J after it; crosses: the step that failed, above in a strip of its own.
 # Reads   data  tables path_notes, path_always, path_demand, path_log_halved
 # Writes  out   SVG
 load "figures/style.gp"
@@ -11,6 +11,7 @@ array Style[4] = [4, 3, 2, 6]
 array Wide[4] = [2, 5, 2, 2]
 array Color[4] = ["#CC79A7", "#009E73", "#D55E00", "#56B4E9"]
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
+FAILED = 1300 # where the strip is, which has no scale
 lost(value) = strcol("reason") ne "OK" ? value : NaN
 set multiplot
 set lmargin at screen 0.125
@@ -24,20 +25,25 @@ unset key
 set label 2 "cubic, always projecting" at 0.03, 140 tc ls 4
 set label 3 "cubic, on demand" at 1.60, 6.3 tc ls 3
 set label 4 "log, all cures,\nhalved steps" at 1.34, 480 right tc ls 6
-set label 6 "cubic, notes' method" at 0.72, 1250 right tc ls 2
+set label 6 "cubic, notes' method" at 0.80, FAILED tc ls 2
 set logscale y
 set yrange [2:2000]
+set object 1 rectangle from graph 0, first 850 to graph 1, graph 1 behind \
+    fc rgb "#EEEEEE" fs solid noborder
+set ytics (10, 100)
 set format x ""
-set label 1 "× the step failed" at 0.03, 450 textcolor rgb "#555555"
+set label 1 "× the step failed" at 0.03, FAILED textcolor rgb "#555555"
 set ylabel "linear systems per step"
 plot for [k = 1:4] data index Name[k] using "t":(ok("iterations")) \
          with lines lw Wide[k] lc rgb Color[k], \
      for [k = 1:4] data index Name[k] using "t":(ok("iterations")) \
          every 4 with points ls Style[k], \
-     for [k = 1:4] data index Name[k] using "t":(lost(1250)) \
+     for [k = 1:4] data index Name[k] using "t":(lost(FAILED)) \
          with points pt 2 ps 1.2 lw 3 lc rgb Color[k]
 do for [i = 1:6] { unset label i }
 unset logscale y
+unset object 1
+set ytics autofreq
 set tmargin at screen 0.51
 set bmargin at screen 0.10
 set format x "%g"

@@ -3,14 +3,17 @@
  *
  * The free vertices of n = 4 are thrown to random places, each component within
  * an amplitude (in h) of its own, and equilibrium without load is asked for.
- * Tables: where the runs of each method end, with standard errors, and systems
- * solved by those that find an equilibrium; one that is not at rest.
+ * Tables: where the runs of each method end, with standard errors, how many of
+ * the other minima have a knot, and systems solved by those that find an
+ * equilibrium; one that is not at rest, and its knots.
  */
+#include "motion/live.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_cblas.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Both ends are held in the first starts, then the left one. */
@@ -47,6 +50,7 @@ static enum end settle(struct scene *s, int start, int seed, const char *name,
 
 struct census {
     int end[ENDS];
+    int knotted;              /* minima with a knot [eq:winding] */
     struct times systems;     /* of runs to an equilibrium, no seconds */
     double inverted, least_J; /* mean part of the starts; of the equilibria */
 };
@@ -64,11 +68,25 @@ static struct census take_census(int start, const char *name)
             c.inverted += !(scene_triangle(&from, e, x) > 0.0) /
                           (SEEDS * (double)s->mesh->n_triangle);
         c.end[end]++;
+        c.knotted += end == MINIMUM && live_knots(s->mesh, s->u, NULL) > 0;
         if (end < STOPPED)
             c.least_J = fmin(c.least_J, body_min_J(s->body, s->u));
     }
     scene_free(s);
     return c;
+}
+
+static void print_knots(const struct mesh *mesh, const double u[])
+{
+    int *knot = allocate((size_t)mesh->n_vertex, sizeof *knot);
+    live_knots(mesh, u, knot);
+    table_begin("knots", "x y");
+    for (int a = 0; a < mesh->n_vertex; a++)
+        if (knot[a])
+            table_row(mesh->X[2 * a] + u[2 * a],
+                      mesh->X[2 * a + 1] + u[2 * a + 1]);
+    table_end();
+    free(knot);
 }
 
 static void print_tangled(void)
@@ -90,6 +108,7 @@ static void print_tangled(void)
         table_row_of(14, row);
     }
     table_end();
+    print_knots(s->mesh, s->u);
     scene_free(s);
 }
 
@@ -98,8 +117,8 @@ int main(void)
     static struct census c[STARTS][METHODS];
 
     table_begin("scattered", "held amplitude method seeds inverted rest stable "
-                "saddle not_spd fails median p90 least_J rest_part rest_error "
-                "stable_part");
+                "saddle not_spd fails knotted median p90 least_J rest_part "
+                "rest_error stable_part");
     for (int k = 0; k < STARTS; k++)
         for (int m = 0; m < METHODS; m++) {
             c[k][m] = take_census(k, method[m]);
@@ -108,6 +127,7 @@ int main(void)
             table_row(k < BOTH_ENDS ? "both" : "left", amplitude[k], method[m],
                       SEEDS, c[k][m].inverted, end[REST], end[MINIMUM],
                       end[NO_MINIMUM], end[STOPPED], end[FAILS],
+                      c[k][m].knotted,
                       cell_if(some, times_median(&c[k][m].systems)),
                       cell_if(some, times_quantile(&c[k][m].systems, 0.9)),
                       cell_if(some, c[k][m].least_J), 1.0 * end[REST] / SEEDS,
@@ -125,5 +145,8 @@ int main(void)
     const struct census *left = &c[4][3];
     claim(left->end[REST] + left->end[MINIMUM] == SEEDS && left->least_J > 0 &&
           left->end[MINIMUM] > 0.3 * SEEDS, "there are other stable answers");
+    for (int m = 3; m < METHODS; m++)
+        claim(c[4][m].knotted == c[4][m].end[MINIMUM], "%s: each of the %d has "
+              "a knot (%d)", method[m], c[4][m].end[MINIMUM], c[4][m].knotted);
     return table_finish();
 }

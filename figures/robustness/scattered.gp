@@ -1,7 +1,7 @@
 # scattered.gp - random starts, n = 4: where the runs of each method end; and an
-# equilibrium without an inverted triangle that is not the square, with the start
-# that led to it.
-# Reads   data  tables scattered, tangled
+# equilibrium without an inverted triangle that is not the square, its knots, and
+# the start that led to it.
+# Reads   data  tables scattered, tangled, knots
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 580,760
@@ -77,8 +77,10 @@ set lmargin at screen 0.52
 set rmargin at screen 0.98
 set xrange [-1.3:1.05]
 set yrange [-1.05:1.1]
-set label 1 "its end: folded, and stable" at screen 0.74, screen 0.375 center
+set label 1 "its end: two knots, and stable" at screen 0.74, screen 0.375 center
 plot polygons("1", 8) using 1:2 with filledcurves closed \
          fc rgb "#C00072B2", \
-     polygons("1", 8) using 1:2 with lines lw 1.2 lc rgb "#0072B2"
+     polygons("1", 8) using 1:2 with lines lw 1.2 lc rgb "#0072B2", \
+     data index "knots" using "x":"y" with points pt 6 ps 2.6 lw 3 \
+         lc rgb "#C00000"
 unset multiplot

@@ -1,5 +1,6 @@
 #!/bin/sh
-# wide.sh MADE - no page of `make book` is wider than the screen that it is read on.
+# wide.sh MADE - no page of `make book` is wider than the screen that it is read on,
+# and the cheat sheet prints on two pages of A4.
 #
 # A browser without a window lays every page out, with all folds open, for a desk
 # (1400 px) and for a phone (390 px), and names what is wider than its box: only
@@ -24,6 +25,21 @@ for tool in pandoc "${browser:-a browser (chromium)}"; do
     exit 0
 done
 cp -R "$1/book" "$tmp" || { echo 'FAIL wide: there is no book'; exit 0; }
+printed() { # the pages of the cheat sheet
+    "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$tmp/browser" \
+        --print-to-pdf="$tmp/pdf" "file://$tmp/book/lessons/CHEATSHEET.html" >/dev/null 2>&1
+    grep -ac '/Type /Page$' "$tmp/pdf"
+}
+said=$(printed)
+if [ "$said" = 2 ]; then echo 'ok wide: the cheat sheet prints on two pages'
+else echo "FAIL wide: the cheat sheet prints on two pages: $said"; fi
+# and it would be seen: larger letters
+cp "$tmp/book/book.css" "$tmp/css" &&
+    sed '/CHEATSHEET/s/8\.2pt/9pt/' "$tmp/css" >"$tmp/book/book.css"
+said=$(printed)
+cp "$tmp/css" "$tmp/book/book.css"
+if [ "${said:-0}" -gt 2 ]; then echo 'ok wide: larger letters need more pages'
+else echo "FAIL wide: larger letters need more pages: $said"; fi
 cat >"$tmp/look.js" <<'END_OF_SCRIPT'
 addEventListener("load", function () {
     var said = [];
