@@ -9,7 +9,7 @@
  * Three digits: of a pressed column the fifth depends on where Newton's method
  * stops, and so on the compiler.  A larger run is
  *
- *     make BUILD=build/more CFLAGS='-O2 -DSCENES=200 -DSEED=11' \
+ *     make BUILD=build/more CFLAGS='-O2 -DSCENES=600 -DSEED=11' \
  *         build/more/data/23_least_model/held_out.tsv
  *
  * Tables: rungs (for the displacement), counts (of scenes, by quantity and

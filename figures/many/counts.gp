@@ -33,10 +33,10 @@ plot data index "runs" using "n":(first_steps("geometric", 1)) \
 unset label 4
 set yrange [0:1300]
 set ylabel "messages of a process per step" offset 1
-set label 1 "four processes" at 66,860 tc ls 1
+set label 1 "four processes" at 66,860 tc rgb "#9C4A78"
 set label 2 "two processes" at 66,330 tc rgb "#8F6300"
 set label 3 "dashed: theory" at 262,690 tc rgb "black"
-plot data index "messages" using "n":(sent(4, "messages")) with points ls 1 ps 1, \
+plot data index "messages" using "n":(sent(4, "messages")) with points ls 4 ps 1.2, \
      "" index "messages" using "n":(sent(2, "messages")) with points ls 5 ps 1, \
      "" index "messages" using "n":(sent(4, "predicted")) with lines ls 8, \
      "" index "messages" using "n":(sent(2, "predicted")) with lines ls 8
