@@ -28,9 +28,9 @@ set grid x back ls 9
 # a ring that a triangle would cover is drawn a little lower
 lower(x) = abs(log(column("bends") / column("turned"))) < 0.15 ? 0.3 : 0
 # what is too small to be in the picture has an arrow
-plot data index "scenes" using "bends":($0 + lower(0)):ytic(1) with points ls 8 pt 6 lw 2 ps 1.2 \
+plot data index "scenes" using "bends":($0 + lower(0)) with points ls 8 pt 6 lw 2 ps 1.2 \
          title "bends", \
-     "" index "scenes" using "turned":0 with points ls 2 pt 9 ps 1.0 title "turned", \
+     "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0 title "turned", \
      "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0 title "moves", \
      "" index "scenes" using (column("turned") < least ? 9e-3 : NaN):0:(5.5e-3 - 9e-3):(0) \
          with vectors ls 2 notitle, \

@@ -59,7 +59,7 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
 @media print { @page { size: A4; margin: 12mm; } body { font-size: 10.5pt; }
     main { max-width: none; padding: 0; } .nav { display: none; } h2 { break-after: avoid; }
     tr, img, pre { break-inside: avoid; } a { color: inherit; }
-    .CHEATSHEET { font-size: 8pt; line-height: 1.28; } .CHEATSHEET h1 { font-size: 14pt; margin: 0; }
+    .CHEATSHEET { font-size: 8.2pt; line-height: 1.3; } .CHEATSHEET h1 { font-size: 14pt; margin: 0; }
     .CHEATSHEET h2 { font-size: 11pt; margin: .6em 0 .1em; } .CHEATSHEET p { margin: .2em 0; }
     .CHEATSHEET #orders-and-constants { break-before: page; margin: 0; }
     .CHEATSHEET table { width: 100%; font-size: 1em; line-height: 1.2; }
