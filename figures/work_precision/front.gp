@@ -28,6 +28,8 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($13 > 1) element = element \", graded\"; \
         how = $4 == \"static\" ? \"static n = \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
+# the law on a line of its own, where there is no room on the left
+two(s) = word(s, 1)."\n".s[strlen(word(s, 1)) + 2:*]
 set multiplot
 set logscale xy
 set grid noxtics ytics
@@ -62,9 +64,11 @@ do for [s = 1:2] {
              with steps lw 1.5 lc rgb "#009E73", \
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
-         corners using (here(s) && column("flops") < 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") < 2e4 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels left offset 0.8,(s == 1 ? 1.05 : 0.5) font ",13", \
-         corners using (here(s) && column("flops") >= 1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") >= 2e4 && column("flops") < 5e4 ? column("flops") : NaN): \
+             "error":(two(strcol("label"))) with labels right offset -0.8,-0.5 font ",13", \
+         corners using (here(s) && column("flops") >= 5e4 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5 font ",13", \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
