@@ -275,7 +275,8 @@ static void solve_equals_dense_for_random_patterns(void)
             }
 }
 
-/* More panels than take turns: A = (A11 A21^T; A21 A22), A11 of the pivots. */
+/* More panels than take turns: A = (A11 A21^T; A21 A22), A11 of the pivots.
+ * Its diagonal is 70, so that 1e-12 is some hundred times the round-off. */
 static void a_front_of_many_panels_is_that_of_elimination(void)
 {
     enum { MOST = 170 + 62 };
