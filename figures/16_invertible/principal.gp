@@ -42,7 +42,7 @@ plot data index "principal" using (of("stress")):(P("stress")) \
      "" index "principal" using (of("stable")):(P("stable")) \
          with lines ls 5, \
      "" index "principal" using (of("cubic")):(log_P("cubic")) \
-         with lines ls 1
+         smooth mcsplines with lines ls 1
 unset label
 unset object
 set label 3 "stable" at 1.17, 0.47 right textcolor rgb "#B07800" front boxed

@@ -43,9 +43,8 @@ static double median_of(int sample[], int size)
                                  sample, 1, (size_t)size);
 }
 
-/* Seeds 1, 2, ...; place: where the vertices of the first stuck one are. */
-static struct count scramble(int size, enum law law, int held_boundary,
-                             double place[2 * LARGEST])
+/* Seeds 1, 2, ... */
+static struct count scramble(int size, enum law law, int held_boundary)
 {
     const int n = cells[size];
     struct count count = {.starts = starts_of[size]};
@@ -66,9 +65,6 @@ static struct count scramble(int size, enum law law, int held_boundary,
         these[report.recovered ? count.recovered++ : count.stuck++] =
             report.iterations;
         if (report.recovered) continue;
-        if (count.stuck == 1)
-            for (int r = 0; r < 2 * mesh->n_vertex; r++)
-                place[r] = mesh->X[r] + x[r];
         count.inverted += !(report.min_J > 0.0);
         count.not_spd += report.status == NOT_SPD && !(report.min_J > 0.0);
         count.wound += report.min_J > 0.0 && release_winding(body, x) > 1.5;
@@ -128,14 +124,12 @@ int main(void)
 {
     const enum law law[] = {CUBIC, EXTENDED, STABLE};
     struct count all[SIZES][2][3] = {0}; /* size, boundary, law */
-    double x[2][2 * LARGEST]; /* of the first one: cubic, n = 2, free */
     gsl_set_error_handler_off();
     table_begin("stuck", "law seed status energy min_J winding");
     for (int size = 0; size < SIZES; size++)
         for (int held = 0; held < (size < 2 ? 2 : 1); held++)
             for (int k = 0; k < 3; k++)
-                all[size][held][k] = scramble(
-                    size, law[k], held, x[size > 0 || held > 0 || k > 0]);
+                all[size][held][k] = scramble(size, law[k], held);
     table_end();
     table_begin("scramble", "n boundary law starts recovered rate "
                             "standard_error inside_out wound iterations "
@@ -145,13 +139,6 @@ int main(void)
             for (int k = 0; k < 3; k++)
                 print(size, held, law[k], &all[size][held][k]);
     table_end();
-    struct mesh *mesh = mesh_square(2);
-    table_begin("wound", "x0 y0 x1 y1 x2 y2");
-    for (const int *t = mesh->triangle; t < mesh->triangle + 24; t += 3)
-        table_row(x[0][2 * t[0]], x[0][2 * t[0] + 1], x[0][2 * t[1]],
-                  x[0][2 * t[1] + 1], x[0][2 * t[2]], x[0][2 * t[2] + 1]);
-    table_end();
-    mesh_free(mesh);
 
     judge(all);
     claim(error_of(STABLE) > 10 * error_of(CUBIC) && error_of(EXTENDED) == 0,
