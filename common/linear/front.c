@@ -8,6 +8,10 @@
 /* Bytes that come from memory at once; numbers that are fetched ahead. */
 enum { LINE = 64, AHEAD = 1024 };
 
+/* Panels whose tiles take turns, and how many panels those subtract in one
+ * turn: what they read stays in the nearest cache. */
+enum { GROUP = 32 / V, TURN = 64 / V };
+
 static int blocks(int n)
 {
     return (n + V - 1) / V;
@@ -112,13 +116,14 @@ static const double *signed_block(int w, const double sign[], const double y[],
     return to;
 }
 
-/* t -= the columns of L before pivot J, for rows of block i and block y. */
-INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
-                            int i, int y, vec t[W][Q])
+/* t -= the columns of L in panels `from` to `to` - 1, for rows of block i and
+ * block y. */
+INLINE void subtract_panels(const int q, const struct front *f, int all,
+                            int from, int to, int i, int y, vec t[W][Q])
 {
-    const double *l = f->l;
-    for (int K = 0; K * V < J; K++) {
-        const int w = J - K * V < V ? J - K * V : V;
+    const double *l = f->l + panel(from, all);
+    for (int K = from; K < to; K++) {
+        const int w = f->pivots - K * V < V ? f->pivots - K * V : V;
         const double *by = l + (y - K) * V * w;
         double room[W * V];
         if (f->sign) by = signed_block(w, &f->sign[K * V], by, room);
@@ -127,63 +132,83 @@ INLINE void subtract_panels(const int q, const struct front *f, int all, int J,
     }
 }
 
-/* Tile of q blocks from block i on, of `all`, of panel K, which has w columns
- * and begins at a: of pivots, or of the rest.  It has eleven parameters: in a
- * struct they would not stay in registers, as in tiles.c. */
-INLINE enum status front_tile(const int q, const struct front *f, int all,
-                              int n, int K, int w, int i, double a[],
-                              const double diagonal[], vec l[W],
-                              double inverse[W])
+/* A front that is being factored. */
+struct work {
+    const struct front *f;
+    int n;                  /* order of the matrix */
+    int first, all;         /* blocks of pivots, all blocks */
+    const double *diagonal; /* of the matrix, at the pivots */
+    vec l[W];               /* the triangle of the panel that is finished */
+    double inverse[W];
+};
+
+/* Tile of q blocks from block i on, of panel K: subtract the columns of panels
+ * `from` to `to` - 1; and, of pivots, finish it. */
+INLINE enum status front_tile(const int q, const int finish, struct work *a,
+                              int from, int to, int K, int i)
 {
-    const int of_rest = K * V >= f->pivots;
-    double *corner = a + (i - K) * V * w;
+    const struct front *f = a->f;
+    const int of_rest = K >= a->first, left = f->pivots - K * V;
+    const int w = 0 < left && left < V ? left : V;
+    double *corner = of_rest ? f->u + panel(K - a->first, a->all - a->first)
+                             : f->l + panel(K, a->all);
     vec t[W][Q] = {{{0.0}}};
+    corner += (i - K) * V * w;
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
-            if (c < w && !of_rest) t[c][r] = VEC(corner[c * V + r * V * w]);
-    subtract_panels(q, f, all, of_rest ? f->pivots : K * V, i, K, t);
-    if (!of_rest && i == K) {
+            if (c < w && !(of_rest && from == 0))
+                t[c][r] = VEC(corner[c * V + r * V * w]);
+    subtract_panels(q, f, a->all, from, to, i, K, t);
+    if (finish && i == K) {
         vec rows[W];
         UNROLL for (int c = 0; c < W; c++) rows[c] = t[c][0];
-        if (tiles_triangle(n, w, &diagonal[K * W], 1,
-                           f->sign ? &f->sign[K * W] : NULL, rows, l,
-                           inverse) != OK)
+        if (tiles_triangle(a->n, w, &a->diagonal[K * W], 1,
+                           f->sign ? &f->sign[K * W] : NULL, rows, a->l,
+                           a->inverse) != OK)
             return NOT_SPD;
         UNROLL for (int c = 0; c < W; c++) /* L^-T for the triangle of L */
             UNROLL for (int r = 0; r < V; r++) t[c][0][r] = r == c;
     }
-    if (!of_rest) vec_substitute(q, l, t);
+    if (finish) vec_substitute(q, a->l, t);
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
             if (c < w)
                 VEC(corner[c * V + r * V * w]) =
-                    of_rest ? t[c][r] : t[c][r] * inverse[c];
-    if (f->sign && !of_rest && i == K) /* L^-T S is there: L^-T */
+                    finish ? t[c][r] * a->inverse[c] : t[c][r];
+    if (f->sign && finish && i == K) /* L^-T S is there: L^-T */
         signed_block(w, &f->sign[K * W], corner, corner);
     return OK;
 }
 
+INLINE enum status any_tile(const int finish, struct work *a, int from, int to,
+                            int K, int i)
+{
+    const int left = a->all - i;
+    return left == 1 ? front_tile(1, finish, a, from, to, K, i)
+         : left == 2 ? front_tile(2, finish, a, from, to, K, i)
+                     : front_tile(Q, finish, a, from, to, K, i);
+}
+
 enum status front_factor(const struct front *f, int n, const double diagonal[])
 {
-    const int first = front_row(f->pivots, 0) / V;
-    const int all = first + front_row(f->rest, 0) / V;
+    const int first = blocks(f->pivots), all = first + blocks(f->rest);
     const size_t size = f->rounded ? front_size(f->pivots, f->rest) : 0;
-    double *a = f->l, inverse[W] = {0.0};
-    vec l[W] = {{0.0}};
-    for (int K = 0; K < all; K++) {
-        const int left = f->pivots - K * V;
-        const int w = 0 < left && left < V ? left : V;
-        enum status status = OK;
-        if (K == first) a = f->u;
-        for (int i = K; i < all && status == OK; i += Q)
-            status = all - i == 1 ? front_tile(1, f, all, n, K, w, i, a,
-                                               diagonal, l, inverse)
-                   : all - i == 2 ? front_tile(2, f, all, n, K, w, i, a,
-                                               diagonal, l, inverse)
-                                  : front_tile(Q, f, all, n, K, w, i, a,
-                                               diagonal, l, inverse);
-        if (status != OK) return status;
-        a += (all - K) * V * w;
+    struct work a = {f, n, first, all, diagonal, {{0.0}}, {0.0}};
+    if (f->pivots == 0) /* nothing is subtracted */
+        memset(f->u, 0, front_size(front_row(f->rest, 0), 0) * sizeof *f->u);
+    for (int G = 0, end; G < all; G = end) { /* a group: panels G to end - 1 */
+        const int before = G < first ? G : first;
+        const int last = G < first ? first : all;
+        end = G + GROUP < last ? G + GROUP : last;
+        for (int from = 0; from < before; from += TURN) {
+            const int to = from + TURN < before ? from + TURN : before;
+            for (int down = 0; down < all - G; down += Q)
+                for (int K = G; K < end && K + down < all; K++)
+                    any_tile(0, &a, from, to, K, K + down);
+        }
+        for (int K = G; K < end && K < first; K++)
+            for (int i = K; i < all; i += Q)
+                if (any_tile(1, &a, G, K, K, i) != OK) return NOT_SPD;
     }
     for (size_t i = 0; i < size; i++) f->rounded[i] = (float)f->l[i];
     return OK;

@@ -6,8 +6,8 @@
  * the projected K of body_assemble() and a line search [alg:release].  Turning
  * and shifting a free body cost nothing, so K is singular; RELEASE_SHIFT of the
  * modulus on its diagonal makes it positive definite and is felt nowhere else.
- * It is fixed: of a K with some 1e7 times the modulus in it the round-off hides
- * it (NOT_SPD).
+ * It is fixed, so a K whose entries are some 1e7 times the modulus hides it in
+ * round-off (NOT_SPD).
  *
  * Converged is not stable, and stable is not at rest: a report says both.
  */

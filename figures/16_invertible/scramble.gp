@@ -74,7 +74,7 @@ do for [v = 0:8] {
 }
 set object 1 polygon from -1.76,1.13 to -1.14,1.13 to -1.14,1.73 to \
     -1.76,1.73 to -1.76,1.13 fs empty border rgb "#999999"
-set label 40 sprintf("in balance, stable,\nevery J > %.2f, %.1f J/m", \
+set label 40 sprintf("cubic law: a minimum,\nevery J > %.2f, %.1f J/m", \
     floor(100 * least) / 100.0, energy) at -0.55,1.95 left
 sheets = sprintf( \
     "< awk -F'\t' '$0 == \"# wound\" { on = 1; next } NF == 0 { on = 0 } \

@@ -33,7 +33,7 @@ set multiplot layout 2,1 margins 0.10,0.98,0.09,0.95 spacing 0.07,0.13
 do for [k = 1:2] {
     name = word("map_notes map_demand", k)
     set xlabel "Δt (s)"
-    set ylabel "squares per side n"
+    set ylabel "cells per side n"
     set label 1 (k == 1 ? "the notes' method" : \
         "projection on demand, line search") at graph 0, graph 1.06 font ",14"
     set arrow 1 from asin(jump * 2 / 38), 38 to asin(jump * 2 / 3.05), 3.05 \

@@ -8,8 +8,10 @@ set terminal svg size 580,540
 set output out
 array Column[5] = ["readable", "projected", "both", "residual", "clear"]
 array Name[5] = ["readable", "closed form, clamped", \
-                 "closed form", "residual alone", "zeros into the band (part of the upper three)"]
-array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#999999"]
+                 "closed form", "residual alone", "zeros"]
+array Colour[5] = ["#D55E00", "#CC79A7", "#0072B2", "#009E73", "#555555"]
+name(k, group) = k == 5 && group == 0 ? \
+    "zeros into the band (part of the upper three)" : Name[k]
 place(group, k) = 6.0 * group + k
 unset key
 set label 1 machine(data) at screen 0.01,0.022 left textcolor rgb "#555555"
@@ -30,5 +32,5 @@ plot for [k = 1:5] data index "assembly" \
          using (0):(place($0, k)):(0):(column(Column[k])):(place($0, k) - 0.42): \
          (place($0, k) + 0.42) with boxxyerror lc rgb Colour[k], \
      for [k = 1:5] data index "assembly" \
-         using (column(Column[k]) + 0.01 * STATS_max):(place($0, k)):(Name[k]) \
+         using (column(Column[k]) + 0.01 * STATS_max):(place($0, k)):(name(k, $0)) \
          with labels left boxed tc rgb Colour[k]

@@ -31,6 +31,8 @@ corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflop
         if ($13 > 1) element = element \", graded\"; \
         how = $4 == \"static\" ? \"static n = \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \
         print $1 \"\t\" $9 \"\t\" $8 \"\t\" $3 \" \" how element }' '%s'", data)
+# the law on a line of its own, where there is no room on the left
+two(s) = word(s, 1)."\n".s[strlen(word(s, 1)) + 2:*]
 set multiplot
 set logscale xy
 set grid noxtics ytics
@@ -51,8 +53,9 @@ do for [s = 1:6] {
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right \
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
-    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.855 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.79 tc rgb "#CC79A7"
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.86 tc rgb "#009E73"
+    set label 7 (s == 1 ? "dotted: even, linear" : "") at graph 0.03, 0.805 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.75 tc rgb "#CC79A7"
     set label 6 "known to" at 6e3, 1.47 * known(s)
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
@@ -64,9 +67,11 @@ do for [s = 1:6] {
              with steps lw 1.5 lc rgb "#009E73", \
          data index "front" using (here(s) && column("asked") == 0 ? column("flops") : NaN):"error" \
              with points pt 7 ps 0.5 lc rgb "#009E73", \
-         corners using (here(s) && column("flops") < 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") < 2e4 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels left offset 0.8,0.5, \
-         corners using (here(s) && column("flops") >= 1.1e5 ? column("flops") : NaN):"error":(strcol("label")) \
+         corners using (here(s) && column("flops") >= 2e4 && column("flops") < 5e4 ? column("flops") : NaN): \
+             "error":(two(strcol("label"))) with labels right offset -0.8,-0.5, \
+         corners using (here(s) && column("flops") >= 5e4 ? column("flops") : NaN):"error":(strcol("label")) \
              with labels right offset -0.8,-0.5, \
          data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
              with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"

@@ -6,9 +6,7 @@ load "figures/style.gp"
 set terminal svg size 620,440
 set output out
 array Part[4] = ["model", "space", "time", "solver"]
-# each part has its name in the bar where it is first the largest
-row(k) = k == 1 ? 0 : k == 2 ? 1 : k == 3 ? 4 : 2
-again(r) = r == 3 || r == 7 # and the model where it is all
+# a part above a third has its name in the bar
 array Color[4] = ["#CC79A7", "#009E73", "#F0E442", "#666666"]
 sum(k) = (k > 0 ? column("model") : 0) + (k > 1 ? column("space") : 0) + \
          (k > 2 ? column("time") : 0) + (k > 3 ? column("solver") : 0)
@@ -30,8 +28,8 @@ plot for [k = 1:4] data index "split" \
          using (0):0:(share(k - 1)):(share(k)):($0 - 0.38):($0 + 0.38): \
          ytic(strcol("setting")) \
          with boxxyerror lc rgb Color[k], \
-     for [k = 1:4] data index "split" \
-         using ($0 == row(k) || k == 1 && again($0) ? 50 : NaN):0:(Part[k]) with labels \
+     for [k = 1:4] data index "split" using (share(k) - share(k - 1) < 33 ? NaN : \
+             0.5 * (share(k - 1) + share(k))):0:(Part[k]) with labels \
          textcolor rgb (k == 4 ? "white" : "black"), \
      data index "split" using (102):0:(sprintf("%.2g", column("error"))) \
          with labels left

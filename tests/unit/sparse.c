@@ -1,5 +1,6 @@
 /* sparse.c - laws of dissection.h, sparse.h and the sparse storage of matrix.h,
  * body.h and step.h; dense storage and the band are the judges. */
+#include "linear/front.h"
 #include "linear/matrix.h"
 #include "linear/refine.h"
 #include "linear/residual.h"
@@ -272,6 +273,58 @@ static void solve_equals_dense_for_random_patterns(void)
                 matrix_free(B);
                 pattern_free(p);
             }
+}
+
+/* More panels than take turns: A = (A11 A21^T; A21 A22), A11 of the pivots.
+ * Its diagonal is 70, so that 1e-12 is some hundred times the round-off. */
+static void a_front_of_many_panels_is_that_of_elimination(void)
+{
+    enum { MOST = 170 + 62 };
+    static double A[MOST][MOST], S[MOST][MOST];
+    for (int turn = 0; turn < 4; turn++) {
+        const int p = turn < 2 ? 170 : 14, rest = turn % 2 ? 62 : 0;
+        const int n = p + rest, whole = front_row(rest, 0);
+        double *l = calloc(front_size(p, rest) + 1, sizeof *l);
+        double *u = calloc(front_size(whole, 0) + 1, sizeof *u);
+        double b[MOST], diagonal[MOST];
+        double *x = calloc((size_t)front_row(p, front_row(rest, 0)), sizeof *x);
+        const struct front front = {p, rest, l, u, NULL, NULL};
+        gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j <= i; j++) {
+                A[i][j] = A[j][i] = gsl_rng_uniform(rng) - 0.5 +
+                                    (i == j ? 0.3 * MOST : 0.0);
+                S[i][j] = S[j][i] = A[i][j];
+                if (j < p)
+                    l[front_place(p, rest, i < p ? i : front_row(p, i - p),
+                                  j)] = A[i][j];
+            }
+        for (int j = 0; j < p; j++) diagonal[j] = A[j][j];
+        for (int k = 0; k < p; k++)
+            for (int i = k + 1; i < n; i++)
+                for (int j = k + 1; j < n; j++)
+                    S[i][j] -= S[i][k] * S[k][j] / S[k][k];
+        fill((int)front_size(whole, 0), u); /* another's, as in the stacks */
+        ck_assert_int_eq(front_factor(&front, n, diagonal), OK);
+        for (int i = 0; i < rest; i++)
+            for (int j = 0; j <= i; j++)
+                close_to(u[front_place(whole, 0, i, j)],
+                         S[p + i][p + j] - A[p + i][p + j], 1e-12);
+        fill(n, b);
+        memcpy(x, b, (size_t)p * sizeof *x);
+        front_forward(&front, x);
+        memset(&x[front_row(p, 0)], 0, (size_t)rest * sizeof *x);
+        front_backward(&front, x); /* x := A11^-1 b */
+        for (int i = 0; i < p; i++) {
+            double sum = 0.0;
+            for (int j = 0; j < p; j++) sum += A[i][j] * x[j];
+            close_to(sum, b[i], 1e-12);
+        }
+        gsl_rng_free(rng);
+        free(l);
+        free(u);
+        free(x);
+    }
 }
 
 static void an_analysis_serves_any_number_of_matrices(void)
@@ -777,6 +830,8 @@ static const struct unit_law laws[] = {
     {"fill_is_that_of_elimination", fill_is_that_of_elimination},
     {"solve_equals_dense_for_random_patterns",
      solve_equals_dense_for_random_patterns},
+    {"a_front_of_many_panels_is_that_of_elimination",
+     a_front_of_many_panels_is_that_of_elimination},
     {"an_analysis_serves_any_number_of_matrices",
      an_analysis_serves_any_number_of_matrices},
     {"what_is_not_spd_is_reported", what_is_not_spd_is_reported},
