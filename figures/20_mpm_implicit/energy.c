@@ -5,8 +5,9 @@
  * The energy that a ringing bar has lost after one period, by explicit and
  * implicit steps of PIC, FLIP and APIC, and by finite elements.  `price`: the
  * cheapest explicit and the cheapest implicit steps of particles that lose at
- * most so much, in flops (of equal price those that lose less).  Newton's method
- * ends at 1e-10 h, or at 1e-2 h (loose), where it mostly solves one system.
+ * most so much, in flops (of equal price those that lose less).  Newton's
+ * method ends at 1e-10 h, or at 1e-2 h (loose), where it mostly solves one
+ * system.
  */
 #include "ringing.h"
 #include "base/study.h"

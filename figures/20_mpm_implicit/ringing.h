@@ -19,8 +19,8 @@ struct ringing {
     int systems;     /* linear systems of a step, at most */
 };
 
-/* Explicit steps if the tolerance is 0, else implicit ones with particle_newton()
- * and this tolerance, in h: 1e-10 is that of particles_step(). */
+/* Explicit steps if the tolerance is 0, else implicit ones by particle_newton()
+ * with this tolerance, in h: 1e-10 is that of particles_step(). */
 struct ringing ringing_particles(enum transfer transfer, double tolerance,
                                  int steps);
 
