@@ -20,8 +20,8 @@ set style textbox opaque noborder margins 0.4,0.4
 set label 1 "linear cord" at 3e5, 57 center front boxed
 set label 2 "cubic cord" at 1.8e6, 21 center tc ls 4 front boxed
 set label 3 "cubic muscle" at 3e6, 0.5 left tc ls 2 front boxed
-set label 4 "n = 4" at 4e4, 1.75 center tc ls 2 front boxed
-set label 5 "n = 48" at 6.5e7, 0.06 left tc ls 2 front boxed
+set label 4 "4 cells" at 4e4, 1.75 center tc ls 2 front boxed
+set label 5 "48 cells" at 6.5e7, 0.06 left tc ls 2 front boxed
 plot data index "price" using "flops":(of("linear cord", column("error"))) \
          with linespoints ls 8 lw 1.5 pt 7 ps 0.6, \
      "" index "price" using "flops":(of("cubic cord", column("error"))) \

@@ -11,6 +11,7 @@
  */
 #include "particles/particle_force.h"
 #include "particles/particle_scene.h"
+#include "linear/matrix.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -66,6 +67,19 @@ static double predicted(int order, double s, int modes)
     return worst;
 }
 
+/* Flops of one linear system of an implicit step per cell of the plane, of n by
+ * n: what step_flops.h of lesson 20 counts, here with two components, and a
+ * factorisation in a band. */
+static double system_flops(int order, int particles_per_axis, int n)
+{
+    const double nodes = (order + 1) * (order + 1);
+    const struct matrix_cost band =
+        matrix_cost(BANDED, 2 * n * n, 2 * order * (n + 1) + 1);
+    return particles_per_axis * particles_per_axis *
+               (34.0 * nodes + 17.0 * nodes * nodes) +
+           band.flops / n / n;
+}
+
 int main(void)
 {
     double far = 0.0, none = 0.0, before[ORDER_MAX] = {0.0}, old[ORDER_MAX];
@@ -105,6 +119,10 @@ int main(void)
                   cell_if(ppc > 2, rate[1]), cell_if(ppc > 2, rate[2]));
     }
     table_end();
+
+    int n = 8; /* cells across, until the linear kernel is no longer dearer */
+    while (system_flops(1, 50, n) > system_flops(ORDER_MAX, 2, n)) n++;
+    claim(n > 115 && n < 135, "the cubic kernel is dearer from %d cells on", n);
 
     table_begin("refine", "cells h linear quadratic cubic");
     for (int cells = 8; cells <= 128; cells *= 2) {

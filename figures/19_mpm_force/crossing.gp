@@ -16,7 +16,7 @@ set xtics ("1/10" 0.1, "1/6" 1./6, "1/4" 0.25, \
 set format y "10^{%T}"
 set xlabel "spacing of the particles (cells)"
 set ylabel "force left over / stress"
-set lmargin at screen 0.165
+set lmargin at screen 0.185
 set rmargin at screen 0.97
 set tmargin at screen 0.985
 set bmargin at screen 0.575
@@ -43,7 +43,7 @@ set bmargin at screen 0.085
 set xrange [10:9000]
 set xtics (16, 64, 256, 1024, 4096)
 set xlabel "nodes visited per cell of the plane"
-set ylabel "at the worst stretch"
+set ylabel "force left over / stress,\nat the worst stretch"
 set label 1 "linear" at 1250, 0.16 tc ls 1
 set label 2 "quadratic" at 800, 0.037 tc ls 2
 set label 3 "cubic" at 420, 6e-4 right tc ls 3

@@ -15,9 +15,9 @@ set ytics 0.5
 set xlabel "x (m)"
 set ylabel "y (m)"
 unset key
-set label 1 "with respect to x, as printed" at 0.06, 1.43 tc ls 2
-set label 2 "of P with respect to X" at 0.56, 0.1 tc ls 1
-set label 3 "dashed: J times that of σ\nwith respect to x" at 0.56, -0.04
+set label 1 "divergence of P with respect\nto x, as printed" at 0.06, 1.43 tc ls 2
+set label 2 "divergence of P\nwith respect to X" at 0.56, 0.14 tc ls 1
+set label 3 "dashed: J times that of σ\nwith respect to x" at 0.56, -0.07
 k = 0.0004
 set label 4 "500 N/m³" at -0.27, 1.34
 set arrow 1 from -0.27, 1.43 to -0.27 + 500 * k, 1.43 head filled size 0.022,20 lw 1.5

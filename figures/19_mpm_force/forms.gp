@@ -1,6 +1,6 @@
 # forms.gp - one particle hands its stress to nine nodes; and by how much the
 # force is wrong when it is written down wrongly (quadratic kernel).  Forces
-# below 1 N have no arrow.
+# below 1.5 N have no arrow.
 # Reads   data  tables nodes, particle, forms
 # Writes  out   SVG
 load "figures/style.gp"
@@ -38,7 +38,7 @@ plot for [j = 0:2] data index "nodes" every ::3*j::3*j+2 using "x":"y" \
          with lines ls 9 lw 1, \
      data index "particle" using "x":"y" with filledcurves closed \
          fc rgb "#56B4E9" fs transparent solid 0.5, \
-     data index "nodes" using (f(0) < 1 ? NaN : column("x")):"y":(0.024*column("f_x")):(0.024*column("f_y")) \
+     data index "nodes" using (f(0) < 1.5 ? NaN : column("x")):"y":(0.024*column("f_x")):(0.024*column("f_y")) \
          with vectors head filled size 0.03,22 fixed lw 1.8 lc rgb orange, \
      data index "nodes" using "x":"y" with points ls 1 lc rgb "black"
 unset label

@@ -11,7 +11,7 @@ set output out
 set logscale xy
 set format xy "10^{%T}"
 set xlabel "size t of the move"
-set ylabel "what is left"
+set ylabel "remainder of the\nenergy (J), of the force (N)"
 unset key
 set label 1 "force" at 0.02, 6e-3 right tc ls 2
 set label 2 "energy" at 0.0135, 3.6e-4 tc ls 1

@@ -6,7 +6,8 @@
 # Yours   the lesson with --film 3
 # Writes  out   GIF
 load "figures/style.gp"
-set terminal gif animate optimize delay 10 loop 0 size 720,664 @gif_font \
+large = scalable eq "" ? gif_font : "font '".scalable.",18'"
+set terminal gif animate optimize delay 10 loop 0 size 720,680 @large \
     enhanced background rgb "white"
 set output out
 
@@ -50,10 +51,10 @@ set ylabel "x_2 (m)"
 set style fill solid noborder
 strip(k) = -2.5 + 5.2 * k / (last + 3.0)
 if (has_rungs) {
-    set label 2 "solved by the first rung" at -2.5, -2.15 tc rgb "#0072B2"
-    set label 3 "by the second" at -0.55, -2.15 tc rgb "#E69F00"
+    set label 2 "first rung" at -2.5, -2.12 tc rgb "#0072B2"
+    set label 3 "second rung" at -1, -2.12 tc rgb "#E69F00"
     set label 4 "lost: ".system(sprintf("grep -c 'lost$' '%s'", data)) \
-        at 2.7, -2.15 right
+        at 2.7, -2.12 right
 }
 set label 5 "held" at -1.08, 0.85 right front
 set arrow 1 from -1, -1 to -1, 1 nohead lw 4 lc rgb "#555555" front

@@ -11,15 +11,18 @@ set style textbox opaque noborder margins 0.2, 0.2
 set lmargin 9
 set xlabel "squares per side n"
 set ylabel "speed of the hand (m/s)"
-set xrange [14:34]
+set xrange [14:66]
 set yrange [1:9]
-set xtics (16, 24, 32)
-set label 1 "G' = μ: 1.28 h per frame" at 15.2,2.65 tc rgb "black" boxed
-set label 2 "cubic law: frames are lost above the line" at 21.2,6.2 tc rgb "#D55E00" boxed
-set label 3 "fastest hand, 7.5 m/s: the log law loses no frame" at 17.6,8.4 tc rgb "#555555" boxed
+set xtics (16, 24, 32, 40, 48, 56, 64)
+set label 1 "G' = μ: 1.28 h per frame" at 15,1.5 tc rgb "black" boxed
+set label 2 "cubic law: frames\nare lost above" at 22.5,6.5 tc rgb "#D55E00" boxed
+set label 3 "log law: at 7.5 m/s, the fastest hand, none is lost" at 15.2,8.3 tc rgb "#0072B2" boxed
+set label 4 "log law from n = 44\non: lost above" at 45.5,4.4 tc rgb "#0072B2" boxed
 plot per_frame / x with lines ls 8, \
-     [16:32] 7.5 with lines lw 2 dt 3 lc rgb "#777777", \
-     data index "limit" using "n":"cubic" with linespoints ls 2
+     data index "limit" using "n":"cubic" with linespoints ls 2, \
+     "" index "limit" using "n":(column("log_lost") == 0 ? 7.5 : NaN) \
+         with linespoints ls 1 pt 6 dt 3, \
+     "" index "limit" using "n":"log" with linespoints ls 1
 unset label
 set xlabel "J of a stretched triangle"
 set ylabel "G' (N/m^2)" offset 1

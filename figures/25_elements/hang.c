@@ -152,12 +152,13 @@ static double solve_quadratic(const struct mesh *mesh, struct material material,
     return sqrt(sum / 4.0);
 }
 
-struct hang hang_of(enum hang_element element, int n, double m, double nu)
+struct hang hang_whole(enum hang_element element, int n, double m, double nu,
+                       struct mesh **whole, double **of_whole)
 {
     const int twice = element == HANG_QUADRATIC || element == HANG_CROSSED;
     const int cells = twice ? 2 * n : n;
     const struct material material = material_make(CUBIC, 1000.0, nu);
-    struct mesh *mesh = mesh_square(cells);
+    struct mesh *mesh = *whole = mesh_square(cells);
     struct hang hang = {.div = 0.0};
     double *u = allocate(2 * (size_t)mesh->n_vertex, sizeof *u);
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
@@ -183,8 +184,17 @@ struct hang hang_of(enum hang_element element, int n, double m, double nu)
                 *to++ = u[2 * (j * (cells / 4) * (cells + 1) +
                                i * (cells / 4)) + k];
     hang.sag = hang.u[2 * (2 * 5 + 4) + 1];
-    free(u);
+    *of_whole = u;
     free(held);
+    return hang;
+}
+
+struct hang hang_of(enum hang_element element, int n, double m, double nu)
+{
+    struct mesh *mesh;
+    double *u;
+    const struct hang hang = hang_whole(element, n, m, nu, &mesh, &u);
+    free(u);
     mesh_free(mesh);
     return hang;
 }

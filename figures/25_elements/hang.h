@@ -10,6 +10,8 @@
 #ifndef FIGURES_HANG_H
 #define FIGURES_HANG_H
 
+#include "plane/mesh.h"
+
 enum hang_element { HANG_LINEAR, HANG_AVERAGED, HANG_CROSSED, HANG_QUADRATIC };
 #define HANG_WORDS {"linear", "averaged", "criss-cross", "quadratic"}
 
@@ -24,6 +26,11 @@ struct hang {
 
 /* n is a multiple of 4. */
 struct hang hang_of(enum hang_element element, int n, double m, double nu);
+
+/* The same, and where it hangs: *u at the vertices of *mesh, for the caller to
+ * free. */
+struct hang hang_whole(enum hang_element element, int n, double m, double nu,
+                       struct mesh **mesh, double **u);
 
 /* |a - b| over the shared vertices, of |b|. */
 double hang_apart(const struct hang *a, const struct hang *b);

@@ -4,7 +4,8 @@
  *
  * 2 min(k, p m) with p of material_corner(), in six cases.  Tables: the error
  * at the vertices that all meshes have, against graded quadratic triangles with
- * n = 64; and the prediction beside the last order.
+ * n = 64; the prediction beside the last order; and, against n = 128, how
+ * quadratic triangles with a larger m go on, of which nothing is proved.
  */
 #include "hang.h"
 
@@ -30,6 +31,7 @@ int main(void)
     const struct material material = material_make(CUBIC, 1000.0, 0.3);
     const double p = material_corner(&material);
     const struct hang limit = hang_of(HANG_QUADRATIC, 64, 3.0, 0.3);
+    const struct hang finest = hang_of(HANG_QUADRATIC, 128, 3.0, 0.3);
     double order[KINDS], predicted[KINDS];
 
     table_begin("error", "element m n error order");
@@ -53,6 +55,25 @@ int main(void)
         predicted[k] = 2.0 * fmin(degree, p * kind[k].m);
         table_row(word[kind[k].element], kind[k].m, predicted[k],
                   cell_rounded(4, order[k]), kind[k].last);
+    }
+    table_end();
+    table_begin("steeper", "m predicted order_16 order_32 order_64");
+    for (double m = 2.0; m <= 3.0; m += 0.5) {
+        const double expected = 2.0 * fmin(2.0, p * m);
+        double error[4], seen[4] = {NAN};
+        for (int j = 0; j < 4; j++) {
+            const struct hang hang = hang_of(HANG_QUADRATIC, 8 << j, m, 0.3);
+            error[j] = hang_apart(&hang, &finest);
+            if (j) seen[j] = study_order(error[j - 1], error[j], 2.0);
+        }
+        table_row(m, expected, cell_rounded(3, seen[1]),
+                  cell_rounded(3, seen[2]), cell_rounded(3, seen[3]));
+        claim(seen[1] < seen[2] && seen[2] < seen[3] &&
+                  (m > 2.0 ? seen[3] > 3.0 && seen[3] < expected - 0.1
+                           : fabs(seen[3] - expected) < 0.05),
+              "quadratic triangles, m = %g: the orders rise, with m = 2 as far "
+              "as predicted (%g), above it beyond 3, but not so far (%g)", m,
+              expected, seen[3]);
     }
     table_end();
     for (int k = 0; k < KINDS; k++)

@@ -10,9 +10,10 @@ array Cells[2] = ["8 x 8", "32 x 32"]
 lost(b) = system("awk -F'\t' '$0 == \"# missing\" { on = 1 } \
     on && $1 == \"".b."\" { printf \"%.0f\", 100 * $3 }' '".data."'")
 times = 45
-of(b, l, v) = strcol("body") eq b && column("line") == l ? v : NaN
+of(b, l, v) = strcol("body") eq b && strcol("path") eq l ? v : NaN
 px(b, l) = of(b, l, column("X") + times * column("u_x"))
 py(b, l) = of(b, l, column("Y") + times * column("u_y"))
+array Path[3] = ["rows", "columns", "sides"]
 set multiplot layout 1,2 margins 0.03,0.99,0.03,0.9 spacing 0.03,0
 unset key
 unset border
@@ -27,9 +28,10 @@ do for [k = 1:2] {
     set label 1 Cells[k]." cells: ".lost(Body[k])." % of the sag is missing" \
         at 0, 1.13 center
     set label 3 "where it ought to hang" at 0.1, -1.7 center tc rgb "#777777"
-    plot for [l = 0:9] data index "lines" using (px("limit", l)):(py("limit", l)) \
-             with lines lw (l % 5 % 4 == 0 ? 3 : 1) lc rgb "#BBBBBB", \
-         for [l = 0:9] "" index "lines" using (px(Body[k], l)):(py(Body[k], l)) \
-             with lines lw (l % 5 % 4 == 0 ? 2 : 1) lc rgb "#D55E00"
+    plot data index "lines" using (px("limit", "sides")):(py("limit", "sides")) \
+             with lines lw 4 lc rgb "#AAAAAA", \
+         for [l = 1:3] "" index "lines" \
+             using (px(Body[k], Path[l])):(py(Body[k], Path[l])) \
+             with lines lw (l < 3 ? 0.6 : 2) lc rgb "#D55E00"
 }
 unset multiplot

@@ -30,7 +30,7 @@ set logscale y
 set yrange [2:2000]
 set object 1 rectangle from graph 0, first 850 to graph 1, graph 1 behind \
     fc rgb "#EEEEEE" fs solid noborder
-set ytics (10, 100)
+set ytics (3, 10, 30, 100, 300)
 set format x ""
 set label 1 "× the step failed" at 0.03, FAILED textcolor rgb "#555555"
 set ylabel "linear systems per step"

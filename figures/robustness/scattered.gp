@@ -29,8 +29,8 @@ percent(k) = 100.0 * column(word(ways, k)) / column("seeds")
 said(k) = percent(k) < 0.5 ? "" : k < 3 ? sprintf("%.0f %%", percent(k)) \
     : percent(k) < 99.9 ? "" : k == 3 ? "stops" : "fails"
 # ... in the middle of its part, or beside it where it is narrow
-middle(k) = to(k) - from(k) < 0.3 ? to(k) + 0.19 : 0.5 * (from(k) + to(k))
-array Color[4] = ["#7FCFB4", "#A9D6F2", "#F3D59A", "#F0B08A"]
+middle(k) = to(k) - from(k) < 0.3 ? to(k) + 0.23 : 0.5 * (from(k) + to(k))
+array Color[4] = ["#7FCFB4", "#A9D6F2", "#F3D59A", "#EBB4BE"]
 set multiplot
 unset key
 unset border

@@ -24,7 +24,7 @@ peer = system(sprintf("grep -c '^# peer' '%s'", data)) > 0
 rows = peer ? "notes method" : ""
 
 # where the name of a method stands, right of its last point
-array Height[5] = [4500, 1100, 300, 62, 14]
+array Height[5] = [4500, 1300, 260, 50, 12]
 set multiplot
 unset key
 set lmargin at screen 0.12
@@ -47,8 +47,8 @@ do for [k in there] {
 }
 by(word) = strcol("method") eq word ? column("n") : NaN
 if (peer) {
-    set label 13 "PETSc, notes" at 150, 570 tc rgb "#666666"
-    set label 14 "PETSc, method" at 150, 125 tc rgb "#666666"
+    set label 13 "PETSc, notes" at 150, 580 tc rgb "#666666"
+    set label 14 "PETSc, method" at 150, 115 tc rgb "#666666"
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
@@ -64,13 +64,13 @@ set tmargin at screen 0.45
 set bmargin at screen 0.09
 set xtics auto
 set format x "10^{%T}"
-set xrange [1e-2:1e3]
+set xrange [2e-3:1e3]
 set yrange [3.5e-5:5e-3]
 set xlabel "median time per step (ms)"
 set ylabel "change of u when h is halved, rms (m)"
 set label 10 "1/30 s" at 36, 3e-3
 # a name below the last point, on one of two rows, beside the line of 1/30 s
-array Beside[5] = [1, 1.7, 0.7, 1, 1]
+array Beside[5] = [1, 1.7, 0.7, 1, 0.8]
 array Below[5] = [6.6e-5, 4.8e-5, 6.6e-5, 4.8e-5, 6.6e-5]
 last(k) = column("n") == 64 ? column(Method[int(k)]."_ms") : NaN
 set arrow 3 from 1000.0 / 30, graph 0 to 1000.0 / 30, graph 1 nohead ls 8

@@ -64,8 +64,8 @@ static int finest(const struct trials *s)
     return best;
 }
 
-/* The rule's price for an error, or for the first above it that it reaches;
- * from how many runs on it pays. */
+/* The rule's price for an error, or for the first above it that it reaches, and
+ * how many times its answer's that is; from how many runs on it pays. */
 static double print_price(const struct trials *s, int meshes, double e)
 {
     struct rule_choice c = rule_take(s, meshes, e);
@@ -75,7 +75,9 @@ static double print_price(const struct trials *s, int meshes, double e)
     const double pays = fmax(1.0, ceil(c.flops / (rich - answer)));
     table_row(work_scene_name(s->scene), cell_rounded(2, e), c.probes,
               c.flops, answer, cell_rounded(4, s->error[c.taken]), rich,
-              cell_rounded(4, s->error[finest(s)]), pays);
+              cell_rounded(4, s->error[finest(s)]), pays, c.flops / answer);
+    claim(c.flops > 9.0 * answer, "%s: to decide costs more than nine answers "
+          "(%g)", work_scene_name(s->scene), c.flops / answer);
     return pays;
 }
 
@@ -118,7 +120,7 @@ void balance_tables(struct trials *const s[WORK_SCENES])
     table_end();
     for (int m = 0; m < 2; m++) {
         table_begin(m ? "price_two" : "price_three", "scene wanted runs probes "
-                    "answer error finest finest_error pays");
+                    "answer error finest finest_error pays times");
         for (int k = 0; k < WORK_SCENES; k++)
             slowest[m] = fmax(slowest[m], print_price(s[k], 3 - m, 0.1));
         table_end();

@@ -49,7 +49,7 @@ do for [s = 1:2] {
     set ylabel "relative error of u at the end"
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",13" \
         textcolor rgb "#555555"
-    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.34 tc rgb "#777777"
+    set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.34 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.285 tc rgb "#009E73"
     set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.175 tc rgb "#CC79A7"
     set label 7 (s == 1 ? "dotted: even, linear" : "") at graph 0.03, 0.23 tc rgb "#009E73"

@@ -52,7 +52,7 @@ do for [s = 1:6] {
     set ylabel "relative error of u at the end"
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right \
         textcolor rgb "#555555"
-    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
+    set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.86 tc rgb "#009E73"
     set label 7 (s == 1 ? "dotted: even, linear" : "") at graph 0.03, 0.805 tc rgb "#009E73"
     set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.75 tc rgb "#CC79A7"

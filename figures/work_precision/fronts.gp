@@ -53,7 +53,7 @@ do for [s = 1:2] {
     set ylabel "relative error of u at the end"
     set label 2 "failed: ".lost(s) at graph 0.03, s == 1 ? 0.06 : 0.3 \
         textcolor rgb "#555555"
-    set label 3 (s == 1 ? "grey: all settings" : "") at graph 0.03, 0.95 tc rgb "#777777"
+    set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.88 tc rgb "#009E73"
     set label 5 "real time" at Lasts[s], graph 0.95 right offset -0.5, 0
     if (s == 2 && words(explicit) == 4) {

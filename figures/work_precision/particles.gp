@@ -1,6 +1,6 @@
 # particles.gp - error of particles and of finite elements against counted flops:
 # a bar that hangs, and a block that swings.
-# Reads   data  tables runs (body curve error flops reason), fewest (floor)
+# Reads   data  tables runs (body curve error flops reason), per_cell (floor)
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/work_precision/particles.tsv"
 if (!exists("out"))  out  = "figures/work_precision/particles.svg"
@@ -52,7 +52,7 @@ do for [b = 1:2] {
         set label 6 "cubic" at 1e8, 7.7e-3 tc rgb Color[4]
         set label 7 "known to" at 4e4, 1.45e-3
     }
-    plot data index "fewest" using (3e4):(b == 1 ? 1e-9 : column("floor")):(6e8):(0) \
+    plot data index "per_cell" every ::0::0 using (3e4):(b == 1 ? 1e-9 : column("floor")):(6e8):(0) \
              with vectors nohead ls 8 dt 3 notitle, \
          for [k = 1:10] data index "runs" using "flops":(of(b, k)) \
              with linespoints lw 1.5 pt Point[k] ps 0.6 lc rgb Color[k] \

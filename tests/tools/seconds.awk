@@ -12,17 +12,21 @@ function digits(x) {
 function step(name, n) { return digits(of("step", "steps", name " " n, "median_ms")) }
 function peer(method, n, column) { return of("peer", "peer", method " " n, column) }
 function print_step(    n, name) {
-    print "| $n$ | `readable` | PETSc, `notes` | `best` | PETSc, `method` | " \
-        "`sparse` | kept, single |"
-    print "|---:|---:|---:|---:|---:|---:|---:|"
+    print "| $n$ | `readable` | PETSc, `notes` | `blocked` | `best` | " \
+        "PETSc, `method` | `sparse` | " \
+        "`sparse`, factors kept across steps, single precision |"
+    print "|---:|---:|---:|---:|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2)
         print "| " n " | " step("readable", n) " | " \
-            digits(peer("notes", n, "step_ms")) " | " step("best", n) " | " \
+            digits(peer("notes", n, "step_ms")) " | " step("blocked", n) " | " \
+            step("best", n) " | " \
             digits(peer("method", n, "step_ms")) " | " step("sparse", n) " | " \
             digits(of("solvers", "solvers", "kept_single " n, "step_ms")) " |"
 }
 function print_strategy(    n, all, code) {
-    print "| $n$ | PETSc, `notes` | PETSc, `method` | ours | kept | " \
+    print "| $n$ | PETSc, `notes` | PETSc, `method` | " \
+        "ours: `best`, from $n=36$ on `sparse` | " \
+        "kept: across steps, from $n=36$ on in single precision | " \
         "strategy (`notes` over `method`) | code (`method` over ours) | " \
         "both | both, with kept factors |"
     print "|---:|---:|---:|---:|---:|---:|---:|---:|---:|"

@@ -1,0 +1,93 @@
+/* ringing.c - see ringing.h. */
+#include "ringing.h"
+
+#include "motion/integrate.h"
+#include "step_flops.h"
+#include "base/study.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double energy(const struct particles *p, const struct material *m)
+{
+    return particles_moments(p).kinetic + particles_elastic(p, m);
+}
+
+/* particles_step() with a tolerance of one's own. */
+static struct particle_report implicit_step(struct cloud bar, struct material m,
+                                            const struct particle_step *step,
+                                            double tolerance)
+{
+    const struct particle_body body = {bar.grid, bar.p, m, NULL};
+    const int n_dof = 2 * bar.grid->n_node;
+    double *u = allocate((size_t)n_dof, sizeof *u);
+    struct particle_report report = {.status = grid_p2g(bar.grid, bar.p)};
+    if (report.status == OK)
+        report = particle_newton(&body, step, tolerance, u);
+    for (int s = 0; s < n_dof; s++) bar.grid->next[s] = step->rate * u[s];
+    if (report.status == OK)
+        report.status =
+            grid_g2p(bar.grid, step->transfer, 1.0 / step->rate, bar.p);
+    free(u);
+    return report;
+}
+
+struct ringing ringing_particles(enum transfer transfer, double tolerance,
+                                 int steps)
+{
+    const struct material m = material_notes(CUBIC);
+    const double c = sqrt(material_modulus(&m));
+    struct cloud bar = cloud_ringing(2, RINGING_CELLS, 0.02 * c, transfer);
+    const struct particle_step step = {.rate = steps * c / 2.0,
+                                       .transfer = transfer};
+    const double start = energy(bar.p, &m);
+    struct ringing out = {.left = NAN};
+    enum status status = OK;
+    for (int k = 0; k < steps && status == OK; k++) {
+        if (tolerance == 0.0) {
+            status = particles_step_explicit(bar.grid, bar.p, m, &step);
+            out.flops += step_flops_explicit(bar);
+            continue;
+        }
+        const struct particle_report report =
+            implicit_step(bar, m, &step, tolerance);
+        status = report.status;
+        out.flops += step_flops_implicit(bar, m, NO_WALL, &report);
+        if (report.iterations > out.systems) out.systems = report.iterations;
+    }
+    const double ratio = energy(bar.p, &m) / start;
+    out.how = status != OK ? status_name(status)
+              : ratio > 1.1 ? "unstable" : "OK";
+    if (status == OK && ratio <= 1.1) out.left = ratio;
+    cloud_free(bar);
+    return out;
+}
+
+/* The bar is linear, and a free bar in its first mode is two bars held in the
+ * middle. */
+double ringing_elements(int steps)
+{
+    enum { HALF = RINGING_CELLS / 2 };
+    struct model *bar = model_bar(HALF, LUMPED);
+    const double h = 1.0 / HALF, pi = acos(-1.0);
+    const double c = sqrt(bar->A->a[0] * h / 2.0);
+    const double dt = 4.0 / c / steps;
+    double u[2 * HALF] = {0.0}, v[2 * HALF], q[2 * HALF], w[2 * HALF];
+    for (int a = 0; a < bar->n_dof; a++) v[a] = sin(0.5 * pi * (a + 1) * h);
+    const double start = model_energy(bar, u, v);
+    for (int k = 0; k < steps; k++) {
+        /* q at u: M (u - u - dt v) + dt^2 A u */
+        model_mass(bar, v, w);
+        claim(model_force(bar, u, q) == OK, "linear");
+        for (int a = 0; a < bar->n_dof; a++)
+            q[a] = dt * dt * q[a] - dt * w[a];
+        claim(model_newton(bar, dt, q).status == OK, "definite");
+        for (int a = 0; a < bar->n_dof; a++) {
+            u[a] += q[a];
+            v[a] = q[a] / dt;
+        }
+    }
+    const double ratio = model_energy(bar, u, v) / start;
+    model_free(bar);
+    return ratio;
+}

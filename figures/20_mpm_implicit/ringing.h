@@ -1,0 +1,30 @@
+/*
+ * ringing.h - a free bar of 8 cells, or of 8 elements, that rings in its first
+ * mode for one period, 2 / c, at 0.02 c.  Quadratic kernel, two particles per
+ * cell.
+ */
+#ifndef FIGURES_RINGING_H
+#define FIGURES_RINGING_H
+
+#include "particles/particle_bodies.h"
+
+enum { RINGING_CELLS = 8 };
+
+struct ringing {
+    /* The energy, kinetic of the particles (without APIC's B) and elastic, over
+     * that at the start; NAN where a step fails, or where it has grown. */
+    double left;
+    const char *how; /* OK, the status of the step, or "unstable" */
+    double flops;    /* of all steps */
+    int systems;     /* linear systems of a step, at most */
+};
+
+/* Explicit steps if the tolerance is 0, else implicit ones by particle_newton()
+ * with this tolerance, in h: 1e-10 is that of particles_step(). */
+struct ringing ringing_particles(enum transfer transfer, double tolerance,
+                                 int steps);
+
+/* What finite elements with a lumped mass keep, by backward Euler. */
+double ringing_elements(int steps);
+
+#endif
