@@ -24,7 +24,7 @@ set bmargin at screen 0.55
 unset key
 set label 2 "cubic, always projecting" at 0.03, 140 tc ls 4
 set label 3 "cubic, on demand" at 1.60, 6.3 tc ls 3
-set label 4 "log, all cures,\nhalved steps" at 1.34, 480 right tc ls 6
+set label 4 "log, all cures,\nhalved steps" at 1.34, 700 right tc ls 6
 set label 6 "cubic, notes' method" at 0.80, FAILED tc ls 2
 set logscale y
 set yrange [2:2000]
@@ -54,7 +54,7 @@ set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
 set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc ls 6
 set label 8 "cubic,\nboth projections" at 1.60, 0.36 tc ls 4
 set label 9 "cubic, notes' method" at 0.66, -0.07 right tc ls 2
-set label 11 "inverted, yet OK" at 1.1, -0.07 tc ls 4
+set label 11 "inverted, yet OK" at 1.1, -0.07 textcolor rgb "#555555"
 plot for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \
          with lines lw 2 lc rgb Color[k + 0], \
      for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \
