@@ -31,8 +31,8 @@ do for [r = 1:3] { # a little inside the first ring, outside the others
 }
 set label 3 "3000 N/m^2"
 set label 5 "along the cords" at 2020, 190 center front boxed
-set label 6 "without cords" at -1330, -330 right front boxed
-set arrow 6 from -1310, -330 to -1070, -330 nohead lw 1.2
+set label 6 "without cords" at -1180, -330 right front boxed
+set arrow 6 from -1165, -330 to -1070, -330 nohead lw 1.2
 set label 7 "with cords" at 1900, 860 left tc rgb "#0072B2" front boxed
 set label 8 sprintf("pulled at %.0f° the cords\nadd nothing", idle) \
     at 1150, 1850 left front boxed
