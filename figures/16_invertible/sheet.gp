@@ -2,7 +2,7 @@
 # Reads   data  tables sheet (energy min_J), wound
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 640,570 enhanced font "Helvetica,20" \
+set terminal svg size 660,610 enhanced font "Helvetica,20" \
     background rgb "white"
 set output out
 
@@ -48,8 +48,8 @@ unset key
 unset border
 unset tics
 unset grid
-set xrange [-2.15:1.75]
-set yrange [-1.25:2.2]
+set xrange [-2.15:1.85]
+set yrange [-1.4:2.2]
 do for [k = 0:7] {
     if (k < 4) {
         set arrow k + 1 from sx(k), sy(k) to sx(k + 1), sy(k + 1) \
@@ -77,6 +77,14 @@ do for [v = 0:8] {
 }
 set object 1 polygon from -1.81,1.03 to -1.19,1.03 to -1.19,1.63 to \
     -1.81,1.63 to -1.81,1.03 fs empty border rgb "#999999"
+# ... with its triangles, of which six are round vertex 4
+rx(v) = -1.81 + 0.31 * (v % 3)
+ry(v) = 1.03 + 0.30 * (v / 3)
+do for [k = 1:5] {
+    a = word("1 3 0 1 3", k) + 0
+    b = word("7 5 8 5 7", k) + 0
+    set arrow 20 + k from rx(a), ry(a) to rx(b), ry(b) nohead lc rgb "#BBBBBB"
+}
 set label 40 sprintf("cubic law: a minimum,\nevery J > %.2f, %.1f J/m", \
     floor(100 * least) / 100.0, energy) at -0.55,2.0 left
 sheets = sprintf( \

@@ -11,7 +11,7 @@ set output out
 set logscale x
 least = 5e-3
 set xrange [least:30]
-set yrange [15.6:-0.7]
+set yrange [15.6:-1.4]
 set lmargin 14
 set rmargin 1
 set xtics ("0.01" 0.01, "0.1" 0.1, "1" 1)
@@ -20,15 +20,14 @@ set arrow 1 from 0.1, graph 0 to 0.1, graph 1 nohead ls 8
 set arrow 2 from 2.2, graph 0 to 2.2, graph 1 nohead ls 9
 set label 1 "leave it out" at 0.085, 15.1 right textcolor rgb "#555555"
 set label 2 "add it" at 0.12, 15.1 left textcolor rgb "#555555"
-set label 3 "enough for 10 %" at 2.4, 15.1 left textcolor rgb "#555555"
+set label 3 "enough for 10 %" at 2.4, -0.85 left textcolor rgb "#555555"
 set key above center horizontal maxrows 1 noreverse Right samplen 0.5
 set ytics scale 0
 unset grid
 set grid x back ls 9
-# a ring that a triangle would cover is drawn a little lower
-lower(x) = abs(log(column("bends") / column("turned"))) < 0.15 ? 0.3 : 0
+# the ring is wide enough to be seen around a triangle
 # what is too small to be in the picture has an arrow
-plot data index "scenes" using "bends":($0 + lower(0)) with points ls 8 pt 6 lw 2 ps 1.2 \
+plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7 \
          title "bends", \
      "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0 title "turned", \
      "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0 title "moves", \

@@ -56,7 +56,7 @@ plot for [k in there] data index "steps" \
          using (column("samples") < 90 ? of(k) : NaN):"median_ms" \
          with points pt 7 ps 0.3 lc rgb "white", \
      for [word in rows] data index "peer" using (by(word)):"step_ms" \
-         with points pt (word eq "notes" ? 11 : 13) ps 1 lc rgb "#666666", \
+         with points pt (word eq "notes" ? 11 : 13) ps 0.7 lc rgb "#666666", \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label
@@ -70,7 +70,7 @@ set xlabel "median time per step (ms)"
 set ylabel "change of u when h is halved, rms (m)"
 set label 10 "1/30 s" at 36, 3e-3
 # a name below the last point, on one of two rows, beside the line of 1/30 s
-array Beside[5] = [1, 1.7, 0.7, 1, 0.8]
+array Beside[5] = [1, 1.7, 0.55, 1, 0.65]
 array Below[5] = [6.6e-5, 4.8e-5, 6.6e-5, 4.8e-5, 6.6e-5]
 last(k) = column("n") == 64 ? column(Method[int(k)]."_ms") : NaN
 set arrow 3 from 1000.0 / 30, graph 0 to 1000.0 / 30, graph 1 nohead ls 8
