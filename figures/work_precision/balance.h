@@ -14,7 +14,7 @@
 
 #include "trials.h"
 
-/* Tables: rule, sums over its scenes, price_three and price_two; and claims. */
+/* Tables: rule, sums over its scenes, walk, price_three, price_two; claims. */
 void balance_tables(struct trials *const s[WORK_SCENES]);
 
 #endif

@@ -55,6 +55,10 @@ static void finer_meshes(void)
         set.steps = 4;
     }
     table_end();
+    claim(fabs(space[1] / space[0] - 0.275) < 0.001 &&
+              fabs(space[2] / space[1] - 0.275) < 0.01,
+          "each half of h changes about 0.275 times as much as the last (%g, "
+          "%g)", space[1] / space[0], space[2] / space[1]);
     claim(space[0] > 0.9 * waves[0] && space[1] < 0.3 * waves[1] &&
               space[2] < 0.1 * waves[2] &&
               fmin(waves[1], waves[2]) > 0.9 * waves[0],

@@ -28,7 +28,7 @@ unset key
 do for [b = 1:2] {
     set title Title[b]
     set ylabel "relative error of u"
-    set xlabel b == 2 ? "flops, counted" : ""
+    set xlabel b == 2 ? "flops counted" : ""
     set tmargin at screen b == 1 ? 0.955 : 0.47
     set bmargin at screen b == 1 ? 0.56 : 0.07
     if (b == 1) {

@@ -20,7 +20,7 @@ set border 0
 unset grid
 set yrange [9.6:-0.9]
 set xrange [0:114]
-set xlabel "share of the sum of their sizes (%)"
+set xlabel "share of the sizes of the four parts (%)"
 set ytics scale 0
 set xtics 0, 20, 100 nomirror
 set label 1 "error" at 102, -0.75
