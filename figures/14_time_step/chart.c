@@ -107,6 +107,9 @@ static struct result chart(int n, const char *table)
                       cell_if(ok, run.total.factorisations / 3.0),
                       times_best(&times) / 3.0);
             result.arrived += k == 0 && ok;
+            claim(n == 8 || m != SYMPLECTIC_EULER || k != 4 ||
+                      (!ok && set.dt / 16.0 < result.critical),
+                  "a step fails that is below the limit at rest");
             if (!result.enough[m] && ok && error[k] < 0.01)
                 result.enough[m] = 1 << k;
             if (m == IMPLICIT_MIDPOINT)
@@ -115,6 +118,12 @@ static struct result chart(int n, const char *table)
         }
     table_end();
     result.last = error[LEVELS - 1];
+    for (int k = 0, due = n == 8 ? 30 : 45; k < 2; k++) {
+        run = run_swing(model, scene->g, IMPLICIT_MIDPOINT, due - k);
+        claim((distance(model, run.end.u, reference) < 0.01) == (k == 0),
+              "the midpoint rule needs %d steps for 1 %%", due);
+        state_free(&run.end);
+    }
     for (int k = 0; k < 3; k++) free(u[k]);
     model_free(model);
     scene_free(scene);

@@ -19,7 +19,7 @@
 
 static const char *const SIDE[] = {"left", "right"};
 static const double H = 0.0625; /* (m) of a cell */
-static const double RADIUS = 0.25, SPEED = 3.0, START[2] = {0.40625, 0.09375};
+static const double RADIUS = 0.25, SPEED = 3.0, START[2] = {0.375, 0.0625};
 static const double WHEN[] = {0.02, 0.07, 0.13}; /* s */
 
 /* The left disc, then the right one, which is its image through 0. */

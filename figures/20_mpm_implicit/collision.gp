@@ -15,7 +15,7 @@ unset tics
 unset border
 unset grid
 set size ratio -1
-set xrange [-0.68:0.68]
+set xrange [-0.7:0.7]
 set yrange [-0.46:0.46]
 row(side, when) = column("h") == h && column("when") == when && \
     strcol("disc") eq side
@@ -52,7 +52,7 @@ do for [k = 1:3] {
     set rmargin at screen 0.99
     unset label 1
     set label 2 k == 1 ? "triangles" : k == 3 ? \
-        sprintf("%.0f %% overlap", 100 * outcome("mesh", 6)) : "" \
+        sprintf("%.0f %% overlap", 100 * outcome("mesh", 6)) : "no force" \
         at graph 0.55,1.06 center front
     go = 3 * Time[k]
     edges(side) = "< awk -F'\t' '$1 == \"".side."\" && NF == 7 { print $2, $3; print $4, $5; print $6, $7; \

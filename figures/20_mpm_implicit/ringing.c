@@ -32,12 +32,12 @@ static struct particle_report implicit_step(struct cloud bar, struct material m,
     return report;
 }
 
-struct ringing ringing_particles(enum transfer transfer, double tolerance,
-                                 int steps)
+struct ringing ringing_particles(struct ringing_bar of, enum transfer transfer,
+                                 double tolerance, int steps)
 {
     const struct material m = material_notes(CUBIC);
     const double c = sqrt(material_modulus(&m));
-    struct cloud bar = cloud_ringing(2, RINGING_CELLS, 0.02 * c, transfer);
+    struct cloud bar = cloud_ringing(of.order, of.cells, 0.02 * c, transfer);
     const struct particle_step step = {.rate = steps * c / 2.0,
                                        .transfer = transfer};
     const double start = energy(bar.p, &m);

@@ -1,7 +1,6 @@
 /*
- * ringing.h - a free bar of 8 cells, or of 8 elements, that rings in its first
- * mode for one period, 2 / c, at 0.02 c.  Quadratic kernel, two particles per
- * cell.
+ * ringing.h - a free bar of 8 cells, or more, or of 8 elements, that rings in
+ * its first mode for one period, 2 / c, at 0.02 c.  Two particles per cell.
  */
 #ifndef FIGURES_RINGING_H
 #define FIGURES_RINGING_H
@@ -19,10 +18,15 @@ struct ringing {
     int systems;     /* linear systems of a step, at most */
 };
 
+/* Which bar: order of the kernel (1 to 3), and how many cells. */
+struct ringing_bar {
+    int order, cells;
+};
+
 /* Explicit steps if the tolerance is 0, else implicit ones by particle_newton()
  * with this tolerance, in h: 1e-10 is that of particles_step(). */
-struct ringing ringing_particles(enum transfer transfer, double tolerance,
-                                 int steps);
+struct ringing ringing_particles(struct ringing_bar of, enum transfer transfer,
+                                 double tolerance, int steps);
 
 /* What finite elements with a lumped mass keep, by backward Euler. */
 double ringing_elements(int steps);

@@ -1,4 +1,4 @@
-# stability.gp - the largest explicit step against how far the last particle is
+# stability.gp - the longest stable explicit step against how far the last particle is
 # within reach of a node, and the implicit step that ignores it.
 # Reads   data  table critical
 # Writes  out   SVG
@@ -11,8 +11,8 @@ set xrange [4e-7:0.5]
 set yrange [8e-4:60]
 set format x "10^{%T}"
 set format y "10^{%T}"
-set xlabel "how far within reach of the next node (cells)"
-set ylabel "largest step (h / c)"
+set xlabel "ε: how far within reach of the next node (cells)"
+set ylabel "longest stable step (h / c)"
 unset key
 set lmargin at screen 0.15
 set rmargin at screen 0.97
