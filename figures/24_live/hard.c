@@ -110,6 +110,11 @@ int main(void)
               "a frame needs more systems (%g, %g)", a[LIFT].p50,
               a[NOTHING].p50);
     }
+    claim(all[1][PROJECTION].unfinished > all[1][NOTHING].unfinished &&
+              all[1][TROUBLE].unfinished > all[1][NOTHING].unfinished,
+          "cubic law: without projection (%d) or memory (%d) more frames are "
+          "unfinished (%d)", all[1][PROJECTION].unfinished,
+          all[1][TROUBLE].unfinished, all[1][NOTHING].unfinished);
     claim(all[1][SEARCH].energy > 1e50, "without a line search the cubic body "
           "explodes (%g J)", all[1][SEARCH].energy);
     claim(value[0][1] < 1e-3 * value[0][0], "the first rung is what swings");

@@ -5,8 +5,9 @@
  * seconds, then let go; eight seconds later, or when it has been still for one,
  * the body is looked at.  60 times, the same for both laws.  Tables: after (how
  * many are at rest, knotted, or neither; knotted in per cent with the standard
- * error), body (the triangles of the first body that is knotted, with J, and
- * its knots, with J = 0).
+ * error), kept (of all bodies with so many knots the range of their energy, J,
+ * and of their least J), body (the triangles of the first body that is knotted,
+ * with J, and its knots, with J = 0).
  */
 #include "motion/live.h"
 #include "base/study.h"
@@ -17,7 +18,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { TIMES = 60, HELD = 60, FRAMES = 300 };
+enum { TIMES = 60, HELD = 60, FRAMES = 300, MOST_KNOTS = 8 };
+
+struct remains {
+    int bodies;
+    double low[2], high[2]; /* of energy (J), of least J */
+};
 
 /* The body after it was let go. */
 static struct live *drag(enum law law, unsigned long seed)
@@ -80,8 +86,31 @@ static void print_body(const struct live *live)
     free(knot);
 }
 
+static void keep(struct remains *kept, const struct live *live)
+{
+    const double value[2] = {live_energy(live),
+                             body_min_J(live->body, live->now.u)};
+    for (int i = 0; i < 2; i++) {
+        kept->low[i] = kept->bodies ? fmin(kept->low[i], value[i]) : value[i];
+        kept->high[i] = fmax(kept->high[i], value[i]);
+    }
+    kept->bodies++;
+}
+
+static void print_kept(const struct remains kept[MOST_KNOTS + 1])
+{
+    table_begin("kept", "knots bodies least_energy most_energy least_J most_J");
+    for (int knots = 1; knots <= MOST_KNOTS; knots++)
+        if (kept[knots].bodies > 0)
+            table_row(knots, kept[knots].bodies,
+                      kept[knots].low[0], kept[knots].high[0],
+                      kept[knots].low[1], kept[knots].high[1]);
+    table_end();
+}
+
 int main(void)
 {
+    struct remains kept[MOST_KNOTS + 1] = {{0}};
     int rest[2] = {0}, knotted[2] = {0}, neither[2] = {0}, inverted[2] = {0};
     struct live *shown = NULL;
     gsl_set_error_handler_off();
@@ -98,6 +127,7 @@ int main(void)
             knotted[l] += knots > 0;
             neither[l] += far >= 1e-3 && knots == 0;
             inverted[l] += body_min_J(live->body, live->now.u) <= 0.0;
+            if (knots > 0 && knots <= MOST_KNOTS) keep(&kept[knots], live);
             if (knots > 0 && !shown)
                 shown = live;
             else
@@ -109,6 +139,7 @@ int main(void)
                   100.0 * rate_error(knotted[l], TIMES));
     }
     table_end();
+    print_kept(kept);
     if (shown) print_body(shown);
     live_free(shown);
 
@@ -118,6 +149,11 @@ int main(void)
               rate_apart(knotted[1], TIMES, knotted[0], TIMES) > RATE_SURE,
           "under the cubic law it is at rest or knotted (%d), never neither "
           "(%d)", knotted[1], neither[1]);
+    const double *low = kept[1].low, *high = kept[1].high;
+    claim(low[0] > 80 && high[0] < 150 && low[1] > 0.25 && high[1] < 0.55 &&
+              kept[2].low[0] > high[0],
+          "one knot keeps 90 to 140 J (%g to %g), two more, and a least J of "
+          "0.3 to 0.5 (%g to %g)", low[0], high[0], low[1], high[1]);
     claim(inverted[1] == 0, "no J is <= 0, so that no J shows a knot (%d)",
           inverted[1]);
     return table_finish();

@@ -1,7 +1,8 @@
 # motion.gp - the script `hard` under the cubic law, every third frame.  The big
 # dot is the pointer while the button is down, the small dots are the vertices in
 # the hand, and the strip shows by which rung each frame went; hand and strip come
-# from the tables `hand` and `rungs`, where these are.
+# from the tables `hand` and `rungs`, where these are.  With the button up the
+# pointer is small and grey.
 # Reads   data  table motion
 # Yours   the lesson with --film 3
 # Writes  out   GIF
@@ -66,6 +67,6 @@ do for [k = 0:last:3] {
          rungs(k) using (strip($1)):(-2.35):2 with points pt 5 ps 0.6 \
              lc rgb variable, \
          held(k) using 1:2 with points pt 7 ps 1.2 lc rgb "#D55E00", \
-         pointer(k) using 1:2:($3 > 0 ? 2.6 : 1) with points pt 6 lw 2 \
-             ps variable lc rgb "#D55E00"
+         pointer(k) using 1:2:($3 > 0 ? 2.6 : 1):($3 > 0 ? 13983232 : 10066329) \
+             with points pt 6 lw 2 ps variable lc rgb variable
 }

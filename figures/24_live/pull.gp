@@ -17,12 +17,16 @@ set xtics (16, 24, 32, 40, 48, 56, 64)
 set label 1 "G' = μ: 1.28 h per frame" at 15,1.5 tc rgb "black" boxed
 set label 2 "cubic law: frames\nare lost above" at 22.5,6.5 tc rgb "#D55E00" boxed
 set label 3 "log law: at 7.5 m/s, the fastest hand, none is lost" at 15.2,8.3 tc rgb "#0072B2" boxed
-set label 4 "log law from n = 44\non: lost above" at 45.5,4.4 tc rgb "#0072B2" boxed
+set label 4 "log law, n = 44\nand more: lost above" at 45.5,4.4 tc rgb "#0072B2" boxed
+set label 5 "n = 42:\nlost here" at 42.9,6.15 tc rgb "#0072B2" boxed
 plot per_frame / x with lines ls 8, \
      data index "limit" using "n":"cubic" with linespoints ls 2, \
      "" index "limit" using "n":(column("log_lost") == 0 ? 7.5 : NaN) \
          with linespoints ls 1 pt 6 dt 3, \
-     "" index "limit" using "n":"log" with linespoints ls 1
+     "" index "limit" using "n":(column("n") > 42 ? column("log") : NaN) \
+         with linespoints ls 1, \
+     "" index "limit" using "n":"log":(0):(column("n") == 42 ? \
+         column("log_to") - column("log") : NaN) with vectors nohead ls 1 lw 6
 unset label
 set xlabel "J of a stretched triangle"
 set ylabel "G' (N/m^2)" offset 1
