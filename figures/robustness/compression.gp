@@ -55,6 +55,7 @@ set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc ls 6
 set label 8 "cubic,\nboth projections" at 1.60, 0.36 tc ls 4
 set label 9 "cubic, notes' method" at 0.66, -0.07 right tc ls 2
 set label 11 "inverted, yet OK" at 1.1, -0.07 textcolor rgb "#555555"
+set arrow 3 from 1.09, -0.07 to 1.045, -0.063 nohead lc rgb "#555555"
 plot for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \
          with lines lw 2 lc rgb Color[k + 0], \
      for [k in "1 3 4"] data index Name[k + 0] using "t":(ok("min_J")) \

@@ -97,7 +97,7 @@ static void print_tangled(void)
 
     from.u = s->v;
     while (settle(s, 4, seed, method[3], &systems) != MINIMUM) {
-        if (seed == SEEDS) die("every run comes to rest");
+        if (seed == SEEDS) die("no run ends at another minimum");
         seed++;
     }
     table_begin("tangled", "X0 Y0 X1 Y1 X2 Y2 J_start x0 y0 x1 y1 x2 y2 J");

@@ -26,7 +26,8 @@ to(k) = left(strcol("held"), column("amplitude")) + WIDE * part(k)
 box(k) = part(k) > part(k - 1) ? to(k) : NaN
 percent(k) = 100.0 * column(word(ways, k)) / column("seeds")
 # what a cell says: how many come back, or that none does
-said(k) = percent(k) < 0.5 ? "" : k < 3 ? sprintf("%.0f %%", percent(k)) \
+said(k) = percent(k) < 0.5 ? "" : k < 3 ? \
+    sprintf(k < 2 ? "%.0f %%" : "%.0f %%\nknot", percent(k)) \
     : percent(k) < 99.9 ? "" : k == 3 ? "stops" : "fails"
 # ... in the middle of its part, or beside it where it is narrow
 middle(k) = to(k) - from(k) < 0.3 ? to(k) + 0.23 : 0.5 * (from(k) + to(k))
