@@ -94,7 +94,7 @@ static mat2 stress(const struct principal_law *law, mat2 F)
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
  * as it is, shifted: if it is not positive definite, the status is SADDLE.  New
  * since 13d are the two changes of K, the search, and this test at the end.
- * recovered: OK, every J > 0, and Psi <= RELEASE_ENERGY.
+ * recovered: OK, every J > 0, and |Psi| <= RELEASE_ENERGY.
  */
 enum { CAP = 300 };
 static struct release_report release(struct body *body, double u[])

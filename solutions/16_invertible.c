@@ -118,7 +118,7 @@ static mat2 stress(const struct principal_law *law, mat2 F)
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
  * as it is, shifted: if it is not positive definite, the status is SADDLE.  New
  * since 13d are the two changes of K, the search, and this test at the end.
- * recovered: OK, every J > 0, and Psi <= RELEASE_ENERGY.
+ * recovered: OK, every J > 0, and |Psi| <= RELEASE_ENERGY.
  */
 enum { CAP = 300 };
 static struct release_report release(struct body *body, double u[])
@@ -155,7 +155,7 @@ static struct release_report release(struct body *body, double u[])
     body_energy(body, u, &report.energy);
     report.min_J = body_min_J(body, u);
     report.recovered = report.status == OK && report.min_J > 0.0 &&
-                       report.energy <= RELEASE_ENERGY;
+                       fabs(report.energy) <= RELEASE_ENERGY;
     /* END 16d */
     free(du);
     free(q);

@@ -105,7 +105,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
     report.min_J = body_min_J(body, u);
     body_energy(body, u, &report.energy);
     report.recovered = report.status == OK && report.min_J > 0.0 &&
-                       report.energy <= RELEASE_ENERGY;
+                       fabs(report.energy) <= RELEASE_ENERGY;
     free(q);
     free(du);
     return report;

@@ -27,7 +27,7 @@ struct release_report {
     int iterations;     /* linear systems solved */
     double energy;      /* Psi (J/m) */
     double min_J;
-    int recovered;      /* OK, every J > 0, and Psi <= RELEASE_ENERGY */
+    int recovered;      /* OK, every J > 0, and |Psi| <= RELEASE_ENERGY */
 };
 
 /* K := K + RELEASE_SHIFT (2 mu + lambda) I. */

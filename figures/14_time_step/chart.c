@@ -2,8 +2,7 @@
  * chart.c - what does a method cost for a given error?
  *
  * The square, n = 8 or 16, both ends held, lumped mass, is let go from a large
- * smooth swing and followed for three frames, 0.1 s, in 1, 2, 4, ... steps per
- * frame.
+ * smooth swing and followed for three frames (0.1 s) of 1, 2, 4, ... steps.
  * The reference is the midpoint rule with 512 and 1024 steps per frame and
  * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
  * distance from the extrapolation one level below bounds that error.
@@ -118,7 +117,8 @@ static struct result chart(int n, const char *table)
         }
     table_end();
     result.last = error[LEVELS - 1];
-    for (int k = 0, due = n == 8 ? 30 : 45; k < 2; k++) {
+    const int due = n == 8 ? 30 : 45;
+    for (int k = 0; k < 2; k++) {
         run = run_swing(model, scene->g, IMPLICIT_MIDPOINT, due - k);
         claim((distance(model, run.end.u, reference) < 0.01) == (k == 0),
               "the midpoint rule needs %d steps for 1 %%", due);

@@ -104,8 +104,8 @@ static void print_systems(struct count count[2][3])
                 "off_median off_most");
     for (int l = 0; l < 2; l++)
         for (int way = BOTH_RUNGS; way <= SECOND_ALONE; way++) {
-            const struct count c = count[l][way] =
-                play(l ? CUBIC : LOG, (enum way)way);
+            count[l][way] = play(l ? CUBIC : LOG, (enum way)way);
+            const struct count c = count[l][way];
             table_row(material_law(l ? CUBIC : LOG), word[way], c.p50, c.p99,
                       c.most, c.unfinished, c.lost, off(&c, c.off_median),
                       off(&c, c.off_most));

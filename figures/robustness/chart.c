@@ -65,23 +65,17 @@ static int move(int which, int k, enum law law, struct step_control control,
 /* The square that is let go. */
 enum { SIDE = 4, VERTICES = (SIDE + 1) * (SIDE + 1), DOFS = 2 * VERTICES };
 
-static void hold_rim(int held[VERTICES])
-{
-    for (int k = 0; k <= SIDE; k++) {
-        held[k] = held[SIDE * (SIDE + 1) + k] = 1;           /* bottom, top */
-        held[k * (SIDE + 1)] = held[k * (SIDE + 1) + SIDE] = 1; /* the sides */
-    }
-}
-
 /* System after system, a tiny mass on what turns freely; whether to rest. */
 static int let_go(int which, int k, enum law law, struct step_control control,
                   int *systems)
 {
     struct mesh *mesh = mesh_square(SIDE);
-    int held[VERTICES] = {0}, rest = 0;
+    int held[VERTICES], rest = 0;
     double u[DOFS] = {0.0}, w[DOFS], energy;
 
-    if (which == HELD) hold_rim(held);
+    for (int a = 0; a < VERTICES; a++)
+        held[a] = which == HELD && fmax(fabs(mesh->X[2 * a]),
+                                        fabs(mesh->X[2 * a + 1])) == 1.0;
     struct body *body =
         body_alloc(mesh, material_notes(law), 1e-4, CONSISTENT, held);
     if (which == CRUSHED) release_place(body, RELEASE_CRUSHED[k].F, u);
@@ -93,7 +87,7 @@ static int let_go(int which, int k, enum law law, struct step_control control,
         memcpy(w, u, sizeof w);
         s = step_solve(body, &control, Phi, u).status;
         rest = body_energy(body, u, &energy) == OK &&
-               energy <= RELEASE_ENERGY && body_min_J(body, u) > 0.0;
+               fabs(energy) <= RELEASE_ENERGY && body_min_J(body, u) > 0.0;
         ++*systems;
     }
     body_free(body);

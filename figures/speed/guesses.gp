@@ -32,10 +32,10 @@ do for [k = 1:4] {
     color = Style[k]
     set label k Name[k] at 120, Height[k] tc ls color
 }
-set label 5 "dotted:\nfactorisations" at 120, 1.7
+set label 5 "dotted:\nfactorisations,\nall 1 but u_0" at 120, 1.6
 set ylabel "systems per step: factors kept"
 plot for [k = 1:4] data index Table[k] using "n":"chord_mean" \
          with linespoints ls Style[k], \
      for [k = 1:4] data index Table[k] using "n":"chord_factorisations" \
-         with lines ls Style[k] lw 1 dt 3
+         with lines ls Style[k] dt (1.5,2.5)
 unset multiplot

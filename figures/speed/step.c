@@ -93,7 +93,8 @@ static void measure(int n, int missed[METHODS], struct measured *m)
     run(DISSECTED, s, 1, FRAMES, path, m); /* and memory is touched */
     m->t[DISSECTED].runs = 0;
     body_store(s->body, BANDED);
-    const size_t bytes = matrix_bytes(s->body->K);
+    const size_t room = matrix_bytes(s->body->K); /* with what pads columns */
+    const double bytes = 32.0 * n * (n * n - 1); /* 8 N (p + 1) */
     for (int turn = 0; turn < (n <= 16 ? 10 : n <= 32 ? 3 : 1); turn++)
         for (int k = 0; k < METHODS; k++) {
             if (k == LAPACK_BAND && !*MACHINE_LAPACK) continue;
@@ -104,8 +105,8 @@ static void measure(int n, int missed[METHODS], struct measured *m)
         }
     for (int k = 0; k < METHODS; k++)
         missed[k] += !(times_quantile(&m->t[k], 0.99) <= set.dt);
-    m->read = 2e-6 * m->systems[BEST] / m->steps[BEST] * (double)bytes /
-              machine_read_gigabyte(bytes);
+    m->read = 2e-6 * m->systems[BEST] / m->steps[BEST] * bytes /
+              machine_read_gigabyte(room);
     memcpy(m->u, &path[SECOND * 3 * s->n_dof], (size_t)s->n_dof * sizeof *m->u);
     free(path);
     scene_free(s);

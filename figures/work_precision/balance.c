@@ -65,9 +65,8 @@ static int finest(const struct trials *s)
     return best;
 }
 
-/* The rule's price for an error, or for the first above it that it reaches, and
- * how many times its answer's that is; from how many runs on it pays, against
- * the finest run, which is not always better than the answer. */
+/* The rule's price for an error, or for the first above it that it reaches; how
+ * many runs it takes to pay, against the finest one (which may be worse). */
 static double print_price(const struct trials *s, int meshes, double e)
 {
     struct rule_choice c = rule_take(s, meshes, e);
@@ -102,8 +101,7 @@ static void judge(int meshes, struct record made, struct record test)
           test.found, test.same);
 }
 
-/* The rule on paper: what it expects of the midpoint rule in the shake, and the
- * sizes of the parts, which would turn another knob at 8 x 4. */
+/* What the rule expects in the shake, and the parts it is made of. */
 static void print_walk(const struct trials *s)
 {
     static const int at[][2] = {{4, 4}, {4, 8}, {8, 4}, {8, 8}, {8, 16},

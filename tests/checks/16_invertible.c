@@ -421,6 +421,24 @@ static void a_wound_square_has_not_recovered(void)
     mesh_free(mesh);
 }
 
+/* Cubic, nu = 0.05: turned inside out, it ends swollen, with less energy than
+ * at rest. */
+static void swollen_is_not_recovered(void)
+{
+    struct mesh *mesh = mesh_triangle(corners);
+    const int held[3] = {1, 0, 0};
+    struct body *body = body_alloc(mesh, material_make(CUBIC, 1e3, 0.05), 0.0,
+                                   CONSISTENT, held);
+    double u[6] = {0.0};
+    release_place(body, RELEASE_CRUSHED[2].F, u);
+    const struct release_report report = release(body, u);
+    expect(!report.recovered,
+           "a swollen triangle: its energy %.6g is below that of rest; it has "
+           "not recovered", report.energy);
+    body_free(body);
+    mesh_free(mesh);
+}
+
 static void failures_are_named(void)
 {
     struct mesh *mesh = mesh_triangle(corners);
@@ -589,6 +607,7 @@ static const struct claim claims[] = {
     {"a_held_square_recovers", a_held_square_recovers, "16d"},
     {"a_wound_square_has_not_recovered", a_wound_square_has_not_recovered,
      "16d"},
+    {"swollen_is_not_recovered", swollen_is_not_recovered, "16d"},
     {"it_stops_where_the_forces_are_small",
      it_stops_where_the_forces_are_small, "16d"},
     {"failures_are_named", failures_are_named, "16d"},

@@ -291,6 +291,23 @@ static void a_report_says_what_is(void)
         }
 }
 
+/* Cubic with a small nu: swollen, in balance, with less energy than at rest. */
+static void swollen_is_not_recovered(void)
+{
+    struct mesh *mesh = mesh_triangle(corners);
+    const int held[3] = {1, 0, 0};
+    struct body *body = body_alloc(mesh, material_make(CUBIC, E, 0.05), 0.0,
+                                   CONSISTENT, held);
+    double u[6] = {0.0};
+    release_place(body, RELEASE_CRUSHED[2].F, u);
+    const struct release_report report = release_solve(body, 100, u);
+    ck_assert_int_eq((int)report.status, OK);
+    ck_assert(report.min_J > 3.0 && report.energy < -1.0);
+    ck_assert(!report.recovered);
+    body_free(body);
+    mesh_free(mesh);
+}
+
 static void a_cap_and_a_nan_are_named(void)
 {
     struct mesh *mesh;
@@ -405,6 +422,7 @@ static const struct unit_law laws[] = {
     {"a_search_goes_down_or_stays", a_search_goes_down_or_stays},
     {"a_search_asks_for_a_decrease", a_search_asks_for_a_decrease},
     {"a_report_says_what_is", a_report_says_what_is},
+    {"swollen_is_not_recovered", swollen_is_not_recovered},
     {"a_cap_and_a_nan_are_named", a_cap_and_a_nan_are_named},
     {"a_shift_is_on_the_diagonal", a_shift_is_on_the_diagonal},
     {"random_places_are_splitmix64", random_places_are_splitmix64},
