@@ -123,6 +123,38 @@ static void print_walk(const struct trials *s)
           "(%g, %g; %g, %g)", whole[3], whole[5], sizes[3], sizes[5]);
 }
 
+/* In how many settings, as the rule estimates, one part is more than 80 % of
+ * the sum of the sizes. */
+static void print_parts(struct trials *const s[])
+{
+    int all = 0, mostly = 0, column = 0, column_mostly = 0;
+    table_begin("parts", "scene settings mostly");
+    for (int k = 0; k < JOLTED_PULL; k++) {
+        int settings = 0, one = 0;
+        for (int i = 0; i < s[k]->count; i++) {
+            double part[N_PART], sum = 0.0, most = 0.0;
+            if (s[k]->work[i].status != OK) continue;
+            rule_parts(s[k], 3, &s[k]->set[i], part);
+            for (int p = 0; p < N_PART; p++) {
+                sum += part[p];
+                most = fmax(most, part[p]);
+            }
+            if (!isfinite(sum)) continue;
+            settings++;
+            one += most > 0.8 * sum;
+        }
+        table_row(work_scene_name(s[k]->scene), settings, one);
+        all += settings, mostly += one;
+        if (s[k]->scene == BUCKLE) column = settings, column_mostly = one;
+    }
+    table_row("all", all, mostly);
+    table_end();
+    claim(fabs((double)mostly / all - 0.5) < 0.06 && column_mostly == column &&
+              2 * (mostly - column) < all - column, "one part is nearly all in "
+          "about half of the settings, in the column in all (%d of %d, %d of "
+          "%d)", mostly, all, column_mostly, column);
+}
+
 void balance_tables(struct trials *const s[WORK_SCENES])
 {
     struct record made[2] = {{0}, {0}}, test[2] = {{0}, {0}};
@@ -157,4 +189,5 @@ void balance_tables(struct trials *const s[WORK_SCENES])
     }
     claim(slowest[0] <= 7.0 && slowest[1] <= 1.0, "it pays from %g runs on, "
           "from two meshes from %g", slowest[0], slowest[1]);
+    print_parts(s);
 }

@@ -14,7 +14,8 @@
 
 #include "trials.h"
 
-/* Tables: rule, sums over its scenes, walk, price_three, price_two; claims. */
+/* Tables: rule, sums over its scenes, walk, price_three, price_two, parts;
+ * claims. */
 void balance_tables(struct trials *const s[WORK_SCENES]);
 
 #endif

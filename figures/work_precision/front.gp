@@ -44,16 +44,16 @@ do for [s = 1:2] {
     set tmargin at screen 0.965 - 0.485 * (s - 1)
     set bmargin at screen 0.965 - 0.485 * (s - 1) - 0.405
     set label 1 Title[s] at graph 0.5, 1.05 center font ",15"
-    set yrange [s == 1 ? 3e-5 : 3e-4 : s == 1 ? 0.3 : 3]
+    set yrange [s == 1 ? 3e-5 : 3e-4 : s == 1 ? 0.95 : 3]
     set xlabel s == 2 ? "flops counted" : ""
     set ylabel "relative error of u at the end"
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right font ",13" \
         textcolor rgb "#555555"
-    set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.34 tc rgb "#777777"
-    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.285 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.175 tc rgb "#CC79A7"
-    set label 7 (s == 1 ? "dotted: even, linear" : "") at graph 0.03, 0.23 tc rgb "#009E73"
-    set label 6 "known to" at 6e3, s == 1 ? 6.4e-5 : 7.3e-4
+    set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.965 tc rgb "#777777"
+    set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.915 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.815 tc rgb "#CC79A7"
+    set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.865 tc rgb "#009E73"
+    set label 6 "known to" at 6e3, s == 1 ? 6.6e-5 : 7.3e-4
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \
          apart using (here(s) ? column("flops") : NaN):"error" \

@@ -54,8 +54,8 @@ do for [s = 1:6] {
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.86 tc rgb "#009E73"
-    set label 7 (s == 1 ? "dotted: even, linear" : "") at graph 0.03, 0.805 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: what the rule takes" : "") at graph 0.03, 0.75 tc rgb "#CC79A7"
+    set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.805 tc rgb "#009E73"
+    set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.75 tc rgb "#CC79A7"
     set label 6 "known to" at 6e3, 1.47 * known(s)
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \

@@ -24,7 +24,7 @@ static const struct curve {
                   {"linear", 1, 2, 1, 1, PIC, 8, 128, 0},
                   {"quadratic", 2, 2, 1, 1, PIC, 8, 128, 0},
                   {"cubic", 3, 2, 1, 1, PIC, 8, 128, 0},
-                  {"ten_linear", 1, 2, 10, 1, PIC, 16, 128, 0},
+                  {"ten_linear", 1, 4, 10, 1, PIC, 8, 64, 0},
                   {"ten_quadratic", 2, 4, 10, 1, PIC, 8, 64, 0},
                   {"ten_cubic", 3, 4, 10, 1, PIC, 8, 64, 0}},
                  {{"elements", 0, 0, 4, 0, PIC, 4, 32, 0},
@@ -153,8 +153,8 @@ int main(void)
     claim(error[0][3][1] < 0.6 * error[0][0][2] && few[3] < 0.6 * few[0] &&
               few[1] == 2 * few[0], "cell by cell the cubic kernel has half "
           "the error, and half the steps, the linear one twice the steps");
-    claim(!isfinite(error[0][4][3]) && error[0][5][3] > 5e-4 &&
-              error[1][3][2] < 0.012 && floor < 0.002, "new grids spoil the "
-          "bar; both methods agree");
+    claim(error[0][4][3] > 0.1 && error[0][5][3] > 5e-4 &&
+              isfinite(error[0][4][3]) && error[1][3][2] < 0.012 &&
+              floor < 0.002, "new grids spoil the bar; both methods agree");
     return table_finish();
 }

@@ -33,21 +33,22 @@ do for [b = 1:2] {
     set bmargin at screen b == 1 ? 0.56 : 0.07
     if (b == 1) {
         set xrange [1e3:5e6]
-        set yrange [5e-7:2e-2]
+        set yrange [5e-7:0.5]
         set label 1 "finite\nelements" at 1.3e3, 6e-5
         set label 2 "linear kernels" at 1.1e4, 4.5e-3 tc rgb Color[2]
         set label 3 "quadratic" at 2.3e5, 6.5e-6 tc rgb Color[3]
         set label 4 "cubic" at 3.5e5, 1.8e-6 tc rgb Color[4]
         set label 5 "quadratic, ten grids" at 1.6e5, 3.6e-3 tc rgb Color[3]
-        set label 6 "cubic,\nten grids" at 1.1e6, 2.2e-4 tc rgb Color[4]
+        set label 7 "linear, ten grids" at 1.6e5, 0.32 tc rgb Color[2]
+        set label 6 "cubic,\nten grids" at 1.1e6, 3.2e-4 tc rgb Color[4]
     } else {
         unset label
         set xrange [3e4:6e8]
         set yrange [1e-3:0.3]
         set label 1 "finite\nelements" at 1.2e5, 7e-3
         set label 2 "elements, implicit" at 1.9e5, 0.16 tc rgb "#555555"
-        set label 3 "FLIP" at 8.5e5, 0.115 tc rgb Color[5]
-        set label 4 "quadratic, implicit" at 4e6, 0.125 tc rgb Color[9]
+        set label 3 "quadratic, FLIP" at 8.5e5, 0.122 tc rgb Color[5]
+        set label 4 "quadratic, implicit" at 9e6, 0.082 tc rgb Color[9]
         set label 5 "quadratic" at 7e5, 0.036 right tc rgb Color[3]
         set label 6 "cubic" at 1e8, 7.7e-3 tc rgb Color[4]
         set label 7 "known to" at 4e4, 1.45e-3

@@ -3,9 +3,10 @@
  *
  * A chain from the setting to the limit, one knob per link [eq:error-parts]:
  * tolerance (to 1e-9 m), time (midpoint rule, 64 and 128 steps, extrapolated),
- * space (the limit of the same model), model (the limit of log, dynamic).  Each
- * link is measured with the other errors driven below a tenth of it: `others`
- * is what is left of them, over the part, for the largest part of a setting.
+ * space (the limit of the same model), model (the limit of log, dynamic), with
+ * limits by the same elements as in trials.h.  Each link is measured with the
+ * other errors driven below a tenth of it: `others` is what is left of them,
+ * over the part, for the largest part of a setting.
  */
 #include "base/study.h"
 #include "trials.h"
@@ -27,7 +28,7 @@ static const struct bar bars[] = {
     {"slow pull: log, static, n = 4",
      {SLOW_PULL, LOG, 0, 4, 1, BACKWARD_EULER, 1e-5,
       LINEAR_TRIANGLE, 1.0}, SPACE},
-    {"slow pull: log, static, n = 16, one system",
+    {"slow pull: log, static, n = 16, one Newton step",
      {SLOW_PULL, LOG, 0, 16, 1, BACKWARD_EULER, 1.0,
       LINEAR_TRIANGLE, 1.0}, SOLVER},
     {"fast pull: log, static, n = 16",
@@ -115,6 +116,7 @@ int main(void)
     for (int k = 0; k < BARS; k++) {
         struct work_setting model = bars[k].set;
         const int richest = model.law == LOG && model.dynamic;
+        model.element = work_limit_element(model.scene);
         if (!richest) limit = work_limit(&model, &limit_floor);
         model.law = LOG, model.dynamic = 1;
         if (k == 0 || bars[k - 1].set.scene != model.scene)

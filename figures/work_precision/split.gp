@@ -31,5 +31,5 @@ plot for [k = 1:4] data index "split" \
      for [k = 1:4] data index "split" using (share(k) - share(k - 1) < 33 ? NaN : \
              0.5 * (share(k - 1) + share(k))):0:(Part[k]) with labels \
          textcolor rgb (k == 4 ? "white" : "black"), \
-     data index "split" using (102):0:(sprintf("%.2g", column("error"))) \
+     data index "split" using (102):0:(sprintf("%#.2g", column("error"))) \
          with labels left
