@@ -26,10 +26,10 @@ set xrange [14:74]
 set yrange [0.1:1e4]
 set ytics 0.1, 10, 1e4
 set xlabel "squares per side n"
-set ylabel "worst frame (ms)" offset 1
+set ylabel "worst frame of the swing (ms)" offset 1
 set grid noxtics
-set label 1 "whole swing,\nup to 300 systems a frame" at 15,4500 tc ls 2
-set label 2 sprintf("at most 8 systems a frame,\nall in time up to n = %.0f", \
+set label 1 "at most 300 systems per frame" at 15,4500 tc ls 2
+set label 2 sprintf("at most 8 systems per frame,\nall in time up to n = %.0f", \
     most("capped_most")) at 29,5 tc ls 1
 set label 3 "1/30 s" at 15,55
 plot data index "swing" using (of("all")):"worst_ms" with linespoints ls 2, \
