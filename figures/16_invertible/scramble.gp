@@ -35,9 +35,11 @@ place(k) = (stringcolumn("law") eq "extended" ? 0 : \
 rate(k) = column("n") == N[k] && stringcolumn("boundary") eq Boundary[k] ? \
     column("rate") : NaN
 unsure(k) = column("standard_error")
+# no rate is below 0 % or above 100 %
 from(k) = rate(k) > unsure(k) ? rate(k) - unsure(k) : rate(k) * 0
-# a median of one or two squares is none
-iterations(k) = column("recovered") > 9 ? rate(k) + 6 : NaN
+to(k) = rate(k) + unsure(k) < 100 ? rate(k) + unsure(k) : rate(k) * 0 + 100
+iterations(k) = column("recovered") > 0 ? \
+    rate(k) + (rate(k) > 10 ? 6 : 9) : NaN # above the end of its error bar
 set style fill solid 0.85 border
 set boxwidth 0.18
 set label 1 "held, n = 4" at -0.42, 125 left tc rgb Colour[1]
@@ -49,7 +51,7 @@ set style textbox opaque noborder margins 0.3,0.3
 plot for [k = 1:4] data index "scramble" using (place(k)):(rate(k)) \
          with boxes ls Style[k], \
      for [k = 1:4] data index "scramble" using (place(k)): \
-         (from(k)):(0):(rate(k) + unsure(k) - from(k)) with vectors heads \
+         (from(k)):(0):(to(k) - from(k)) with vectors heads \
          size graph 0.012,90 lw 1.5 lc rgb "black" notitle, \
      for [k = 1:4] data index "scramble" using (place(k)):(iterations(k)): \
          (sprintf("%.0f", column("iterations"))) with labels font ",18" \

@@ -72,11 +72,13 @@ set object 2 circle at 0, 0 size 0.1 front fc rgb "white" \
 set label 20 "at rest" at -1.50, 2.05 center
 do for [v = 0:8] {
     set label 21 + v sprintf("%d", v) at -1.95 + 0.45 * (v % 3), \
-        0.90 + 0.43 * (v / 3) center textcolor rgb \
-        (v == 4 ? "#777777" : v < 3 || v == 5 ? "#000000" : "#AA3377")
+        0.90 + 0.43 * (v / 3) center front \
+        textcolor rgb (v < 3 || v == 4 || v == 5 ? "#000000" : "#AA3377")
 }
 set object 1 polygon from -1.81,1.03 to -1.19,1.03 to -1.19,1.63 to \
     -1.81,1.63 to -1.81,1.03 fs empty border rgb "#999999"
+set object 3 circle at -1.50, 1.33 size 0.1 front fc rgb "white" \
+    fs solid border lc rgb "black"
 # ... with its triangles, of which six are round vertex 4
 rx(v) = -1.81 + 0.31 * (v % 3)
 ry(v) = 1.03 + 0.30 * (v / 3)

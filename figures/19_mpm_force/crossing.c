@@ -122,7 +122,7 @@ int main(void)
 
     int n = 8; /* cells across, until the linear kernel is no longer dearer */
     while (system_flops(1, 50, n) > system_flops(ORDER_MAX, 2, n)) n++;
-    claim(n > 115 && n < 135, "the cubic kernel is dearer from %d cells on", n);
+    claim(n > 123 && n < 128, "the cubic kernel is dearer from %d cells on", n);
 
     table_begin("refine", "cells h linear quadratic cubic");
     for (int cells = 8; cells <= 128; cells *= 2) {

@@ -60,11 +60,14 @@ static void compare(int order)
     struct cloud c = cloud_seven(order, PIC);
     const struct material law = material_notes(CUBIC);
     const struct particle_body body = {c.grid, c.p, law, NULL};
-    double u[DOF], right[DOF], other[DOF], f[DOF];
+    double u[DOF], right[DOF], other[DOF], slope[DOF], f[DOF];
     grid_shake(c.grid, 0.35 * c.grid->h, u);
     claim(particle_force(&body, u, right) == OK, "nothing is inverted");
     particle_cauchy_force(&body, u, other);
     claim(apart(other, right) < 1e-13, "Cauchy's form agrees");
+    claim(particle_difference_force(&body, u, 1e-5 * c.grid->h, slope) == OK &&
+              apart(slope, right) < 1e-8,
+          "so does the slope of the energy (%g)", apart(slope, right));
     for (int form = 0; form < N_FORM; form++) {
         for (int r = 0; r < DOF; r++) f[r] = 0.0;
         add_forces(&body, (enum form)form, u, 0, c.p->n - 1, f);
@@ -72,6 +75,9 @@ static void compare(int order)
         const double torque = fabs(grid_balance(c.grid, u, f).torque);
         table_row(FORM[form], order, error, torque);
         claim(form == RIGHT ? error < 1e-13 : error > 0.07, "wrong are wrong");
+        claim(form == RIGHT ||
+                  (apart(f, other) > 0.07 && apart(f, slope) > 0.07),
+              "each comparison finds all four");
         claim((torque < 1e-12) == (form == RIGHT || form == OLD_VOLUME),
               "with wrong volumes forces balance");
     }

@@ -77,6 +77,30 @@ static void print_price(struct ringing bar[WAYS][3][SIZES])
     table_end();
 }
 
+/* The bar on its grid rings more slowly than 1 : 2 L / c.  After one and a half
+ * of 40 explicit FLIP steps more it is unstrained, and has 0.96 of its energy:
+ * what is missing at 40 and is no longer at 42 was not lost. */
+static void claim_swing(void)
+{
+    const struct material m = material_notes(CUBIC);
+    const double c = sqrt(material_modulus(&m));
+    struct cloud bar = cloud_ringing(2, RINGING_CELLS, 0.02 * c, FLIP);
+    const struct particle_step step = {.rate = 20.0 * c, .transfer = FLIP};
+    const double start = particles_moments(bar.p).kinetic;
+    double elastic[43], all[43];
+    for (int k = 1; k <= 42; k++) {
+        claim(particles_step_explicit(bar.grid, bar.p, m, &step) == OK, "OK");
+        elastic[k] = particles_elastic(bar.p, &m) / start;
+        all[k] = elastic[k] + particles_moments(bar.p).kinetic / start;
+    }
+    cloud_free(bar);
+    claim(elastic[41] < 0.01 && elastic[42] < 0.01 && elastic[40] > 0.05,
+          "it is unstrained 41 to 42 steps after");
+    claim(fabs(all[40] - 0.926) < 1e-3 && fabs(all[41] - 0.945) < 1e-3 &&
+              fabs(all[42] - 0.967) < 1e-3,
+          "FLIP: %g, %g, %g of the energy", all[40], all[41], all[42]);
+}
+
 int main(void)
 {
     struct ringing bar[WAYS][3][SIZES];
@@ -105,6 +129,7 @@ int main(void)
     }
     table_end();
     print_price(bar);
+    claim_swing();
     struct ringing(*freely)[SIZES] = bar[EXPLICIT];
     struct ringing(*solving)[SIZES] = bar[IMPLICIT];
     for (int k = 4; k < SIZES; k++) {

@@ -35,7 +35,7 @@ unset label 6
 set tmargin at screen 0.49
 set bmargin at screen 0.085
 set format x "%g"
-set xlabel "particles × nodes per particle"
+set xlabel "work: nodes that one loop visits, for one load"
 set label 10 "a new grid for each of ten loads, four per cell"
 set label 7 "linear kernel" at 110, 2e-2
 set label 8 "quadratic" at 300, 7e-4

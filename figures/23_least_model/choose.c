@@ -52,7 +52,7 @@ static int print_scene(const struct ladder_scene *scene)
               ladder_rung(least.rung),
               least.moving ? "motion" : "rest", least.level);
     return !none && least.rung == numbers_rung(n, tolerance) &&
-           least.moving == (n.moves > tolerance);
+           least.moving == numbers_moving(n, tolerance);
 }
 
 int main(void)

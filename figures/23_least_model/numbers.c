@@ -32,5 +32,11 @@ struct numbers numbers_of(const struct ladder_scene *scene)
 enum rung numbers_rung(struct numbers n, double tolerance)
 {
     if (n.turned > tolerance) return CUBIC_PLANE;
-    return n.bends > tolerance || n.moves > tolerance ? LINEAR_PLANE : BAR;
+    return n.bends > tolerance || numbers_moving(n, tolerance) ? LINEAR_PLANE
+                                                               : BAR;
+}
+
+int numbers_moving(struct numbers n, double tolerance)
+{
+    return 2.0 * n.moves > tolerance;
 }

@@ -21,8 +21,12 @@ struct numbers {
 };
 struct numbers numbers_of(const struct ladder_scene *scene);
 
-/* BAR, LINEAR_PLANE where it bends or moves, CUBIC_PLANE where it is turned by
- * more than the tolerance; its load at rest unless it moves. */
+/* BAR, LINEAR_PLANE where it bends by more than the tolerance or moves,
+ * CUBIC_PLANE where it is turned by more than that. */
 enum rung numbers_rung(struct numbers numbers, double tolerance);
+
+/* Does it take time steps?  After a load has risen in T, a mode swings about
+ * its new place by up to 2 / (omega T) of it. */
+int numbers_moving(struct numbers numbers, double tolerance);
 
 #endif

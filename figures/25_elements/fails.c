@@ -70,9 +70,5 @@ int main(void)
           "turned inside out, the even one is not (%s, %s, %s)",
           status_name(pushed[3].status), status_name(pushed[4].status),
           status_name(pushed[5].status));
-    const double linear = trial_longest_step(LINEAR_TRIANGLE, 16, 1.0);
-    claim(linear > 1.15 * step[0][0] && linear < 1.25 * step[0][0],
-          "linear triangles have 1.2 times the longest step of quadratic ones "
-          "with the same vertices (%g, %g)", linear, step[0][0]);
     return table_finish();
 }

@@ -37,5 +37,5 @@ plot data index "error" using (as("linear")):(of("linear", 1)) with linespoints 
      [16:128] by(x, 128, 1.15e-3, 1.42) with lines ls 2 lw 1.2 dt 2, \
      [32:128] by(x, 128, 3.2e-4, 2.00) with lines ls 5 lw 1.2 dt 2, \
      [16:64] by(x, 64, 6.8e-4, 1.42) with lines ls 1 lw 1.2 dt 2, \
-     [16:64] by(x, 64, 1.76e-4, 2.13) with lines ls 6 lw 1.2 dt 2, \
-     [16:64] by(x, 64, 6.4e-5, 2.84) with lines ls 3 lw 1.2 dt 2
+     [16:64] by(x, 64, 1.79e-4, 2.13) with lines ls 6 lw 1.2 dt 2, \
+     [16:64] by(x, 64, 6.9e-5, 2.84) with lines ls 3 lw 1.2 dt 2

@@ -93,7 +93,9 @@ static struct step_report downhill(struct model *model, double d,
     return report;
 }
 
-static void move(struct scene *s, enum trial_scene trial, struct work *end)
+/* Explicit steps are that fraction of the longest stable one. */
+static void move(struct scene *s, enum trial_scene trial, double fraction,
+                 struct work *end)
 {
     const enum work_scene scene = scenes[trial].scene;
     const double last = work_end(scene);
@@ -103,7 +105,7 @@ static void move(struct scene *s, enum trial_scene trial, struct work *end)
     if (scene == PUSH) model->solve = downhill;
     if (scene == SWING) work_pluck(s, now.u);
     if (trial == TRIAL_EXPLICIT) {
-        steps = (int)ceil(last / (0.75 * 2.0 / model_frequency(model)));
+        steps = (int)ceil(last / (fraction * 2.0 / model_frequency(model)));
         half_a_step_back(model, last / steps, &now);
     }
     while (end->status == OK && end->steps < steps) {
@@ -123,8 +125,8 @@ static void move(struct scene *s, enum trial_scene trial, struct work *end)
     model_free(model);
 }
 
-struct trial trial_of(enum trial_scene scene, enum element element, int n,
-                      double m)
+static struct trial solved(enum trial_scene scene, enum element element, int n,
+                           double m, double fraction)
 {
     struct trial trial = {.end = {.status = OK, .min_J = 1.0}};
     struct scene *s = trial_alloc(scene, element, n, m);
@@ -132,7 +134,7 @@ struct trial trial_of(enum trial_scene scene, enum element element, int n,
 
     if (scenes[scene].does == HANGS) hang(s, &trial.end);
     if (scenes[scene].does == RESTS) load(s, scenes[scene].scene, &trial.end);
-    if (scenes[scene].does == MOVES) move(s, scene, &trial.end);
+    if (scenes[scene].does == MOVES) move(s, scene, fraction, &trial.end);
     trial.unknowns = s->body->n_equation;
     trial.end.flops = K->flops + K->solve + work_elements(s->body, EXACT);
     if (scene == TRIAL_EXPLICIT)
@@ -141,6 +143,17 @@ struct trial trial_of(enum trial_scene scene, enum element element, int n,
     work_share(s->mesh, s->u, &trial.end);
     scene_free(s);
     return trial;
+}
+
+struct trial trial_of(enum trial_scene scene, enum element element, int n,
+                      double m)
+{
+    return solved(scene, element, n, m, 0.75);
+}
+
+struct trial trial_explicit(enum element element, int n, double fraction)
+{
+    return solved(TRIAL_EXPLICIT, element, n, 1.0, fraction);
 }
 
 /* ---- elements, compared -------------------------------------------------- */

@@ -50,6 +50,9 @@ struct scene *trial_alloc(enum trial_scene scene, enum element element, int n,
 struct trial trial_of(enum trial_scene scene, enum element element, int n,
                       double m);
 
+/* TRIAL_EXPLICIT, even mesh, in steps of another fraction of the longest. */
+struct trial trial_explicit(enum element element, int n, double fraction);
+
 /*
  * The elements that are compared, and meshes of each: the coarsest and so many
  * halvings of h, at most TRIAL_MESHES.  Not for TRIAL_PUSH.

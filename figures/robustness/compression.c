@@ -5,7 +5,8 @@
  * t = pi / 2.  A run ends with the first step that fails; by the log law also
  * when a triangle is flat, J < 0.001: then round-off decides.  "halved" is all
  * cures, and a step that fails is tried again in halves, these in quarters, to
- * dt / 16.  Tables: what the runs reached, and the steps of four with n = 8.
+ * dt / 16.  Tables: what the runs reached, with and without the steps that end
+ * at a saddle, and the steps of four with n = 8.
  */
 #include "plane/scene.h"
 #include "base/study.h"
@@ -26,6 +27,8 @@ struct run {
     double least_J, min_J[FRAMES]; /* of all states; after each step */
     int frames, steps;             /* succeeded; the parts of halved ones */
     int iterations;                /* of those */
+    int saddles, silent;           /* ending at one; those not reported */
+    double certified;              /* the largest sin t that is no saddle */
     int cost[FRAMES];              /* iterations of a step and its parts */
 };
 
@@ -47,6 +50,11 @@ static enum status advance(struct scene *s, const struct step_control *control,
     run->steps++;
     run->iterations += report.iterations;
     run->pressed = fmax(run->pressed, sin(run->t));
+    const struct incremental Phi = {dt, s->u, NULL}; /* any w has its K */
+    const int saddle = step_certify(s->body, Phi, s->u) != OK;
+    run->saddles += saddle;
+    run->silent += saddle && report.indefinite + report.projections == 0;
+    if (!saddle) run->certified = fmax(run->certified, sin(run->t));
     run->least_J = fmin(run->least_J, body_min_J(s->body, s->u));
     return OK;
 }
@@ -61,13 +69,9 @@ static struct run press(enum law law, int n, int m)
 
     body_store(s->body, PLAIN); /* a body that buckles is chaotic */
     for (; run.frames < FRAMES; run.frames++) {
-        if (law == LOG && run.least_J < 1e-3) {
-            run.reason = "flat";
-        } else {
-            const enum status status =
-                advance(s, &control, halve, set.dt, &run);
-            run.reason = step_reason(&control, status);
-        }
+        const int flat = law == LOG && run.least_J < 1e-3;
+        run.reason = flat ? "flat" : step_reason(&control,
+            advance(s, &control, halve, set.dt, &run));
         run.min_J[run.frames] = body_min_J(s->body, s->u);
         if (strcmp(run.reason, "OK") != 0) break;
     }
@@ -80,13 +84,11 @@ static void print_path(const char *name, int m, const struct run *run)
 {
     table_begin_note(name, "t pressed iterations min_J reason", "n = 8, %s",
                      method[m]);
-    for (int k = 0; k < run->frames; k++) {
+    for (int k = 0; k < FRAMES && k <= run->frames; k++) {
         const double t = (k + 1) / 30.0;
-        table_row(t, sin(t), run->cost[k], run->min_J[k], "OK");
-    }
-    if (run->frames < FRAMES) {
-        const double t = (run->frames + 1) / 30.0;
-        table_row(t, sin(t), MISSING, run->min_J[run->frames], run->reason);
+        const int ok = k < run->frames;
+        table_row(t, sin(t), cell_if(ok, run->cost[k]), run->min_J[k],
+                  ok ? "OK" : run->reason);
     }
     table_end();
 }
@@ -101,18 +103,18 @@ static void print_runs(const char *name, enum law law,
                        struct run run[SIZES][METHODS])
 {
     table_begin_note(name, "n method pressed reason steps iterations least_J "
-                     "per_step", "iterations of steps that are OK");
+                     "per_step saddles certified", "of steps that are OK");
     for (int i = 0; i < SIZES; i++)
         for (int m = 0; m < METHODS; m++) {
             struct run *r = &run[i][m];
             if (skipped(i, m)) continue;
-            if (m == HALVED && run[i][ALL].frames == FRAMES)
-                *r = run[i][ALL]; /* no step failed: nothing to halve */
-            else
-                *r = press(law, size[i], m);
+            *r = m == HALVED && run[i][ALL].frames == FRAMES
+                     ? run[i][ALL] /* no step failed: nothing to halve */
+                     : press(law, size[i], m);
             table_row(size[i], method[m], r->pressed, r->reason, r->steps,
                       r->iterations, r->least_J,
-                      (double)r->iterations / r->steps);
+                      (double)r->iterations / r->steps, r->saddles,
+                      r->certified);
         }
     table_end();
 }
@@ -132,10 +134,18 @@ int main(void)
     for (int i = 0; i < SIZES; i++)
         for (int m = 0; m < METHODS; m++) {
             if (skipped(i, m)) continue;
-            claim((of_cubic[i][m].frames == FRAMES) == (m >= EVERY) &&
-                      of_log[i][m].frames < FRAMES,
+            const struct run *run = &of_cubic[i][m], *by_log = &of_log[i][m];
+            claim((run->frames == FRAMES) == (m >= EVERY) &&
+                      by_log->frames < FRAMES,
                   "with the cubic law what projects reaches the end, with the "
                   "log law nothing does (n = %d, %s)", size[i], method[m]);
+            const double far = of_cubic[i][SEARCH].pressed;
+            claim(m >= EVERY || run->certified == far,
+                  "what does not project gets equally far without its saddles, "
+                  "to %.2f (n = %d, %s)", far, size[i], method[m]);
+            claim(run->silent == 0 && by_log->saddles == 0,
+                  "the report of each saddle counts indefinite or projected "
+                  "systems (n = %d, %s)", size[i], method[m]);
         }
     claim(of_cubic[0][NOTES].pressed < 0.9 && cubic[NOTES].pressed < 0.7 &&
               of_cubic[2][NOTES].pressed < 0.6,

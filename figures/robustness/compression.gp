@@ -1,5 +1,5 @@
 # compression.gp - the ends pushed together, n = 8: linear systems of each step
-# and least J after it; crosses: the step that failed, above in a strip of its own.
+# and least J after it; crosses: where the run ends, above in a strip of its own.
 # Reads   data  tables path_notes, path_always, path_demand, path_log_halved
 # Writes  out   SVG
 load "figures/style.gp"
@@ -23,8 +23,9 @@ set tmargin at screen 0.97
 set bmargin at screen 0.55
 unset key
 set label 2 "cubic, always projecting" at 0.03, 140 tc ls 4
-set label 3 "cubic, on demand" at 1.60, 6.3 tc ls 3
+set label 3 "cubic, on demand" at 1.59, 6.3 tc ls 3
 set label 4 "log, all cures,\nhalved steps" at 1.34, 700 right tc ls 6
+set label 5 "a triangle is flat" at 1.61, FAILED tc ls 6
 set label 6 "cubic, notes' method" at 0.80, FAILED tc ls 2
 set logscale y
 set yrange [2:2000]
@@ -32,7 +33,7 @@ set object 1 rectangle from graph 0, first 850 to graph 1, graph 1 behind \
     fc rgb "#EEEEEE" fs solid noborder
 set ytics (3, 10, 30, 100, 300)
 set format x ""
-set label 1 "× the step failed" at 0.03, FAILED textcolor rgb "#555555"
+set label 1 "× the run ends" at 0.03, FAILED textcolor rgb "#555555"
 set ylabel "linear systems per step"
 plot for [k = 1:4] data index Name[k] using "t":(ok("iterations")) \
          with lines lw Wide[k] lc rgb Color[k], \

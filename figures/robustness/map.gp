@@ -15,7 +15,7 @@ was = row = 0
 changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
     was = k, row = column("n"), \
     over = sin(column("dt")) * column("n") / 2, \
-    new && (over < 0.72 || over > 1.12) && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
+    new && (over < jump || over > 1.12) && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
 jump = limit("boundary_step", 2)
 set logscale xy
 set xrange [0.0018:1.15]
