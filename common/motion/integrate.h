@@ -12,7 +12,8 @@
  *                        d = 2 dt / 3;  u+ = u*, v+ = v*; its first step, which
  *                        has nothing before it, is one of IMPLICIT_MIDPOINT
  *
- * SYMPLECTIC_EULER solves nothing [eq:symplectic-euler]:
+ * SYMPLECTIC_EULER solves no system but that of a consistent mass
+ * [eq:symplectic-euler]:
  *
  *     v+ = v + dt M^-1 (f - dPsi/du(u)),   u+ = u + dt v+
  *

@@ -48,8 +48,8 @@ set label 24 "second\nattempt\n(ROBUST)" at 2.85, 16 textcolor ls 2
 slowest(x) = by(3, 9) == PARTS_max ? x : 1/0
 set xlabel "time in the script (s)"
 set ylabel "time for the frame (ms)"
-set label 21 sprintf("n = %d: median %.1f ms; %d of %d frames take longer than 1/30 s, \
-the worst %.0f ms", n, p50, misses, frames, worst) at screen 0.01,0.07 left font ",15"
+set label 21 sprintf("n = %d: median %.1f ms; %d of %d frames %s longer than 1/30 s, \
+the worst %.0f ms", n, p50, misses, frames, misses == 1 ? "takes" : "take", worst) at screen 0.01,0.07 left font ",15"
 plot 1000.0 / 30 with lines ls 8 lw 1.5, \
      data index "frames" using "t":(by(1, 1)) with points ls 1, \
      data index "frames" using "t":(by(2, 2)) with points ls 2, \

@@ -34,7 +34,7 @@ eval box(195.0, 132.0, 240.0, 56.0, blue, "ROBUST in 2, 4, 8 parts", \
     "the hand in smaller steps")
 eval box(195.0, 28.0, 240.0, 56.0, orange, "keep the old state", \
     "count the frame as lost")
-eval box(503.0, 184.0, 170.0, 56.0, grey, "show it", "a picture every 1/30 s")
+eval box(503.0, 184.0, 170.0, 56.0, grey, "show it", "then the next frame")
 
 set style arrow 1 lw 1.8 lc rgb "black" head filled size 10, 20
 set style arrow 2 lw 1.8 lc rgb "black" nohead
