@@ -2,10 +2,11 @@
  * rare.c - what the rungs of the fallback are for that `hard` hardly needs.
  *
  * The square, n = 8, a patch in the hand.  Tables: mad (40 scripts `mad` by
- * both laws, with all rungs: frames, lost, most systems, largest energy), rare (of
- * each of these rungs what tells, with all rungs and without that one: for the
- * first rung in a swing by the midpoint rule, for the others in one of the 40;
- * and in how many of the 40 this grows, or falls, by a factor of 1.2 or more).
+ * both laws, with all rungs: frames, lost, most systems, largest energy), rare
+ * (of each of these rungs what tells, with all rungs and without that one: for
+ * the first rung in a swing by the midpoint rule, for the others in one of the
+ * 40; and in how many of the 40 this grows, or falls, by a factor of 1.2 or
+ * more).
  */
 #include "base/options.h"
 #include "base/study.h"
