@@ -2,11 +2,10 @@
  * budget.c - a budget of systems against the fallback of lesson 14.
  *
  * The script `hard`, n = 16, a patch in the hand, backward Euler, the same
- * bounded hand.  One body takes live_frame(), one live_frame_in_parts(), with
- * more and more sub-steps, one the second rung alone.  Table: systems per frame
- * at the median, at the 99th percentile and at most; frames unfinished, and
- * lost; how far an unfinished frame is (largest distance of a vertex, m) from
- * where it ends without a budget.  Table sizes: the same by the budget.
+ * bounded hand.  One body takes live_frame(), one live_frame_in_parts(), one
+ * the second rung alone.  Table: systems per frame at the median, at the 99th
+ * percentile and at most; frames unfinished, and lost; how far (vertices, m) an
+ * unfinished one is from its end without a budget.  Sizes: by the budget.
  */
 #include "motion/live.h"
 #include "base/study.h"
@@ -103,9 +102,8 @@ static void print_systems(struct count count[2][3])
     table_begin("systems", "law fallback p50 p99 most unfinished lost "
                 "off_median off_most");
     for (int l = 0; l < 2; l++)
-        for (int way = BOTH_RUNGS; way <= SECOND_ALONE; way++) {
-            count[l][way] = play(l ? CUBIC : LOG, (enum way)way);
-            const struct count c = count[l][way];
+        for (enum way way = BOTH_RUNGS; way <= SECOND_ALONE; way++) {
+            const struct count c = count[l][way] = play(l ? CUBIC : LOG, way);
             table_row(material_law(l ? CUBIC : LOG), word[way], c.p50, c.p99,
                       c.most, c.unfinished, c.lost, off(&c, c.off_median),
                       off(&c, c.off_most));
@@ -116,7 +114,8 @@ static void print_systems(struct count count[2][3])
 static void print_sizes(void)
 {
     int before[] = {301, 301};
-    table_begin("sizes", "budget log_late log_off cubic_late cubic_off");
+    table_begin("sizes", "budget log_late log_off log_most cubic_late "
+                         "cubic_off cubic_most");
     for (budget = 2; budget <= 32; budget *= 2) {
         struct count c[2];
         for (int l = 0; l < 2; l++) {
@@ -129,7 +128,8 @@ static void print_sizes(void)
             before[l] = a.unfinished;
         }
         table_row(budget, c[0].unfinished, off(&c[0], c[0].off_most),
-                  c[1].unfinished, off(&c[1], c[1].off_most));
+                  c[0].most, c[1].unfinished, off(&c[1], c[1].off_most),
+                  c[1].most);
     }
     table_end();
 }

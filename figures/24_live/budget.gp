@@ -16,7 +16,7 @@ set xlabel "linear systems that the second rung, alone, may solve in a frame"
 set ylabel "frames unfinished, of 300" offset 0.5
 set label 1 "cubic law" at 2.9,150 tc ls 2
 set label 2 "log law" at 2.6,60 right tc ls 1
-set label 3 "none" at 32,1.5 center
+set label 3 "none" at 32,0.72 center
 set label 4 "numbers: distance of the worst\nfrom convergence (0.03 mm: converged,\nbut not yet known to be)" at 36,330 right tc rgb "#555555"
 off(name) = strcol(name) eq "-" ? "" : column(name) < 1e-3 ? \
     sprintf("%.1g mm", 1e3 * column(name)) : sprintf("%.2g m", column(name))

@@ -10,7 +10,7 @@ set key off
 set style textbox opaque noborder margins 0.2, 0.2
 set lmargin 9
 set xlabel "squares per side n"
-set ylabel "speed of the hand (m/s)"
+set ylabel "speed of the side in the hand (m/s)"
 set xrange [14:66]
 set yrange [1:9]
 set xtics (16, 24, 32, 40, 48, 56, 64)
