@@ -26,7 +26,7 @@ set label 4 "backward Euler: 256" at 0.407, 0.45 tc ls 1
 set label 5 "backward Euler: 16" at 0.407, 0.063 tc ls 1
 set label 6 "BDF2: 1" at 0.407, 4e-3 tc ls 4
 set label 7 "backward Euler: 1" at 0.158, 1.7e-3 tc ls 1 front boxed
-set label 8 "behind a name: its steps per frame" at 0.008, 5 front boxed
+set label 8 "the numbers: steps per frame" at 0.008, 5 front boxed
 set label 9 "dashed: backward\nEuler, expected" at 0.393, 6.5e-4 right front boxed
 plot data index "damping" using "t":"midpoint_1" with linespoints ls 3, \
      data index "damping" using "t":"backward_256" with linespoints ls 1 pt 6, \

@@ -36,6 +36,11 @@ do for [m = 1:4] {
     stats data index "cat" using "area" every ::row(m, 3)::row(m, 3) nooutput
     set label 1 sprintf("%s, area %.2f", Name[m], STATS_max) at graph 0.5, graph 1.08 \
         center
+    # the cats' steps, in the first panel
+    do for [j = 1:m == 1 ? 3 : 0] {
+        stats data index "cat" using "u":"v" every ::row(m, j)::row(m, j)+29 nooutput
+        set label 10 + j sprintf("%d", 3 * j) at STATS_mean_x, STATS_mean_y center front
+    }
     plot data index "cat" using "u":"v" every ::row(m, 0)::row(m, 0)+29 \
              with filledcurves closed lc rgb "#bbbbbb", \
          for [j = 1:3] data index "cat" using "u":"v" \
@@ -43,6 +48,7 @@ do for [m = 1:4] {
              with filledcurves closed ls Style[m] fs transparent solid 0.35, \
          for [j = 1:3] data index "cat" using "u":"v" \
              every ::row(m, j)::row(m, j)+29 with lines ls Style[m] lw 1
+    unset label
 }
 unset label
 set lmargin at screen 0.15
