@@ -109,8 +109,8 @@ int main(void)
         for (int s = PIC; s <= APIC; s++)
             for (int k = 0; k < SIZES; k++)
                 bar[way][s][k] = ringing_particles(
-                    (struct ringing_bar){2, RINGING_CELLS}, (enum transfer)s,
-                    TOLERANCE[way], STEPS[k]);
+                    (struct ringing_bar){2, RINGING_CELLS, 0.0},
+                    (enum transfer)s, TOLERANCE[way], STEPS[k]);
     table_begin("energy", "step scheme steps left lost status");
     for (int way = EXPLICIT; way <= IMPLICIT; way++)
         for (int s = PIC; s <= APIC; s++)

@@ -14,6 +14,7 @@ set bmargin at screen 0.55
 unset key
 set logscale xy
 set xrange [13:1400]
+set xtics (16, 32, 64, 128, 256, 512, 1024)
 set yrange [3e-6:0.1]
 set format y "10^{%T}"
 set format x ""
@@ -34,8 +35,9 @@ unset label 2
 unset label 6
 set tmargin at screen 0.49
 set bmargin at screen 0.085
-set format x "%g"
-set xlabel "work: nodes that one loop visits, for one load"
+set xtics ("16" 16, "32" 32, "64" 64, "128" 128, "256" 256, "512" 512, \
+    "1024" 1024)
+set xlabel "work per load: nodes a loop visits (no linear systems)"
 set label 10 "a new grid for each of ten loads, four per cell"
 set label 7 "linear kernel" at 110, 2e-2
 set label 8 "quadratic" at 300, 7e-4

@@ -13,6 +13,21 @@ static double energy(const struct particles *p, const struct material *m)
     return particles_moments(p).kinetic + particles_elastic(p, m);
 }
 
+/* cloud_ringing(), shifted; APIC's B is that of the new place. */
+static struct cloud shifted(struct ringing_bar of, double a,
+                            enum transfer transfer)
+{
+    struct cloud bar = cloud_ringing(of.order, of.cells, a, transfer);
+    const double h = bar.grid->h;
+    for (int q = 0; q < bar.p->n; q++) {
+        double *x = &bar.p->x[2 * q], *B = &bar.p->B[q].m[0][0];
+        const double slope = *B / kernel_inertia(of.order, h, *x);
+        *x += of.shift * h;
+        *B = slope * kernel_inertia(of.order, h, *x);
+    }
+    return bar;
+}
+
 /* particles_step() with a tolerance of one's own. */
 static struct particle_report implicit_step(struct cloud bar, struct material m,
                                             const struct particle_step *step,
@@ -37,7 +52,7 @@ struct ringing ringing_particles(struct ringing_bar of, enum transfer transfer,
 {
     const struct material m = material_notes(CUBIC);
     const double c = sqrt(material_modulus(&m));
-    struct cloud bar = cloud_ringing(of.order, of.cells, 0.02 * c, transfer);
+    struct cloud bar = shifted(of, 0.02 * c, transfer);
     const struct particle_step step = {.rate = steps * c / 2.0,
                                        .transfer = transfer};
     const double start = energy(bar.p, &m);

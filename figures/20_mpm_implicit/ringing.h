@@ -18,9 +18,11 @@ struct ringing {
     int systems;     /* linear systems of a step, at most */
 };
 
-/* Which bar: order of the kernel (1 to 3), and how many cells. */
+/* Which bar: order of the kernel (1 to 3), how many cells, and how far it is
+ * shifted on its grid, in cells. */
 struct ringing_bar {
     int order, cells;
+    double shift;
 };
 
 /* Explicit steps if the tolerance is 0, else implicit ones by particle_newton()
