@@ -10,6 +10,7 @@ array Name[4] = ["path_always", "path_demand", "path_notes", "path_log_halved"]
 array Style[4] = [4, 3, 2, 6]
 array Wide[4] = [2, 5, 2, 2]
 array Color[4] = ["#CC79A7", "#009E73", "#D55E00", "#56B4E9"]
+DARK = "#0072B2" # what is said of the last, which is too light for letters
 ok(what) = strcol("reason") eq "OK" ? column(what) : NaN
 FAILED = 1300 # where the strip is, which has no scale
 lost(value) = strcol("reason") ne "OK" ? value : NaN
@@ -24,8 +25,8 @@ set bmargin at screen 0.55
 unset key
 set label 2 "cubic, always projecting" at 0.03, 140 tc ls 4
 set label 3 "cubic, on demand" at 1.59, 6.3 tc ls 3
-set label 4 "log, all cures,\nhalved steps" at 1.34, 700 right tc ls 6
-set label 5 "a triangle is flat" at 1.61, FAILED tc ls 6
+set label 4 "log, all cures,\nhalved steps" at 1.34, 700 right tc rgb DARK
+set label 5 "a triangle is flat" at 1.61, FAILED tc rgb DARK
 set label 6 "cubic, notes' method" at 0.80, FAILED tc ls 2
 set logscale y
 set yrange [2:2000]
@@ -52,7 +53,7 @@ set xlabel "t (s); the ends have moved by sin t each and meet at π/2"
 set ylabel "least J after the step"
 set yrange [-0.12:1.02]
 set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
-set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc ls 6
+set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc rgb DARK
 set label 8 "cubic,\nboth projections" at 1.60, 0.36 tc ls 4
 set label 9 "cubic, notes' method" at 0.66, -0.07 right tc ls 2
 set label 11 "inverted, yet OK" at 1.1, -0.07 textcolor rgb "#555555"

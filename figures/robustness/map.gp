@@ -10,15 +10,18 @@ limit(name, column) = system("awk -F'\t' '$0 == \"# ".name."\" { on = 1 } \
     NF == 0 { on = 0 } on && $1 == 16 { s = $".column." } END { print s }' '".data."'") + 0.0
 ended(how) = strcol("reason") eq how ? column("n") : NaN
 # n where the number of iterations is another one than one step before, and no line
-# is near; of those from 10 on 12, 16 and 20, above their squares
+# is near; of those from 10 on 12, above its square; the last of a row has its
+# number beside it
 was = row = 0
 changed(x) = (k = column("iterations"), new = k != was || column("n") != row, \
     was = k, row = column("n"), \
     over = sin(column("dt")) * column("n") / 2, \
-    new && (over < jump || over > 1.12) && (k < 10 || k == 12 || k == 16 || k == 20) ? ended("OK") : NaN)
+    new && (over < jump || over > 1.12) && (k < 10 || k == 12) && \
+    column("dt") < 0.8 ? ended("OK") : NaN)
+last(i) = column("dt") > 0.99 ? ended("OK") : NaN
 jump = limit("boundary_step", 2)
 set logscale xy
-set xrange [0.0018:1.15]
+set xrange [0.0018:1.5]
 set yrange [2.9:46]
 set ytics (4, 6, 8, 11, 16, 23, 32)
 set xtics ("1/480" 1.0/480, "1/120" 1.0/120, \
@@ -26,8 +29,8 @@ set xtics ("1/480" 1.0/480, "1/120" 1.0/120, \
 unset mxtics
 unset grid
 unset key
-set palette defined (3 "#E8F1F8", 5 "#9CC6E3", 8 "#2F7FB5", 14 "#08306B")
-set cbrange [3:14]
+set palette defined (3 "#E8F1F8", 5 "#9CC6E3", 8 "#2F7FB5", 21 "#08306B")
+set cbrange [3:21]
 unset colorbox
 set multiplot layout 2,1 margins 0.10,0.98,0.09,0.95 spacing 0.07,0.13
 do for [k = 1:2] {
@@ -39,8 +42,9 @@ do for [k = 1:2] {
     set arrow 1 from asin(jump * 2 / 38), 38 to asin(jump * 2 / 3.05), 3.05 \
         nohead lw 2 lc rgb "black" front
     set label 2 (k == 1 ? sprintf("Δg = %.2f h", jump) : "") at 0.5, 3.3 right front
-    set label 3 (k == 1 ? "blows up or wanders" : "") at 1.1, 41 right font ",13" \
-        textcolor rgb "#D55E00" front
+    set label 3 (k == 1 ? "blows up or wanders" : "goes on, in up to 21") \
+        at 1.4, 41 right font ",13" \
+        textcolor rgb (k == 1 ? "#D55E00" : "#08306B") front
     set label 4 (k == 1 ? "converges, in so many iterations" : "") at 0.002, 41 \
         font ",13" textcolor rgb "#2F7FB5" front
     plot data index name using "dt":(ended("OK")):"iterations" \
@@ -52,6 +56,8 @@ do for [k = 1:2] {
          data index name using "dt":(1.14 * changed(0)): \
              (column("iterations") < 10 ? "" : sprintf("%d", column("iterations"))) \
              with labels font ",13", \
+         data index name using (1.1 * column("dt")):(last(0)): \
+             (sprintf("%d", column("iterations"))) with labels left font ",13", \
          data index name using "dt":(ended("fails")) \
              with points pt 2 ps 0.6 lw 1.5 lc rgb "#D55E00", \
          data index name using "dt":(ended("INVERTED")) \

@@ -62,13 +62,15 @@ plot for [k = 1:4] data index "scattered" using (box(k)):(row(strcol("method")))
          (row(strcol("method"))):(said(k)) with labels
 unset label
 set size ratio -1
+# the held end, thick in both, which shows their scales
+set arrow 1 from -1, -1 to -1, 1 nohead lw 5 lc rgb "black" front
 set tmargin at screen 0.35
 set bmargin at screen 0.02
 set lmargin at screen 0.03
 set rmargin at screen 0.49
 set xrange [-3.3:2.6]
 set yrange [-2.4:3]
-set label 1 "a start, 4h (orange: inverted)" at screen 0.26, screen 0.375 center
+set label 1 "a start, 4h (orange: inverted),\nat 2/5 of the size of its end" at screen 0.26, screen 0.375 center
 plot polygons("$7 > 0", 1) using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("$7 <= 0", 1) using 1:2 with filledcurves closed \
