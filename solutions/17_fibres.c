@@ -59,10 +59,10 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
     double l = 0.0;
     /* SLOT 17b(fibre, g, F, dF, kind, tension, P, dP, &l): l and n first; then
      * *P; then *dP, from what dF does to n and to T. */
-    double n[2], dn[2];
+    double n[2], dFg[2];
     for (int i = 0; i < 2; i++) {
         n[i] = F.m[i][0] * g[0] + F.m[i][1] * g[1];
-        dn[i] = dF.m[i][0] * g[0] + dF.m[i][1] * g[1];
+        dFg[i] = dF.m[i][0] * g[0] + dF.m[i][1] * g[1];
     }
     l = hypot(n[0], n[1]);
     const struct tension t = tension(fibre, l);
@@ -72,11 +72,11 @@ static double stress(const struct fibre *fibre, const double g[2], mat2 F,
         across = fmax(across, 0.0);
     }
     for (int i = 0; i < 2; i++) n[i] /= l;
-    const double dl = n[0] * dn[0] + n[1] * dn[1]; /* n.dF g */
+    const double dl = n[0] * dFg[0] + n[1] * dFg[1];
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
             const double change =
-                along * dl * n[i] + across * (dn[i] - dl * n[i]); /* d(T n) */
+                along * dl * n[i] + across * (dFg[i] - dl * n[i]); /* d(T n) */
             P->m[i][k] = l > 0.0 ? t.T * n[i] * g[k] : 0.0;
             dP->m[i][k] = l > 0.0 ? change * g[k] : 0.0;
         }

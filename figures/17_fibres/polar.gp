@@ -34,7 +34,7 @@ set label 5 "along the cords" at 2020, 190 center front boxed
 set label 6 "without cords" at -1180, -330 right front boxed
 set arrow 6 from -1165, -330 to -1070, -330 nohead lw 1.2
 set label 7 "with cords" at 1900, 860 left tc rgb "#0072B2" front boxed
-set label 8 sprintf("pulled at %.0f° the cords\nadd nothing", idle) \
+set label 8 sprintf("at %.0f° the cords\nadd nothing", idle) \
     at 1150, 1850 left front boxed
 set label 9 "across" at 0, 1640 center
 set arrow 1 from -3500, 0 to 3500, 0 nohead ls 9 lw 1
@@ -81,14 +81,15 @@ set tmargin at screen 0.36
 set bmargin at screen 0.0
 set xrange [-0.42:1.62]
 set yrange [-0.42:1.1]
-set object 1 rectangle from 0, 0 to 1, 1 fs empty border lc rgb "#999999" dt 2
+set object 1 rectangle from 0, 0 to 1, 1 front fs empty \
+    border lc rgb "#444444" dt 3 lw 2
 do for [i = 0:1] {
     angle = 20 * i
     set lmargin at screen (i ? 0.51 : 0.01)
     set rmargin at screen (i ? 0.99 : 0.49)
-    set label 1 (i ? sprintf("pulled at 20°:\nshear %.1f°", \
+    set label 1 (i ? sprintf("pulled at 20°: its\nsides lean by %.1f°", \
         -atan(entry(20, 3) / entry(20, 4)) * 180 / pi) \
-        : "pulled along its cords") at 0.6, -0.17 center
+        : "pulled along its cords") at 0.6, -0.14 center
     set arrow 3 from (i ? 1.17 : 1.24), 0.46 to (i ? 1.45 : 1.52), 0.46 lw 2 \
         head filled size 0.05, 20
     set arrow 4 from (i ? -0.13 : -0.04), 0.46 to (i ? -0.41 : -0.32), 0.46 \
