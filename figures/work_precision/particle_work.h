@@ -45,14 +45,4 @@ struct work particle_work(const struct particle_setting *set);
 /* The bar by as many finite elements, all of the load at once. */
 struct work element_bar_work(int cells);
 
-/* Flops of an error, or NAN: where the curve first comes below it, by lines
- * between the logarithms. */
-double particle_price(const double e[], const double flops[], int sizes,
-                      double wanted);
-
-/* Table price_sixteen and its claims: for a few errors the flops of quadratic
- * and cubic kernels over those of elements.  Errors and flops of elements and
- * of the three kernels, on 4, 8 and 16 cells. */
-void particle_prices(double e[4][3], double flops[4][3]);
-
 #endif

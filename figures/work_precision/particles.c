@@ -9,6 +9,7 @@
  * cells, as few as go.  `price`: flops of an error, by lines between the
  * logarithms, over those of elements; `price_sixteen`: with 16 steps per cell.
  */
+#include "particle_price.h"
 #include "particle_work.h"
 #include "base/study.h"
 #include "base/table.h"
