@@ -174,8 +174,8 @@ static void print_luck(const struct trials *s)
         table_row(16 << i, cell_rounded(4, e[0]), cell_rounded(4, e[1]),
                   cell_rounded(4, e[2]), cell_rounded(4, e[3]),
                   cell_rounded(4, e[4]), cell_rounded(4, e[5]));
-        claim(e[2] > 4.0 * e[1] && e[2] < 23.0 * e[1], "n = %d: good by luck, with twice the steps "
-              "worse (%g, %g)", 16 << i, e[1], e[2]);
+        claim(e[2] > 4.0 * e[1] && e[2] < 23.0 * e[1], "n = %d: good by luck, "
+              "with twice the steps worse (%g, %g)", 16 << i, e[1], e[2]);
     }
     table_end();
     claim(error[0][5] < error[0][4], "that for 0.03 is as good with twice the "
