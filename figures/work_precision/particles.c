@@ -7,8 +7,9 @@
  * explicit, else one.  `per_cell`: four, eight and sixteen; the flops of a step
  * over those of elements; how well the limit is known.  `steps`: on eight
  * cells, as few as go.  `price`: flops of an error, by lines between the
- * logarithms, over those of elements.
+ * logarithms, over those of elements; `price_sixteen`: with 16 steps per cell.
  */
+#include "particle_price.h"
 #include "particle_work.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -40,6 +41,7 @@ static const char *const body[] = {"bar", "block", "steps", "per_cell"};
  * 16 cells with 4, 8 and 16 steps per cell. */
 static double error[2][CURVES][SIZES], work[2][CURVES][SIZES];
 static double more[4][3][3], of_step[4]; /* flops of a step on four cells */
+static double sixteen[4][3], work_sixteen[4][3]; /* with 16 */
 
 /* A row for body[b]; the error, relative to the truth, INFINITY if not OK. */
 static double print(const struct curve *c, int b, int cells, int steps,
@@ -64,16 +66,6 @@ static double print(const struct curve *c, int b, int cells, int steps,
     return e;
 }
 
-/* Flops of an error, or NAN: where the curve first comes below it. */
-static double price(const double e[], const double flops[], double wanted)
-{
-    for (int i = 1; i < SIZES; i++)
-        if (e[i - 1] >= wanted && e[i] < wanted)
-            return flops[i] * pow(flops[i - 1] / flops[i],
-                                  log(wanted / e[i]) / log(e[i - 1] / e[i]));
-    return NAN;
-}
-
 static void print_curves(const struct work truth[2])
 {
     double used;
@@ -90,6 +82,8 @@ static void print_curves(const struct work truth[2])
                 more[k][i][m] = print(&curve[1][k], 3, 4 << i, 16 << i << m,
                                       &truth[1], &used);
                 if (i == 0) of_step[k] = used / (16 << m);
+                sixteen[k][i] = more[k][i][m]; /* the last one stays */
+                work_sixteen[k][i] = used;
             }
 }
 
@@ -118,8 +112,9 @@ static void print_per_cell(double floor)
 static double print_price(int b, int k, double wanted)
 {
     const int i = curve[b][k].base;
-    const double times = price(error[b][k], work[b][k], wanted) /
-                         price(error[b][i], work[b][i], wanted);
+    const double times =
+        particle_price(error[b][k], work[b][k], SIZES, wanted) /
+        particle_price(error[b][i], work[b][i], SIZES, wanted);
     table_row(body[b], curve[b][k].name, wanted,
               cell_if(isfinite(times), times));
     claim(i == k || !(times < (b ? 10.0 : 3.0)), "elements win");
@@ -150,6 +145,7 @@ int main(void)
     const double dear = print_price(1, 3, 0.022);
     claim(dear > 4.0 * print_price(1, 3, 0.014), "it depends on the error");
     table_end();
+    particle_prices(sixteen, work_sixteen);
     claim(error[0][3][1] < 0.6 * error[0][0][2] && few[3] < 0.6 * few[0] &&
               few[1] == 2 * few[0], "cell by cell the cubic kernel has half "
           "the error, and half the steps, the linear one twice the steps");

@@ -52,6 +52,8 @@ do for [b = 1:2] {
         set label 5 "quadratic" at 7e5, 0.036 right tc rgb Color[3]
         set label 6 "cubic" at 1e8, 7.7e-3 tc rgb Color[4]
         set label 7 "known to" at 4e4, 1.45e-3
+        set label 8 "points: n = 4, 8, 16, of elements also 32" at 4.5e8, 2.2e-3 right \
+            tc rgb "#555555"
     }
     plot data index "per_cell" every ::0::0 using (3e4):(b == 1 ? 1e-9 : column("floor")):(6e8):(0) \
              with vectors nohead ls 8 dt 3 notitle, \

@@ -96,8 +96,8 @@ struct trials *trials_alloc(enum work_scene scene, int others)
                                        .element = work_limit_element(scene)};
     struct trials *trials = allocate(1, sizeof *trials);
     trials->scene = scene;
-    const struct work limit = work_limit(&model, &trials->floor);
-    trials->size = work_distance(&limit, NULL);
+    trials->limit = work_limit(&model, &trials->floor);
+    trials->size = work_distance(&trials->limit, NULL);
     trials->floor /= trials->size;
     settings(trials);
     const int linear = trials->count;
@@ -107,7 +107,7 @@ struct trials *trials_alloc(enum work_scene scene, int others)
     for (int k = 0; k < trials->all; k++) {
         trials->work[k] = work_run(&trials->set[k]);
         trials->error[k] =
-            work_distance(&trials->work[k], &limit) / trials->size;
+            work_distance(&trials->work[k], &trials->limit) / trials->size;
     }
     return trials;
 }

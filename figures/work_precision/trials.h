@@ -21,6 +21,7 @@
 enum { TRIALS_MOST = 500 };
 struct trials {
     enum work_scene scene;
+    struct work limit;
     double size, floor; /* of the limit (m); what is not known of it, rel. */
     int count; /* of linear triangles, even: what the balance rule knows */
     int all;   /* with the other elements, which come after them */
