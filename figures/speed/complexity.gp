@@ -28,7 +28,7 @@ set xtics (8, 16, 32, 64, 128, 256)
 set xrange [7:300]
 set yrange [2e4:2e10]
 set xlabel "squares per side n"
-set ylabel "flops of a solve, counted"
+set ylabel "flops, factors included"
 array X[6] = [31, 128, 320, 320, 320, 320]
 array Work[6] = [5.5e9, 4.4e9, 2.55e9, 1.26e9, 6.3e8, 3e8]
 do for [k = 1:6] {
@@ -55,7 +55,7 @@ do for [k = 1:6] {
 color = Style[5]
 set arrow 5 from 136, 440 to 305, 900 nohead ls color lw 0.8
 set label 11 right
-set ylabel "time of a solve (ms)"
+set ylabel "time to factor and solve (ms)"
 set yrange [2e-3:5e3]
 plot for [k = 1:6] data index "solvers" using (of(k)):"milliseconds" \
          with linespoints ls Style[k]

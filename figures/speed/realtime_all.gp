@@ -28,7 +28,7 @@ set ytics 0.1, 10, 1e4
 set xlabel "squares per side n"
 set ylabel "worst frame of the swing (ms)" offset 1
 set grid noxtics
-set label 1 "at most 300 systems per frame" at 15,4500 tc ls 2
+set label 1 "at most 300\nsystems per frame" at 26,500 tc ls 2
 set label 2 sprintf("at most 8 systems per frame,\nall in time up to n = %.0f", \
     most("capped_most")) at 29,5 tc ls 1
 set label 3 "1/30 s" at 15,55
@@ -45,12 +45,12 @@ set lmargin at screen 0.36
 set xrange [0:1.2 * most("kept")]
 set yrange [4.6:0.4]
 set xtics autofreq
-set ytics ("band" 1, "dissection" 2, "dissection, single" 3, \
-    "dissection, single, kept" 4) \
+set ytics ("band (90 to 100)" 1, "dissection (124 to 148)" 2, \
+    "single (128 to 160)" 3, "single, kept (146 to 172)" 4) \
     scale 0
 unset grid
 unset ylabel
-set xlabel "the largest n in time in 99 of 100 steps; body only stretched"
+set xlabel "largest n in time in 99 of 100 steps (in ten runs); only stretched"
 set style fill solid 0.9 noborder
 do for [k = 1:4] {
     set label k sprintf("%.0f", most(Name[k])) at most(Name[k]), k offset 0.6,0

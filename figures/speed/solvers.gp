@@ -50,7 +50,7 @@ set format y "%g"
 set grid noxtics
 set yrange [0:5.2]
 set ytics 1
-set ylabel "one solve, relative to dissection"
+set ylabel "solve with given factors, over dissection"
 set label 1 "single precision,\nrefined" at 11,4.7 left tc ls 6
 set label 2 "band" at 125,4.3 right tc ls 1
 set label 3 "dissection" at 280,0.74 right tc ls 3
