@@ -28,8 +28,8 @@ grey = "#EEEEEE"
 blue = "#CFE3F0"
 orange = "#F7D9C4"
 eval box(8.0, 340.0, 150.0, 56.0, grey, "read the hand", "boundary values g")
-eval box(195.0, 340.0, 240.0, 56.0, blue, "FAST", "lift, close guess, kept factors")
-eval box(195.0, 236.0, 240.0, 56.0, blue, "ROBUST", "lift, line search, projection")
+eval box(195.0, 340.0, 240.0, 56.0, blue, "FAST", "motion goes on, kept factors")
+eval box(195.0, 236.0, 240.0, 56.0, blue, "ROBUST", "last state, search, projection")
 eval box(195.0, 132.0, 240.0, 56.0, blue, "ROBUST in 2, 4, 8 parts", \
     "the hand in smaller steps")
 eval box(195.0, 28.0, 240.0, 56.0, orange, "keep the old state", \
