@@ -32,7 +32,7 @@ do for [k = 1:4] {
     color = Style[k]
     set label k Name[k] at 120, Height[k] tc ls color
 }
-set label 5 "dotted:\nfactorisations,\nabout 1 but u_0" at 120, 1.6
+set label 5 "dotted:\nfactorisations,\nabout 1,\nbut not from u_0" at 120, 1.6
 set ylabel "systems per step: factors kept"
 plot for [k = 1:4] data index Table[k] using "n":"chord_mean" \
          with linespoints ls Style[k], \

@@ -40,7 +40,7 @@ set yrange [1e-3:8e3]
 set xlabel "squares per side n"
 set ylabel "median time per step (ms)"
 set label 10 "1/30 s" at 8.6,55 left
-set label 11 "bound for\na band" at 34, 0.0055
+set label 11 "bound for a band" at 15, 0.006
 do for [k in there] {
     i = int(k)
     set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] tc ls Style[i]
@@ -71,7 +71,7 @@ set ylabel "change of u when h is halved, rms (m)"
 set label 10 "1/30 s" at 36, 3.8e-3
 # what the step leaves, figures/work_precision/flagship.c
 set label 12 "error of time" at 900, 2.6e-3 right tc ls 8
-set label 14 "error of time after a soft start" at 2.6e-3, 3.1e-5 tc ls 8
+set label 14 "after a soft start: from the static answer" at 2.6e-3, 3.1e-5 tc ls 8
 # a name below the last point, on one of two rows, beside the line of 1/30 s
 array Beside[5] = [1, 1.7, 0.55, 1, 0.65]
 array Below[5] = [6.6e-5, 4.8e-5, 6.6e-5, 4.8e-5, 6.6e-5]
