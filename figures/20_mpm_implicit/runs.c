@@ -68,8 +68,10 @@ static void print_moving(void)
     const struct material m = material_notes(CUBIC);
     int steps[5];
     table_begin("moving", "speed steps");
-    for (int k = 0; k < 5; k++)
-        table_row(speed[k], steps[k] = moving(speed[k]));
+    for (int k = 0; k < 5; k++) {
+        steps[k] = moving(speed[k]);
+        table_row(speed[k], steps[k]);
+    }
     table_end();
     const double c = sqrt(material_modulus(&m)), h = 0.125;
     const double due = c * sqrt(2.0 / 30.0 / (h * speed[1])) / 0.95;

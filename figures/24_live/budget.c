@@ -2,10 +2,10 @@
  * budget.c - a budget of systems against the fallback of lesson 14.
  *
  * The script `hard`, n = 16, a patch in the hand, backward Euler, the same
- * bounded hand.  One body takes live_frame(), one live_frame_in_parts(), one
- * the second rung alone.  Table: systems per frame at the median, at the 99th
- * percentile and at most; frames unfinished, and lost; how far (vertices, m) an
- * unfinished one is from its end without a budget.  Sizes: by the budget.
+ * bounded hand, for live_frame(), live_frame_in_parts() and the second rung
+ * alone.  Table: systems per frame at the median, 99th percentile and at most;
+ * frames unfinished, and lost; how far (vertices, m) an unfinished one is from
+ * its end without a budget.  Sizes: by the budget.
  */
 #include "motion/live.h"
 #include "base/study.h"
@@ -37,8 +37,7 @@ static double distance(struct live *live, const double w[])
     return status == OK ? largest : NAN;
 }
 
-/* The second rung with a budget of its own, as if FRAME_SYSTEMS - budget of its
- * systems were gone already (or as many more were left). */
+/* Of the second rung, as if FRAME_SYSTEMS - budget of its systems were gone. */
 static int budget = FRAME_SYSTEMS;
 
 static enum status budgeted(struct live *live, double u[], double v[],
@@ -103,29 +102,30 @@ static void print_systems(struct count count[2][3])
                 "off_median off_most");
     for (int l = 0; l < 2; l++)
         for (enum way way = BOTH_RUNGS; way <= SECOND_ALONE; way++) {
-            const struct count c = count[l][way] = play(l ? CUBIC : LOG, way);
-            table_row(material_law(l ? CUBIC : LOG), word[way], c.p50, c.p99,
-                      c.most, c.unfinished, c.lost, off(&c, c.off_median),
-                      off(&c, c.off_most));
+            struct count *c = &count[l][way];
+            *c = play(l ? CUBIC : LOG, way);
+            table_row(material_law(l ? CUBIC : LOG), word[way], c->p50, c->p99,
+                      c->most, c->unfinished, c->lost, off(c, c->off_median),
+                      off(c, c->off_most));
         }
     table_end();
 }
 
 static void print_sizes(void)
 {
-    int before[] = {301, 301};
+    struct count c[2] = {{.unfinished = 301}, {.unfinished = 301}};
     table_begin("sizes", "budget log_late log_off log_most cubic_late "
                          "cubic_off cubic_most");
     for (budget = 2; budget <= 32; budget *= 2) {
-        struct count c[2];
         for (int l = 0; l < 2; l++) {
-            const struct count a = c[l] = play(l ? CUBIC : LOG, SECOND_ALONE);
-            claim(a.lost == 0 && a.most <= budget && a.unfinished < before[l] &&
+            const struct count a = play(l ? CUBIC : LOG, SECOND_ALONE);
+            claim(a.lost == 0 && a.most <= budget &&
+                      a.unfinished < c[l].unfinished &&
                       (budget == 32) == (a.unfinished == 0),
                   "at most %d systems (%g): no frame is lost (%d), fewer are "
                   "unfinished (%d) than with less (%d), with 32 none", budget,
-                  a.most, a.lost, a.unfinished, before[l]);
-            before[l] = a.unfinished;
+                  a.most, a.lost, a.unfinished, c[l].unfinished);
+            c[l] = a;
         }
         table_row(budget, c[0].unfinished, off(&c[0], c[0].off_most),
                   c[0].most, c[1].unfinished, off(&c[1], c[1].off_most),

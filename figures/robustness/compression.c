@@ -70,8 +70,9 @@ static struct run press(enum law law, int n, int m)
     body_store(s->body, PLAIN); /* a body that buckles is chaotic */
     for (; run.frames < FRAMES; run.frames++) {
         const int flat = law == LOG && run.least_J < 1e-3;
-        run.reason = flat ? "flat" : step_reason(&control,
-            advance(s, &control, halve, set.dt, &run));
+        const enum status status =
+            flat ? OK : advance(s, &control, halve, set.dt, &run);
+        run.reason = flat ? "flat" : step_reason(&control, status);
         run.min_J[run.frames] = body_min_J(s->body, s->u);
         if (strcmp(run.reason, "OK") != 0) break;
     }
@@ -108,9 +109,10 @@ static void print_runs(const char *name, enum law law,
         for (int m = 0; m < METHODS; m++) {
             struct run *r = &run[i][m];
             if (skipped(i, m)) continue;
-            *r = m == HALVED && run[i][ALL].frames == FRAMES
-                     ? run[i][ALL] /* no step failed: nothing to halve */
-                     : press(law, size[i], m);
+            if (m == HALVED && run[i][ALL].frames == FRAMES)
+                *r = run[i][ALL]; /* no step failed: nothing to halve */
+            else
+                *r = press(law, size[i], m);
             table_row(size[i], method[m], r->pressed, r->reason, r->steps,
                       r->iterations, r->least_J,
                       (double)r->iterations / r->steps, r->saddles,
@@ -139,10 +141,8 @@ int main(void)
                       by_log->frames < FRAMES,
                   "with the cubic law what projects reaches the end, with the "
                   "log law nothing does (n = %d, %s)", size[i], method[m]);
-            const double far = of_cubic[i][SEARCH].pressed;
-            claim(m >= EVERY || run->certified == far,
-                  "what does not project gets equally far without its saddles, "
-                  "to %.2f (n = %d, %s)", far, size[i], method[m]);
+            claim(m >= EVERY || run->certified == of_cubic[i][SEARCH].pressed,
+                  "without saddles what does not project gets equally far");
             claim(run->silent == 0 && by_log->saddles == 0,
                   "the report of each saddle counts indefinite or projected "
                   "systems (n = %d, %s)", size[i], method[m]);

@@ -144,8 +144,12 @@ static void print_parts(struct trials *const s[])
             one += most > 0.8 * sum;
         }
         table_row(work_scene_name(s[k]->scene), settings, one);
-        all += settings, mostly += one;
-        if (s[k]->scene == BUCKLE) column = settings, column_mostly = one;
+        all += settings;
+        mostly += one;
+        if (s[k]->scene == BUCKLE) {
+            column = settings;
+            column_mostly = one;
+        }
     }
     table_row("all", all, mostly);
     table_row("without_buckle", all - column, mostly - column_mostly);

@@ -82,7 +82,8 @@ static void print_curves(const struct work truth[2])
                 more[k][i][m] = print(&curve[1][k], 3, 4 << i, 16 << i << m,
                                       &truth[1], &used);
                 if (i == 0) of_step[k] = used / (16 << m);
-                sixteen[k][i] = more[k][i][m]; /* the last one stays */
+                if (m < 2) continue;
+                sixteen[k][i] = more[k][i][m];
                 work_sixteen[k][i] = used;
             }
 }
