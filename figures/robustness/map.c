@@ -151,8 +151,8 @@ int main(void)
     claim(within, "the notes' method fails from a jump of 0.92 to 0.94 h, with "
           "the log law of 0.81 to 0.82 h, and before its first K does");
     claim(repaired == 7 * STEPS && lifted == 7 * STEPS, "all steps succeed "
-          "projected, with a line search, with 21 systems (%d), and lifted with "
-          "5 (%d)", repaired, lifted);
+          "projected, with a line search, in 21 systems (%d), and lifted in 5 "
+          "(%d)", repaired, lifted);
     claim(log[1] < log[0] && log[1] > 0.7 && one == STEPS && two == STEPS,
           "quadratic triangles fail a little earlier (%g, %g), and never when "
           "they are lifted (%d)", log[1], log[0], two);
