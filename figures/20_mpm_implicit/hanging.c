@@ -119,7 +119,7 @@ int main(void)
           "cubic, two per cell: seven times the error of 16 elements");
     /* The middle of a chord is 1/8 F' h^2 from the curve, a quarter 3/32. */
     for (int k = 0; k < FINEST; k++)
-        claim(fabs(once[1][k] / fem[k] - 0.75) < 3e-3, "linear: a chord's error");
+        claim(fabs(once[1][k] / fem[k] - 0.75) < 3e-3, "linear: as a chord");
     enum status status;
     const double near = particles_error(3, 16, 4, MIRROR, 1, &status);
     claim(fabs(four[3][1] / near - 0.59) < 0.01 && fabs(near - 1.11e-4) < 1e-6,

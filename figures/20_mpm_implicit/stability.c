@@ -3,12 +3,12 @@
  * bar has only just reached a node?
  * 8 cells, two particles per cell, both ends free, the last particle eps h
  * within reach of a node.  `grid` is the limit of the nodes by themselves,
- * 2 / omega; `flip` that of a step with its transfers: no eigenvalue of it, as a
- * linear map of all v_p and F_p, is beyond 1.  Times in h / c, c the speed of
- * sound; steps: the explicit ones (FLIP) for 1/30 s; systems: of one implicit step, until du is 1e-10 of the first (its
- * own test, 1e-10 h, is not met if the light node moves far); flops: of either;
- * times: one implicit over one explicit step, with these systems and (times_one)
- * with one; explicit_times: all explicit steps over the implicit one.
+ * 2 / omega; `flip` that of a step with its transfers: no eigenvalue of it, as
+ * a linear map of all v_p and F_p, is beyond 1.  Times in h / c, c the speed of
+ * sound; steps: the explicit ones (FLIP) for 1/30 s; systems: of one implicit
+ * step, until du is 1e-10 of the first (its own test, 1e-10 h, is not met if
+ * the light node moves far); flops: of either; times: implicit over explicit,
+ * with these systems and (times_one) with one; explicit_times: of 1/30 s.
  */
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
