@@ -117,6 +117,13 @@ int main(void)
               "the quadratic kernel stops at 3e-4, the cubic one goes on");
     claim(fabs(two[3][1] / fem[1] - 7.0) < 0.5,
           "cubic, two per cell: seven times the error of 16 elements");
+    /* The middle of a chord is 1/8 F' h^2 from the curve, a quarter 3/32. */
+    for (int k = 0; k < FINEST; k++)
+        claim(fabs(once[1][k] / fem[k] - 0.75) < 3e-3, "linear: as a chord");
+    enum status status;
+    const double near = particles_error(3, 16, 4, MIRROR, 1, &status);
+    claim(fabs(four[3][1] / near - 0.59) < 0.01 && fabs(near - 1.11e-4) < 1e-6,
+          "cubic, four per cell: ten grids have 0.59 of the error of one");
     claim(fabs(iteration(3, 2) / iteration(1, 1) - 5.0) < 0.1, "an iteration "
           "with the cubic kernel costs five times as much as with elements");
     claim(held[2][3] / once[2][3] > 300.0,

@@ -30,6 +30,9 @@ struct ringing_bar {
 struct ringing ringing_particles(struct ringing_bar of, enum transfer transfer,
                                  double tolerance, int steps);
 
+/* FLIP by the midpoint rule, on the bar of order 2 and RINGING_CELLS. */
+struct ringing ringing_midpoint(double tolerance, int steps);
+
 /* What finite elements with a lumped mass keep, by backward Euler. */
 double ringing_elements(int steps);
 

@@ -2,13 +2,13 @@
  * stability.c - how small must an explicit step be when the last particle of a
  * bar has only just reached a node?
  * 8 cells, two particles per cell, both ends free, the last particle eps h
- * within reach of a node, which has hardly any mass then.  `grid` is the limit
- * of the nodes by themselves, 2 / omega; `flip` that of a step with its
- * transfers: no eigenvalue of it, as a linear map of all v_p and F_p, is beyond
- * 1.  Times in h / c, c the speed of sound; steps: the explicit ones (FLIP) for
- * 1/30 s; systems: of one implicit step, until du is 1e-10 of the first (its
- * own test, 1e-10 h, is not met if the light node moves far); flops: of either;
- * times: implicit over explicit, with these systems and (times_one) with one.
+ * within reach of a node.  `grid` is the limit of the nodes by themselves,
+ * 2 / omega; `flip` that of a step with its transfers: no eigenvalue of it, as
+ * a linear map of all v_p and F_p, is beyond 1.  Times in h / c, c the speed of
+ * sound; steps: the explicit ones (FLIP) for 1/30 s; systems: of one implicit
+ * step, until du is 1e-10 of the first (its own test, 1e-10 h, is not met if
+ * the light node moves far); flops: of either; times: implicit over explicit,
+ * with these systems and (times_one) with one; explicit_times: of 1/30 s.
  */
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
@@ -128,7 +128,7 @@ int main(void)
     const double implicit = sqrt(material_modulus(&m)) / 30.0 / H;
     table_begin("critical", "kernel eps grid flip implicit systems steps "
                             "explicit_flops implicit_flops times "
-                            "times_one");
+                            "times_one explicit_times");
     for (int order = 1; order <= 3; order++)
         for (int k = 0; k < 4; k++) {
             struct outlying at = {order, eps[k]};
@@ -140,7 +140,7 @@ int main(void)
             const double steps = ceil(implicit / flip);
             table_row(kernel[order - 1], eps[k], grid, flip, implicit, n, steps,
                       steps * flops[0], flops[1], flops[1] / flops[0],
-                      flops[2] / flops[0]);
+                      flops[2] / flops[0], steps * flops[0] / flops[1]);
             claim(n == 4, "four systems");
             claim(own.status == (order == 3 && k == 3 ? MAX_ITERATIONS : OK) &&
                       (own.iterations > n) == (order > 1 && k == 3),

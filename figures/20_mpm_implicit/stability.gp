@@ -17,7 +17,7 @@ unset key
 set lmargin at screen 0.15
 set rmargin at screen 0.97
 grey = "#555555"
-set label 1 "one implicit step of 1/30 s" at 1e-3, 17 center tc rgb grey
+set label 1 "one implicit step of 1/30 s (no limit)" at 1e-3, 17 center tc rgb grey
 set label 2 "linear: falls to 0 like 2 √ε" at 1.3e-6, 0.22 tc ls 1
 set label 7 "with FLIP like √(2 ε)" at 1.1e-4, 4e-3 tc ls 1
 set label 3 "quadratic: falls to 0.95" at 1.3e-6, 0.58 tc ls 2
