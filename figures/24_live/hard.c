@@ -46,6 +46,9 @@ int main(void)
         claim(a[ACCEPTING].lost > a[NOTHING].unfinished, "an unfinished frame "
               "that is not accepted is lost, and more follow (%d, %d)",
               a[ACCEPTING].lost, a[NOTHING].unfinished);
+        claim(l ? a[ACCEPTING].freeze >= 40 : a[ACCEPTING].freeze <= 2,
+              "in a row: 40 or more under the cubic law, two under LOG (%d)",
+              a[ACCEPTING].freeze);
         claim(a[LIFT].p50 > a[NOTHING].p50, "without the elastic lift "
               "a frame needs more systems (%g, %g)", a[LIFT].p50,
               a[NOTHING].p50);
@@ -55,6 +58,9 @@ int main(void)
           "cubic law: without projection (%d) or memory (%d) more frames are "
           "unfinished (%d)", all[1][PROJECTION].unfinished,
           all[1][TROUBLE].unfinished, all[1][NOTHING].unfinished);
+    claim(all[0][NOTHING].energy > 1.9 * all[0][HALVING].energy,
+          "LOG: with halved ways the largest energy is doubled (%g, %g J)",
+          all[0][NOTHING].energy, all[0][HALVING].energy);
     claim(all[1][SEARCH].energy > 1e50, "without a line search the cubic body "
           "explodes (%g J)", all[1][SEARCH].energy);
     return table_finish();
