@@ -46,7 +46,7 @@ plot for [k = 1:6] data index "solvers" using (of(k)):"flops" with linespoints \
          ls Style[k]
 do for [k = 9:16] { unset label k }
 unset arrow
-array Time[6] = [170, 72, 85, 1250, 950, 430]
+array Time[6] = [170, 47, 85, 1250, 950, 430]
 array From[6] = [31, 138, 320, 142, 320, 320]
 do for [k = 1:6] {
     color = Style[k]

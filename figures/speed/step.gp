@@ -24,7 +24,7 @@ peer = system(sprintf("grep -c '^# peer' '%s'", data)) > 0
 rows = peer ? "notes method" : ""
 
 # where the name of a method stands, right of its last point
-array Height[5] = [4500, 1300, 260, 50, 12]
+array Height[5] = [4500, 720, 205, 51, 12]
 set multiplot
 unset key
 set lmargin at screen 0.12
@@ -47,8 +47,10 @@ do for [k in there] {
 }
 by(word) = strcol("method") eq word ? column("n") : NaN
 if (peer) {
-    set label 13 "PETSc, notes" at 150, 580 tc rgb "#666666"
-    set label 14 "PETSc, method" at 150, 115 tc rgb "#666666"
+    set label 13 "PETSc, notes" at 156, 384 tc rgb "#666666" \
+        point pt 11 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
+    set label 14 "PETSc, method" at 156, 104 tc rgb "#666666" \
+        point pt 13 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
@@ -71,7 +73,7 @@ set ylabel "change of u when h is halved, rms (m)"
 set label 10 "1/30 s" at 36, 3.8e-3
 # what the step leaves, figures/work_precision/flagship.c
 set label 12 "error of time" at 900, 2.6e-3 right tc ls 8
-set label 14 "after a soft start: from the static answer" at 2.6e-3, 3.1e-5 tc ls 8
+set label 14 "soft start: from the mesh's static answer (n = 8)" at 2.6e-3, 3.1e-5 tc ls 8
 # a name below the last point, on one of two rows, beside the line of 1/30 s
 array Beside[5] = [1, 1.7, 0.55, 1, 0.65]
 array Below[5] = [6.6e-5, 4.8e-5, 6.6e-5, 4.8e-5, 6.6e-5]
