@@ -101,8 +101,8 @@ int main(void)
     table_end();
     claim(fabs(limit[RATIOS - 1].sag + 0.010525) < 2e-7 &&
           fabs(limit[RATIOS - 1].div / 5.8e-7 - 1.0) < 0.02, "nu = 0.4999: "
-          "extrapolated from n = 64, 128 and 256, the sag is 0.010525, and div u "
-          "5.8e-7 (%g, %g)", limit[RATIOS - 1].sag, limit[RATIOS - 1].div);
+          "extrapolated from n = 64, 128 and 256, the sag is 0.010525, and "
+          "div u 5.8e-7 (%g, %g)", limit[RATIOS - 1].sag, limit[RATIOS - 1].div);
     claim(last[0] > 0.3 && last[1] > 0.3,
           "n = 32, nu = 0.4999: linear triangles lack a third, graded or not "
           "(%g, %g)", last[0], last[1]);
@@ -115,7 +115,7 @@ int main(void)
     claim(of_div[2] > 300.0 && fabs(of_div[3] - 1.1) < 0.1 &&
           fabs(of_div[4] - 1.2) < 0.1,
           "div u per triangle is a multiple of its size when it is averaged "
-          "(%g), but of criss-cross and quadratic triangles it comes down to it "
+          "(%g), but comes down to it in criss-cross and quadratic triangles "
           "(%g, %g)",
           of_div[2], of_div[3], of_div[4]);
     return table_finish();
