@@ -2,7 +2,7 @@
  * choose.c - scenes in numbers without dimension: do they tell the least model?
  *
  * The twelve scenes of ladder.h, and three in which a load along the axis acts
- * on what another one bends, with the numbers of numbers.h.  Three comparisons
+ * on what another one bends, with the numbers of numbers.h.  Four comparisons
  * with a tolerance of 10 % name a model, and beside it stands the cheapest that
  * is within 10 % of the truth.  Table: scenes.
  */

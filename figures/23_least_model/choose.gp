@@ -1,6 +1,7 @@
 # choose.gp - which model does a scene ask for?  Three numbers of each scene; what
-# lies beyond the tolerance has to be added.  On the right, the cheapest model
-# that is within the tolerance of the truth.
+# lies beyond the tolerance, and after a rise what moves by more than half of
+# it, has to be added.  On the right, the cheapest model that is within the
+# tolerance of the truth.
 # Reads   data  table scenes (scene bends turned moves least state)
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/23_least_model/choose.tsv"
@@ -17,9 +18,12 @@ set rmargin 1
 set xtics ("0.01" 0.01, "0.1" 0.1, "1" 1)
 set xlabel "number without dimension"
 set arrow 1 from 0.1, graph 0 to 0.1, graph 1 nohead ls 8
+# of what moves after a rise; no line of the grid, which would cross the words
+set arrow 3 from 0.05, graph 0 to 0.05, graph 0.02 nohead ls 9 lw 1.5
+set label 4 "0.05" at 0.05, graph -0.045 center
 set arrow 2 from 2.2, graph 0 to 2.2, graph 1 nohead ls 9
-set label 1 "leave it out" at 0.085, 15.1 right textcolor rgb "#555555"
-set label 2 "add it" at 0.12, 15.1 left textcolor rgb "#555555"
+set label 1 "leave it out" at 0.085, 14.95 right textcolor rgb "#555555"
+set label 2 "add it" at 0.12, 14.95 left textcolor rgb "#555555"
 set label 3 "enough for 10 %" at 2.4, -0.85 left textcolor rgb "#555555"
 set key above center horizontal maxrows 1 noreverse Right samplen 0.5
 set ytics scale 0

@@ -31,7 +31,7 @@ struct numbers numbers_of(const struct ladder_scene *scene)
 
 enum rung numbers_rung(struct numbers n, double tolerance)
 {
-    if (n.turned > tolerance) return CUBIC_PLANE;
+    if (n.strain > tolerance || n.turned > tolerance) return CUBIC_PLANE;
     return n.bends > tolerance || numbers_moving(n, tolerance) ? LINEAR_PLANE
                                                                : BAR;
 }

@@ -22,7 +22,8 @@ struct numbers {
 struct numbers numbers_of(const struct ladder_scene *scene);
 
 /* BAR, LINEAR_PLANE where it bends by more than the tolerance or moves,
- * CUBIC_PLANE where it is turned by more than that. */
+ * CUBIC_PLANE where it is turned or strained by more than that (of a strain e
+ * the linear stress of a bar at nu = 0.3 lacks about 0.9 e). */
 enum rung numbers_rung(struct numbers numbers, double tolerance);
 
 /* Does it take time steps?  After a load has risen in T, a mode swings about

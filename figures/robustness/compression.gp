@@ -54,7 +54,7 @@ set ylabel "least J after the step"
 set yrange [-0.12:1.02]
 set arrow 2 from graph 0, first 0 to graph 1, first 0 nohead ls 8
 set label 7 "log, all cures,\nhalved steps" at 0.78, 0.37 tc rgb DARK
-set label 8 "cubic,\nboth projections" at 1.60, 0.36 tc ls 4
+set label 8 "cubic,\nalways projecting\nor on demand" at 1.60, 0.51 tc ls 4
 set label 9 "cubic, notes' method" at 0.66, -0.07 right tc ls 2
 set label 11 "inverted, yet OK" at 1.1, -0.07 textcolor rgb "#555555"
 set arrow 3 from 1.09, -0.07 to 1.045, -0.063 nohead lc rgb "#555555"

@@ -6,8 +6,9 @@
  * six scenes, on which it was made, and in two on which it was not: a pull
  * that begins with a jolt, and a weight.  The rule [alg:balance] from three
  * meshes and from two, asked for the errors 0.5, 0.4, ... as far as a setting
- * gets: its flops over those of the cheapest that is as good (same), over those
- * of the cheapest for what was asked (over), and its own price.  In the column
+ * gets: its flops over those of the cheapest that is as good (same; of all
+ * settings, all), over those of the cheapest for what was asked (over), and its
+ * own price.  In the column
  * some of its answers are good by luck, and so are others on the front (luck).
  */
 #ifndef FIGURES_BALANCE_H

@@ -7,7 +7,7 @@
 #               even linear triangles, else the rule)
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 580,2320
+set terminal svg size 1160,1160
 set output out
 array Scene[6] = ["slow_pull", "fast_pull", "shake", "swing", "buckle", "push"]
 array Title[6] = ["slow pull", "fast pull", "shake", "swing (a hump let go)", \
@@ -49,14 +49,16 @@ set xrange [4e3:2e8]
 set xtics 1e4, 10, 1e8
 unset key
 do for [s = 1:6] {
-    set lmargin at screen 0.13
-    set rmargin at screen 0.97
-    set tmargin at screen 0.985 - 0.163 * (s - 1)
-    set bmargin at screen 0.985 - 0.163 * (s - 1) - 0.135
+    left = 0.5 * ((s - 1) % 2)
+    top = 0.97 - 0.324 * ((s - 1) / 2)
+    set lmargin at screen left + 0.065
+    set rmargin at screen left + 0.485
+    set tmargin at screen top
+    set bmargin at screen top - 0.27
     set label 1 Title[s] at graph 0.5, 1.05 center font ",15"
     set yrange [Low[s]:High[s]]
-    set xlabel s == 6 ? "flops counted" : ""
-    set ylabel "relative error of u at the end"
+    set xlabel s > 4 ? "flops counted" : ""
+    set ylabel s % 2 ? "relative error of u at the end" : ""
     set label 2 "failed: ".lost(s) at graph 0.98, 0.95 right \
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.95 tc rgb "#777777"

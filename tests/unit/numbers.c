@@ -43,13 +43,15 @@ static void numbers_are_those_of_the_linear_answer(void)
         ladder_free(s);
     }
     const struct numbers is[] = {{.turned = 0.11, .bends = 0.0},
-                                 {.bends = 0.11}, {.moves = 0.051},
+                                 {.strain = 0.11}, {.bends = 0.11},
+                                 {.moves = 0.051},
                                  {0.1, 0.1, 0.1, 0.1, 0.05, 0.1}};
-    const enum rung rung[] = {CUBIC_PLANE, LINEAR_PLANE, LINEAR_PLANE, BAR};
+    const enum rung rung[] = {CUBIC_PLANE, CUBIC_PLANE, LINEAR_PLANE,
+                              LINEAR_PLANE, BAR};
     for (int k = 0; k < COUNT(is); k++)
         ck_assert_int_eq(numbers_rung(is[k], 0.1), rung[k]);
     for (int k = 0; k < COUNT(is); k++)
-        ck_assert_int_eq(numbers_moving(is[k], 0.1), k == 2);
+        ck_assert_int_eq(numbers_moving(is[k], 0.1), k == 3);
 }
 
 /* Least and most of a number, which are to be `low` and `high`, or nearly. */
