@@ -102,7 +102,8 @@ int main(void)
     claim(fabs(limit[RATIOS - 1].sag + 0.010525) < 2e-7 &&
           fabs(limit[RATIOS - 1].div / 5.8e-7 - 1.0) < 0.02, "nu = 0.4999: "
           "extrapolated from n = 64, 128 and 256, the sag is 0.010525, and "
-          "div u 5.8e-7 (%g, %g)", limit[RATIOS - 1].sag, limit[RATIOS - 1].div);
+          "div u 5.8e-7 (%g, %g)", limit[RATIOS - 1].sag,
+          limit[RATIOS - 1].div);
     claim(last[0] > 0.3 && last[1] > 0.3,
           "n = 32, nu = 0.4999: linear triangles lack a third, graded or not "
           "(%g, %g)", last[0], last[1]);
