@@ -24,7 +24,7 @@ int main(void)
         double m;
     } push[] = {{16, 1.0}, {16, 2.0}, {16, 3.0},
                 {32, 1.0}, {32, 1.5}, {32, 2.0}};
-    const struct hang limit = hang_of(HANG_QUADRATIC, 64, 3.0, 0.3);
+    const struct hang limit = hang_limit(0.3);
     double error[COUNT(grading)], step[3][3], order[3];
     struct work pushed[COUNT(push)];
 

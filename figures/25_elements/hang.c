@@ -199,6 +199,23 @@ struct hang hang_of(enum hang_element element, int n, double m, double nu)
     return hang;
 }
 
+struct hang hang_limit(double nu)
+{
+    struct hang run[3];
+    for (int j = 0; j < 3; j++)
+        run[j] = hang_of(HANG_QUADRATIC, 32 << j, 3.0, nu);
+    const double ratio =
+        hang_apart(&run[0], &run[1]) / hang_apart(&run[1], &run[2]);
+    const double of_div =
+        (run[1].div - run[0].div) / (run[2].div - run[1].div);
+    struct hang limit = run[2];
+    for (int r = 0; r < 2 * HANG_SHARED; r++)
+        limit.u[r] += (run[2].u[r] - run[1].u[r]) / (ratio - 1.0);
+    limit.sag += (run[2].sag - run[1].sag) / (ratio - 1.0);
+    limit.div += (run[2].div - run[1].div) / (of_div - 1.0);
+    return limit;
+}
+
 double hang_apart(const struct hang *a, const struct hang *b)
 {
     double apart = 0.0, size = 0.0;
