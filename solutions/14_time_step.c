@@ -8,10 +8,10 @@
  * Three systems, one code (model.h): a single mode u'' = -w^2 u, a linear bar
  * fixed at one end, and the nonlinear square.
  *
- *     frame     0         1         2         3       all implicit methods are
- *     time      |----+----|----+----|----+----|--     one: backward Euler from
- *               u0  u_m   u+                          some state (a, b), by
- *                                                     some step d
+ *     frame     0         1         2         3       each implicit method
+ *     time      |----+----|----+----|----+----|--     contains one step d of
+ *               u0  u_m   u+                          backward Euler, from
+ *                                                     some state (a, b)
  *
  * Run       make lesson-14; make lesson-14 ARGS=-h lists its options
  * PREDICT 1a fraction of a 9.17 Hz mode after a backward step of 1/30 s: ...

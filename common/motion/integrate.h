@@ -2,8 +2,8 @@
  * integrate.h - steps in time of the models of model.h: four methods, and the
  * frame of a loop that has to go on whatever happens.
  *
- * All implicit methods are one: backward Euler from some state (a, b), by a
- * step of length d [eq:one-solve], u* = solve(d, a, b) and v* = (u* - a) / d.
+ * Each implicit method contains one step of backward Euler, of length d, from
+ * some state (a, b) [eq:one-solve]: u* = solve(d, a, b), v* = (u* - a) / d.
  *
  *     BACKWARD_EULER     a = u0, b = v0, d = dt;  u+ = u*, v+ = v*
  *     IMPLICIT_MIDPOINT  a = u0, b = v0, d = dt/2, boundary values half-way;
