@@ -2,12 +2,12 @@
  * orders.c - does the exponent of the corner predict how fast elements of
  * degree k on a mesh that is graded with m converge?
  *
- * 2 min(k, p m) with p of material_corner(), in six cases at nu = 0.3, and of
- * quadratic triangles near 1/2, where graded ones fall short of it.  Tables: the
- * error at the vertices that all meshes have, against the limit; the prediction
- * beside the last order; and how quadratic triangles with a larger m go on at
- * nu = 0.3, of which nothing is proved.  The limit is extrapolated, since that
- * of n = 128 alone hides up to a tenth of the smallest errors.
+ * 2 min(k, p m) with p of material_corner(), in six cases at nu = 0.3, and for
+ * quadratic triangles near 1/2, where graded ones fall short of it.  Tables:
+ * the error at the vertices that all meshes have, against the limit; the
+ * prediction beside the last order; and how quadratic triangles with a larger m
+ * go on at nu = 0.3, of which nothing is proved.  The limit is extrapolated,
+ * since that of n = 128 alone hides up to a tenth of the smallest errors.
  */
 #include "hang.h"
 
