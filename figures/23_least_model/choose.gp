@@ -35,10 +35,10 @@ plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7 \
          title "bends", \
      "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0 title "turned", \
      "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0 title "moves", \
-     "" index "scenes" using "strained":0 with points ls 4 pt 2 lw 3 ps 0.9 title "strained", \
+     "" index "scenes" using "strained":0 with points ls 4 pt 13 ps 1.0 title "strained", \
      "" index "scenes" using (column("turned") < least ? 9e-3 : NaN):0:(3.3e-3 - 9e-3):(0) \
          with vectors ls 2 notitle, \
      "" index "scenes" using (column("turned") < least ? 0.014 : NaN):0: \
-         (sprintf("both others: %.4f", column("turned"))) with labels left tc ls 2 notitle, \
+         (sprintf("others: %.4f", column("turned"))) with labels left tc ls 2 notitle, \
      "" index "scenes" using (2.4):0:(sprintf("%s, %s", strcol("least"), \
          strcol("state") eq "rest" ? "at rest" : "in motion")) with labels left notitle
