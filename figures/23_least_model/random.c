@@ -6,9 +6,9 @@
  * are named, what the law leaves out: against the log law on the same mesh.
  * Over: by more than the tolerance, wrong: by more than twice the tolerance,
  * which is what an estimate can promise, lost: by more than three times;
- * rich: the rung below would have done.  Near: a number that decides is at least
- * half of the tolerance; turned: over, and turned by at least 0.07, for which
- * the rule wants a finer mesh.  Tables: random, far.
+ * rich: the rung below would have done.  Near: a number that decides is at
+ * least half of the tolerance; turned: over, and turned by at least 0.07, for
+ * which the rule wants a finer mesh.  Tables: random, far (those not near).
  */
 #include "drawn.h"
 #include "numbers.h"
