@@ -94,12 +94,6 @@ static void print_path(const char *name, int m, const struct run *run)
     table_end();
 }
 
-/* Seconds. */
-static int skipped(int i, int m)
-{
-    return size[i] == 16 && m == EVERY;
-}
-
 static void print_runs(const char *name, enum law law,
                        struct run run[SIZES][METHODS])
 {
@@ -108,7 +102,6 @@ static void print_runs(const char *name, enum law law,
     for (int i = 0; i < SIZES; i++)
         for (int m = 0; m < METHODS; m++) {
             struct run *r = &run[i][m];
-            if (skipped(i, m)) continue;
             if (m == HALVED && run[i][ALL].frames == FRAMES)
                 *r = run[i][ALL]; /* no step failed: nothing to halve */
             else
@@ -135,7 +128,6 @@ int main(void)
 
     for (int i = 0; i < SIZES; i++)
         for (int m = 0; m < METHODS; m++) {
-            if (skipped(i, m)) continue;
             const struct run *run = &of_cubic[i][m], *by_log = &of_log[i][m];
             claim((run->frames == FRAMES) == (m >= EVERY) &&
                       by_log->frames < FRAMES,

@@ -32,6 +32,8 @@ said(k) = percent(k) < 0.5 ? "" : k < 3 ? \
 # ... in the middle of its part, or beside it where it is narrow
 middle(k) = to(k) - from(k) < 0.3 ? to(k) + 0.23 : 0.5 * (from(k) + to(k))
 array Color[4] = ["#7FCFB4", "#A9D6F2", "#F3D59A", "#EBB4BE"]
+stats data index "tangled" using (column("J_start") > 0 ? 0 : 1) nooutput
+INVERTED = int(STATS_sum + 0.5)
 set multiplot
 unset key
 unset border
@@ -70,7 +72,8 @@ set lmargin at screen 0.03
 set rmargin at screen 0.49
 set xrange [-3.3:2.6]
 set yrange [-2.4:3]
-set label 1 "a start, 4h (orange: inverted),\nat 2/5 of the size of its end" at screen 0.26, screen 0.375 center
+set label 1 sprintf("a start, 4h (orange: inverted, %d of %d),\nat 2/5 of the size of its end", \
+    INVERTED, STATS_records) at screen 0.26, screen 0.375 center
 plot polygons("$7 > 0", 1) using 1:2 with filledcurves closed \
          fc rgb "#CFE3F0", \
      polygons("$7 <= 0", 1) using 1:2 with filledcurves closed \
