@@ -23,7 +23,7 @@ set label 4 "FLIP" at 150, 0.014 right tc ls 2
 set label 5 "APIC" at 180, 0.16 right tc ls 3
 set label 1 "explicit steps" at graph 0, graph 1.05
 set label 2 "all three\nfail" at 7.3, 0.8 tc rgb "#555555"
-plot for [s = 1:3] data index "energy" every ::8*(s-1)::8*s-1 \
+plot for [s = 1:3] data index "energy" every ::10*(s-1)::10*s-1 \
          using "steps":"lost" with linespoints ls s, \
      data index "energy" every ::0::1 using "steps":(1.2) with points \
          pt 2 ps 1 lw 2 lc rgb "#555555"
@@ -36,7 +36,7 @@ set label 3 "PIC" at 175, 0.75
 set label 4 "FLIP, and finite\nelements (rings)" at 110, 0.075 right tc ls 2
 set label 5 "APIC" at 205, 0.4 left
 set label 1 "implicit steps"
-plot for [s = 1:3] data index "energy" every ::8*(s+2)::8*s+23 \
+plot for [s = 1:3] data index "energy" every ::10*(s+2)::10*s+29 \
          using "steps":"lost" with linespoints ls s, \
      data index "elements" using "steps":"lost" with linespoints ls 8 pt 6 \
          ps 1

@@ -24,13 +24,20 @@ static double iteration(int order, int ppc)
            step_flops_tangent(order, ppc);
 }
 
-/* The worst place of particles; NAN where a step ends with another status. */
-static double particles_error(int order, int cells, int ppc, enum wall wall,
-                              int loads, enum status *status)
+/* The worst place of particles; NAN where a step ends with another status.
+ * Each stands in the middle of `among` (odd), of which the others have no mass:
+ * they only follow the nodes, and tell the error between the particles. */
+static double particles_error(int order, int cells, int ppc, int among,
+                              enum wall wall, int loads, enum status *status)
 {
     const struct material material = material_notes(CUBIC);
-    struct cloud c = cloud_hanging(order, cells, ppc);
+    struct cloud c = cloud_hanging(order, cells, among * ppc);
     struct particle_step step = {.wall = wall};
+    for (int q = 0; q < c.p->n; q++) {
+        const double share = q % among == among / 2 ? among : 0.0;
+        c.p->mass[q] *= share;
+        c.p->volume[q] *= share;
+    }
     *status = OK;
     for (int k = 1; k <= loads && *status == OK; k++) {
         step.g[0] = 500.0 * k / loads;
@@ -57,6 +64,26 @@ static double elements_error(int cells)
     return worst;
 }
 
+/* Of 16 cells with the mirror, over the error of 16 elements. */
+static double anywhere(int order, int ppc, int loads, double elements)
+{
+    enum status status;
+    return particles_error(order, 16, ppc, 31, MIRROR, loads, &status) /
+           elements;
+}
+
+/* The elements' error is that of their middles, where it is largest. */
+static void claim_anywhere(double elements)
+{
+    claim(fabs(anywhere(1, 2, 1, elements) - 1.0) < 1e-3,
+          "anywhere, the linear kernel has the error of the elements");
+    claim(fabs(anywhere(3, 2, 1, elements) - 0.297) < 1e-3 &&
+              fabs(anywhere(3, 4, 10, elements) - 0.207) < 1e-3 &&
+              anywhere(3, 2, 10, elements) > 15.0,
+          "cubic, anywhere: 0.30 of it, 0.21 with ten grids and four per cell, "
+          "more than 15 times with two");
+}
+
 /* A row for every number of cells; error[] of them. */
 static void rows(int order, int ppc, enum wall wall, int loads, double error[])
 {
@@ -64,7 +91,7 @@ static void rows(int order, int ppc, enum wall wall, int loads, double error[])
     for (int k = 0; k < FINEST; k++) {
         const int cells = 8 << k;
         enum status status;
-        error[k] = particles_error(order, cells, ppc, wall, loads, &status);
+        error[k] = particles_error(order, cells, ppc, 1, wall, loads, &status);
         const double slope =
             k > 0 ? study_order(error[k - 1], error[k], 2.0) : NAN;
         table_row(kernel[order - 1], ppc, wall_name(wall), cells,
@@ -120,8 +147,9 @@ int main(void)
     /* The middle of a chord is 1/8 F' h^2 from the curve, a quarter 3/32. */
     for (int k = 0; k < FINEST; k++)
         claim(fabs(once[1][k] / fem[k] - 0.75) < 3e-3, "linear: as a chord");
+    claim_anywhere(fem[1]);
     enum status status;
-    const double near = particles_error(3, 16, 4, MIRROR, 1, &status);
+    const double near = particles_error(3, 16, 4, 1, MIRROR, 1, &status);
     claim(fabs(four[3][1] / near - 0.59) < 0.01 && fabs(near - 1.11e-4) < 1e-6,
           "cubic, four per cell: ten grids have 0.59 of the error of one");
     claim(fabs(iteration(3, 2) / iteration(1, 1) - 5.0) < 0.1, "an iteration "

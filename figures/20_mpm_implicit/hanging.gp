@@ -18,7 +18,7 @@ set xtics (16, 32, 64, 128, 256, 512, 1024)
 set yrange [3e-6:0.1]
 set format y "10^{%T}"
 set format x ""
-set ylabel "largest error of a place (m)"
+set ylabel "largest error of position (m)"
 set label 10 "one grid, two particles per cell" at graph 0, graph 1.045
 set label 1 "finite\nelements" at 14.5, 1.4e-4
 set label 2 "quadratic, nodes\nheld: order 1" at 190, 5e-2 tc ls 2

@@ -14,8 +14,8 @@
 
 #include <math.h>
 
-enum { SIZES = 8 };
-static const int STEPS[SIZES] = {8, 13, 20, 40, 80, 160, 240, 320};
+enum { SIZES = 10 };
+static const int STEPS[SIZES] = {8, 13, 20, 40, 50, 80, 160, 175, 240, 320};
 static const char *const KERNEL[] = {"linear", "quadratic", "cubic"};
 
 /* In how many of ten places the steps fail. */

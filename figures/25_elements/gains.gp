@@ -8,10 +8,10 @@
 load "figures/style.gp"
 set terminal svg size 580,400
 set output out
-array Name[6] = ["weight", "column", "shake", "pull", "swing", "explicit"]
-array Text[6] = ["weight, 0.003", "column, 0.003", "shake, 0.003", \
-                 "pull, 0.001", "swing, 0.01", "explicit, 0.01"]
-array Error[6] = [0.003, 0.003, 0.003, 0.001, 0.01, 0.01]
+array Name[6] = ["weight", "pull", "column", "shake", "swing", "explicit"]
+array Text[6] = ["weight, 0.003", "pull, 0.001", "column, 0.003", \
+                 "shake, 0.003", "swing, 0.01", "explicit, 0.01"]
+array Error[6] = [0.003, 0.001, 0.003, 0.003, 0.01, 0.01]
 of(k, what) = strcol("scene") eq Name[k] && column("error") == Error[k] \
               ? column(what) : NaN
 set datafile missing "-"
@@ -33,4 +33,4 @@ plot for [k = 1:6] data index "gains" using (of(k, "graded")):(k) \
      for [k = 1:6] "" index "gains" using (of(k, "quadratic")):(k) \
          with points ls 1 ps 1, \
      for [k = 1:6] "" index "gains" using (of(k, "both")):(k) \
-         with points ls 3 pt 8 ps 2 lw 2
+         with points ls 3 pt 8 ps 1.4 lw 2

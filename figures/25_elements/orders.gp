@@ -1,5 +1,5 @@
 # orders.gp - the error of linear and quadratic triangles at the vertices, even
-# and graded, against the unknowns, as the n of linear triangles that have as
+# and graded, at nu = 0.3, against the unknowns, as the n of linear triangles that have as
 # many; dashed, in its colour, the order predicted of each.
 # Expected: slopes 2 min(k, p m), p of the corner.
 # Reads   data  tables error, orders
@@ -17,7 +17,7 @@ set label 6 "dashed, and the number: the predicted order" at 470, 0.25 right
 # through a point a little beside the last one of a curve, with its order
 by(x, n, error, order) = error * (x / n)**-order
 of(name, grading) = strcol("element") eq name && column("m") == grading \
-                    ? column("error") : NaN
+                    && column("nu") == 0.3 ? column("error") : NaN
 # as many unknowns as linear triangles of this n
 as(name) = column("n") * (name eq "quadratic" ? 2 : 1)
 set datafile missing "-"

@@ -28,7 +28,8 @@ static const struct {
 struct tally {
     enum status status; /* of the last step */
     int systems, most, factorisations;
-    double apart; /* max|u - answer| in the end (m) */
+    double failed; /* t of the step that failed (s) */
+    double apart;  /* max|u - answer| in the end (m) */
 };
 
 /* answer: [n_dof], written when record. */
@@ -50,6 +51,7 @@ static struct tally run(int n, int g, enum chord chord, int record,
         tally.factorisations += report.factorisations;
         if (report.iterations > tally.most) tally.most = report.iterations;
     }
+    tally.failed = (s->steps + 1) * set.dt;
     if (record) memcpy(answer, s->u, (size_t)s->n_dof * sizeof *answer);
     for (int r = 0; r < s->n_dof; r++)
         tally.apart = fmax(tally.apart, fabs(s->u[r] - answer[r]));
@@ -74,9 +76,11 @@ int main(void)
     for (int g = 0; g < GUESSES; g++) {
         table_begin_note(start[g].name,
                          "n full_mean full_max chord_mean chord_max "
-                         "chord_factorisations difference",
+                         "chord_factorisations difference full_failed "
+                         "chord_failed",
                          "systems per step; chord: factors are kept while "
-                         "max|du| falls below 0.3 of the one before");
+                         "max|du| falls below 0.3 of the one before; failed: "
+                         "t of the step that did (s)");
         for (int k = 0; k < SIZES; k++) {
             const struct tally full = tally[k][g][0], kept = tally[k][g][1];
             const int a = full.status == OK, b = kept.status == OK;
@@ -86,7 +90,8 @@ int main(void)
                       cell_if(b, (double)kept.systems / STEPS),
                       cell_if(b, kept.most),
                       cell_if(b, (double)kept.factorisations / STEPS),
-                      cell_if(a && b, apart));
+                      cell_if(a && b, apart), cell_if(!a, full.failed),
+                      cell_if(!b, kept.failed));
             wrong += !(a && b && apart < 1e-9);
         }
         table_end();

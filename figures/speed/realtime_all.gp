@@ -46,11 +46,11 @@ set xrange [0:1.2 * most("kept")]
 set yrange [4.6:0.4]
 set xtics autofreq
 set ytics ("band (90 to 100)" 1, "dissection (124 to 148)" 2, \
-    "single (128 to 160)" 3, "single, kept (146 to 172)" 4) \
-    scale 0
+    "dissection, single\n(128 to 160)" 3, \
+    "dissection, single,\nkept (146 to 172)" 4) scale 0
 unset grid
 unset ylabel
-set xlabel "largest n in time in 99 of 100 steps (in ten runs); only stretched"
+set xlabel "largest n with 99 of 100 steps in time (brackets: range of ten runs)"
 set style fill solid 0.9 noborder
 do for [k = 1:4] {
     set label k sprintf("%.0f", most(Name[k])) at most(Name[k]), k offset 0.6,0

@@ -48,9 +48,9 @@ do for [k in there] {
 by(word) = strcol("method") eq word ? column("n") : NaN
 if (peer) {
     set label 13 "PETSc, notes" at 156, 384 tc rgb "#666666" \
-        point pt 11 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
+        point pt 1 ps 0.9 lc rgb "#666666" offset 0.8, -0.3
     set label 14 "PETSc, method" at 156, 104 tc rgb "#666666" \
-        point pt 13 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
+        point pt 2 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
 }
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
@@ -58,7 +58,8 @@ plot for [k in there] data index "steps" \
          using (column("samples") < 90 ? of(k) : NaN):"median_ms" \
          with points pt 7 ps 0.3 lc rgb "white", \
      for [word in rows] data index "peer" using (by(word)):"step_ms" \
-         with points pt (word eq "notes" ? 11 : 13) ps 0.7 lc rgb "#666666", \
+         with points pt (word eq "notes" ? 1 : 2) \
+              ps (word eq "notes" ? 0.9 : 0.7) lc rgb "#666666", \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label
@@ -73,7 +74,7 @@ set ylabel "change of u when h is halved, rms (m)"
 set label 10 "1/30 s" at 36, 3.8e-3
 # what the step leaves, figures/work_precision/flagship.c
 set label 12 "error of time" at 900, 2.6e-3 right tc ls 8
-set label 14 "soft start: from the mesh's static answer (n = 8)" at 2.6e-3, 3.1e-5 tc ls 8
+set label 14 "error of time after a soft start (n = 8)" at 2.6e-3, 3.1e-5 tc ls 8
 # a name below the last point, on one of two rows, beside the line of 1/30 s
 array Beside[5] = [1, 1.7, 0.55, 1, 0.65]
 array Below[5] = [6.6e-5, 4.8e-5, 6.6e-5, 4.8e-5, 6.6e-5]

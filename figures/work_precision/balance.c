@@ -88,6 +88,11 @@ static double print_price(const struct trials *s, int meshes, double e)
               cell_rounded(4, s->error[last]), pays, c.flops / answer);
     claim(c.flops > 9.0 * answer, "%s: to decide costs more than nine answers "
           "(%g)", work_scene_name(s->scene), c.flops / answer);
+    claim((s->error[c.taken] > e) == (s->scene == BUCKLE) &&
+              (s->error[last] > 0.5 * e) == (s->scene == BUCKLE), "%s: except "
+          "in the column the answer is good enough, and the finest twice as "
+          "exact as asked (%g, %g; %g)", work_scene_name(s->scene),
+          s->error[c.taken], s->error[last], e);
     claim((s->error[last] > s->error[c.taken]) ==
               (s->scene == SWING || s->scene == BUCKLE), "%s: the finest is "
           "worse than the answer in the swing and in the column only (%g, %g)",
@@ -235,6 +240,10 @@ void balance_tables(struct trials *const s[WORK_SCENES])
     }
     table_end();
     for (int m = 0; m < 2; m++) judge(3 - m, made[m], test[m]);
+    const double late = fmax(fmax(made[0].late, made[1].late), test[0].late);
+    claim(fabs(test[1].late - 1.65) < 0.005 && test[1].late > late, "the "
+          "largest error is 1.65 times what was asked, in other scenes from "
+          "two meshes (%g, %g)", test[1].late, late);
     check_example(s[SLOW_PULL]);
     print_walk(s[SHAKE]);
     for (int m = 0; m < 2; m++) {

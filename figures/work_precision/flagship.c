@@ -120,7 +120,8 @@ int main(void)
     claim(away[3] < 1.1 * away[0] && away[6] > 10.0 * away[0],
           "1920 steps are ten times as far from the static answer as 30 (%g, "
           "%g)", away[6], away[0]);
-    claim(soft[6] < 2.0 * soft[0] && soft[6] < 0.1 * away[6],
-          "with a soft start they are not (%g, %g)", soft[6], soft[0]);
+    claim(soft[6] < 0.2 * soft[0] && soft[6] < 0.1 * away[6],
+          "with a soft start they are much nearer to it than 30 (%g, %g), "
+          "whose distance is their error", soft[6], soft[0]);
     return table_finish();
 }

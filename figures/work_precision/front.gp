@@ -19,11 +19,11 @@ lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
         !seen[$1, int(4 * log($8) + 99), int(4 * log($9))]++)' '%s'", data)
-# of the corners those that have room for a label: 0.35 of the error of the last one
+# of the corners those that have room for a label: 0.38 of the error of the last one
 corners = sprintf("< awk -F'\t' '$0 == \"# front\" { on = 1; print \"scene\tflops\terror\tlabel\"; next } \
     NF == 0 { on = 0 } on && $1 != \"scene\" && $2 == 0 { \
         if ($1 != scene) last = 9; scene = $1; \
-        if ($8 > 0.35 * last) next; last = $8; \
+        if ($8 > 0.38 * last) next; last = $8; \
         element = $12 != \"linear\" ? \", quadr.\" : \"\"; \
         if ($13 > 1) element = element \", graded\"; \
         how = $4 == \"static\" ? \"static n = \" $5 : ($4 ~ /^symp/ ? \"sympl.\" : $4) \" \" $5 \"×\" $6; \

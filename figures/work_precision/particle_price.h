@@ -10,9 +10,9 @@
 double particle_price(const double e[], const double flops[], int sizes,
                       double wanted);
 
-/* Table price_sixteen and its claims: for a few errors the flops of quadratic
- * and cubic kernels over those of elements.  Errors and flops of elements and
- * of the three kernels, on 4, 8 and 16 cells. */
+/* Table price_sixteen and its claims: for a few errors the flops of the three
+ * kernels over those of elements.  Errors and flops of elements and of these
+ * kernels, on 4, 8 and 16 cells; an error is INFINITY where a run fails. */
 void particle_prices(double e[4][3], double flops[4][3]);
 
 #endif

@@ -16,10 +16,10 @@ array Color[7] = ["#000000", "#0072B2", "#D55E00", "#009E73", \
     "#0072B2", "#D55E00", "#009E73"]
 array Dash[7] = [1, 1, 1, 1, 2, 2, 2]
 array Point[7] = [7, 9, 5, 13, 8, 4, 12]
-# the bar, and the block with 16 steps per cell but for linear kernels
+# the bar, and the block with 16 steps per cell
 runs = sprintf("< awk -F'\t' '$0 == \"# runs\" { on = 1; next } NF == 0 { on = 0 } \
     on && ($1 == \"body\" || $8 == \"OK\" && ($1 == \"bar\" || \
-        $1 == \"per_cell\" && $4 == 16 * $3 && $2 != \"linear\"))' '%s'", data)
+        $1 == \"per_cell\" && $4 == 16 * $3))' '%s'", data)
 of(b, k) = strcol("body") eq Body[int(b)] && strcol("curve") eq Curve[int(k)] ? \
     column("error") : NaN
 set multiplot
@@ -50,7 +50,9 @@ do for [b = 1:2] {
         set xrange [1e5:1e9]
         set yrange [1e-3:0.15]
         set label 1 "finite\nelements" at 1.3e5, 2.1e-2
-        set label 2 "quadratic kernels" at 2.2e7, 1.85e-2 right tc rgb Color[3]
+        set label 2 "linear kernels" at 1.5e6, 4.3e-2 right tc rgb Color[2]
+        set label 6 "inverts\non n = 16" at 1.15e7, 1.42e-2 tc rgb Color[2]
+        set label 7 "quadratic" at 2.1e8, 6e-3 right tc rgb Color[3]
         set label 3 "cubic" at 7e7, 2.8e-2 tc rgb Color[4]
         set label 4 "known to" at 1.3e5, 1.45e-3
         set label 5 "points: n = 4, 8, 16" at 8e8, 2.2e-3 right \
