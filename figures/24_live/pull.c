@@ -2,16 +2,15 @@
  * pull.c - how fast may a side be pulled, and from which start?
  *
  * The right side of the square is taken and pulled to the right, backward
- * Euler, dt = 1/30, no second rung: `fast` alone, with 40 systems.  It starts
- * from the elastic lift, from the lift by rows, or from the last state with the
- * held values written in.  Tables: pull (frames lost of 40 at 6 m/s, and the
- * most systems in a frame), limit (of both laws the least speed, in steps of
- * 0.1 m/s, that loses one of the first three frames from the last state, and
- * the jump in one frame over h; under LOG also the largest such speed, and the
- * frames lost of 40 at the fastest hand, 7.5 m/s, and then with the second rung
- * and from the elastic lift),
- * slope (G' of both laws over J: dP/dF of a triangle has the eigenvalue
- * mu - G').
+ * Euler, dt = 1/30, no second rung: `fast` alone, with 40 systems and kept
+ * factors (what new ones do: kept.c).  It starts from the elastic lift, by
+ * rows, or from the last state, held values written in.  Tables: pull (frames
+ * lost of 40 at 6 m/s, and the most systems in a frame), limit (of both laws
+ * the least speed, in steps of 0.1 m/s, that loses one of the first three
+ * frames from the last state, and the jump in one frame over h; under LOG also
+ * the largest such speed, and the frames lost of 40 at the fastest hand, 7.5
+ * m/s, and then with the second rung and from the elastic lift), slope (G' of
+ * both laws over J: dP/dF of a triangle has the eigenvalue mu - G').
  */
 #include "motion/live.h"
 #include "base/options.h"

@@ -17,8 +17,8 @@ set xtics (16, 24, 32, 40, 48, 56, 64)
 set label 1 "G' = μ: 1.28 h per frame" at 15,1.5 tc rgb "black" boxed
 set label 2 "cubic law: frames\nare lost above" at 22.5,6.5 tc rgb "#D55E00" boxed
 set label 3 "circles: log law, none lost at 7.5 m/s, the fastest hand" at 15.2,8.3 tc rgb "#0072B2" boxed
-set label 4 "log law, n = 44\nand more: lost above" at 45.5,4.4 tc rgb "#0072B2" boxed
-set label 5 "bar, n = 42: lost only\nbetween these speeds" at 43,6.15 tc rgb "#0072B2" boxed
+set label 4 "log law, n = 44 and more: lost\nabove, by kept factors" at 45.5,4.4 tc rgb "#0072B2" boxed
+set label 5 "n = 42: lost only\nbetween these speeds" at 43,6.15 tc rgb "#0072B2" boxed
 plot per_frame / x with lines ls 8, \
      data index "limit" using "n":"cubic" with linespoints ls 2, \
      "" index "limit" using "n":(column("log_lost") == 0 ? 7.5 : NaN) \
