@@ -87,12 +87,15 @@ INLINE void volume(const struct material *material, vec weight,
         at->ddG = weight * (material->lambda * dr * dr + pull * ddr);
         return;
     }
+    vec dG = {0.0}, ddG = {0.0};
     for (int l = 0; l < V; l++) {
         const struct volume v =
             material_volume_weighted(material, at->J[l], weight[l]);
-        at->dG[l] = v.dG;
-        at->ddG[l] = v.ddG;
+        dG[l] = v.dG;
+        ddG[l] = v.ddG;
     }
+    at->dG = dG;
+    at->ddG = ddG;
 }
 
 /* The rest of the points of V triangles. */

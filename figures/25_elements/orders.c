@@ -57,6 +57,7 @@ int main(void)
     const struct hang limit = hang_limit(0.3), soft = hang_limit(0.4999);
     double order[KINDS], predicted[KINDS], m_of[KINDS];
 
+    /* near nu = 1/2 the condition of K takes digits */
     table_begin("error", "element nu m n error order");
     for (int k = 0; k < KINDS; k++) {
         const int degree = kind[k].element == HANG_QUADRATIC ? 2 : 1;
@@ -70,8 +71,9 @@ int main(void)
             const double error = hang_apart(&hang, k < SOFT ? &limit : &soft);
             order[k] = study_order(before, error, 2.0);
             table_row(word[kind[k].element], kind[k].nu, m_of[k], n,
-                      cell_rounded(5, error),
-                      n > 8 ? cell_rounded(4, order[k]) : cell_word(MISSING));
+                      cell_rounded(k < SOFT ? 5 : 2, error),
+                      n > 8 ? cell_rounded(k < SOFT ? 4 : 3, order[k])
+                            : cell_word(MISSING));
             before = error;
         }
     }
@@ -79,7 +81,7 @@ int main(void)
     table_begin("orders", "element nu m predicted observed n");
     for (int k = 0; k < KINDS; k++)
         table_row(word[kind[k].element], kind[k].nu, m_of[k], predicted[k],
-                  cell_rounded(4, order[k]), kind[k].last);
+                  cell_rounded(k < SOFT ? 4 : 3, order[k]), kind[k].last);
     table_end();
     table_begin("steeper", "m predicted order_16 order_32 order_64");
     for (double m = 2.0; m <= 3.0; m += 0.5) {

@@ -45,7 +45,7 @@ static void print(const char *name, int every)
                                    cell_number(unknowns(kind[k].element,
                                                         8 << j))};
             for (int r = 0; r < RATIOS; r++) {
-                row[4 + r] = cell_rounded(4, missing[k][j][r]);
+                row[4 + r] = cell_rounded(3, missing[k][j][r]);
                 row[7 + r] = cell_rounded(4, div[k][j][r]);
             }
             table_row_of(10, row);
@@ -64,7 +64,7 @@ static void finer(const struct hang *limit)
                 hang_of(HANG_LINEAR, 32 << j, kind[k].m, nu[RATIOS - 1]);
             lacks[j] = 1.0 - hang.sag / limit->sag;
             table_row(word[HANG_LINEAR], kind[k].m, 32 << j,
-                      cell_rounded(4, lacks[j]),
+                      cell_rounded(3, lacks[j]),
                       cell_rounded(4, hang.div / limit->div));
         }
         claim(lacks[1] > 0.2 && lacks[3] < 0.1 && lacks[3] < 0.6 * lacks[2],

@@ -35,7 +35,7 @@ if [ "$said" = 2 ]; then echo 'ok wide: the cheat sheet prints on two pages'
 else echo "FAIL wide: the cheat sheet prints on two pages: $said"; fi
 # and it would be seen: larger letters
 cp "$tmp/book/book.css" "$tmp/css" &&
-    sed '/CHEATSHEET/s/[0-9.]*pt; line/9pt; line/' "$tmp/css" >"$tmp/book/book.css"
+    sed '/CHEATSHEET/s/[0-9.]*pt; line/12pt; line/' "$tmp/css" >"$tmp/book/book.css"
 said=$(printed)
 cp "$tmp/css" "$tmp/book/book.css"
 if [ "${said:-0}" -gt 2 ]; then echo 'ok wide: larger letters need more pages'
