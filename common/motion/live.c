@@ -225,9 +225,9 @@ enum status live_lift(struct body *body, struct incremental Phi,
     return live_lift_within(body, Phi, u0, g, tangent, LIVE_LEAP, u);
 }
 
-/* Where no rung comes after it, `fast` may take its time. */
 static const struct step_control
-    LIVE_FAST = {LIVE_TOLERANCE, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER},
+    LIVE_FAST = {LIVE_TOLERANCE, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER};
+const struct step_control
     LIVE_ALONE = {LIVE_TOLERANCE, 40, FROM_LAST, 0, 1, 0, NEVER};
 const struct step_control LIVE_DOWNHILL = {
     LIVE_TOLERANCE, FRAME_SYSTEMS, FROM_LAST, 0, 0, 1, ON_DEMAND};

@@ -140,6 +140,9 @@ enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);
 extern const struct step_control LIVE_DOWNHILL;
 
+/* `fast` where no rung comes after it: then it may take its time. */
+extern const struct step_control LIVE_ALONE;
+
 /* The same on another way: by another lift and its K, after so many tries, of
  * which each goes half as far as the one before, with another control. */
 typedef enum status live_lifter(struct body *body, struct incremental Phi,

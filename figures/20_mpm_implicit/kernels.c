@@ -14,8 +14,6 @@
 
 #include <math.h>
 
-enum { SIZES = 10 };
-static const int STEPS[SIZES] = {8, 13, 20, 40, 50, 80, 160, 175, 240, 320};
 static const char *const KERNEL[] = {"linear", "quadratic", "cubic"};
 
 /* In how many of ten places the steps fail. */
@@ -37,10 +35,10 @@ static double print_cheapest(double may_lose, int order)
     enum transfer scheme = PIC;
     int steps = 0;
     for (int s = PIC; s <= APIC; s++)
-        for (int k = 0; k < SIZES; k++) {
+        for (int k = 0; k < RINGING_SIZES; k++) {
             const enum transfer transfer = (enum transfer)s;
             const struct ringing b =
-                ringing_particles(of, transfer, 0.0, STEPS[k]);
+                ringing_particles(of, transfer, 0.0, RINGING_STEPS[k]);
             if (!(fabs(1.0 - b.left) <= may_lose)) continue;
             if (b.flops > best.flops ||
                 (b.flops == best.flops &&
@@ -48,7 +46,7 @@ static double print_cheapest(double may_lose, int order)
                 continue;
             best = b;
             scheme = transfer;
-            steps = STEPS[k];
+            steps = RINGING_STEPS[k];
         }
     claim(steps > 0, "some explicit steps lose as little");
     table_row(may_lose, KERNEL[order - 1], transfer_name(scheme), steps,

@@ -9,6 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+const int RINGING_STEPS[RINGING_SIZES] = {8,  13,  20,  40,  50,
+                                          80, 160, 175, 240, 320};
+
 static double energy(const struct particles *p, const struct material *m)
 {
     return particles_moments(p).kinetic + particles_elastic(p, m);

@@ -7,7 +7,10 @@
 
 #include "particles/particle_bodies.h"
 
-enum { RINGING_CELLS = 8 };
+enum { RINGING_CELLS = 8, RINGING_SIZES = 10 };
+
+/* Into how many steps the period is divided. */
+extern const int RINGING_STEPS[RINGING_SIZES];
 
 struct ringing {
     /* The energy, kinetic of the particles (without APIC's B) and elastic, over

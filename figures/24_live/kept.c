@@ -24,8 +24,8 @@
 static enum status alone(struct live *live, enum chord chord, double u[],
                          double v[], struct live_report *report)
 {
-    const struct step_control control = {LIVE_TOLERANCE, 40, FROM_LAST, 0,
-                                         chord, 0, NEVER};
+    struct step_control control = LIVE_ALONE;
+    control.chord = chord;
     const struct state *now = &live->now;
     const size_t n = (size_t)live->n_dof;
     double *w = allocate(n, sizeof *w);

@@ -8,16 +8,14 @@
  * meshes and from two, asked for the errors 0.5, 0.4, ... as far as a setting
  * gets: its flops over those of the cheapest that is as good (same; of all
  * settings, all), over those of the cheapest for what was asked (over), and its
- * own price.  In the column
- * some of its answers are good by luck, and so are others on the front (luck).
+ * own price.
  */
 #ifndef FIGURES_BALANCE_H
 #define FIGURES_BALANCE_H
 
 #include "trials.h"
 
-/* Tables: rule, sums over its scenes, walk, price_three, price_two, parts,
- * luck; claims. */
+/* Tables: rule, sums over its scenes, price_three, price_two; claims. */
 void balance_tables(struct trials *const s[WORK_SCENES]);
 
 #endif

@@ -9,6 +9,7 @@
  * balance.h makes of the same runs and of those in two other scenes.
  */
 #include "balance.h"
+#include "parts.h"
 #include "rule.h"
 
 #include "base/options.h"
@@ -112,6 +113,7 @@ int main(void)
     table_end();
     print_cheapest(s);
     balance_tables(s);
+    parts_tables(s);
     compare_tolerances(s);
     compare_meshes(s[SLOW_PULL]);
     for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
