@@ -9,10 +9,11 @@
 enum {
 #ifdef HURRIED             /* a test of what becomes of an endless loop */
     SECONDS_COMPUTING = 1,
+    SECONDS_JUDGING = 3,
 #else
     SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
-#endif
     SECONDS_JUDGING = 12,  /* the same, of all children together */
+#endif
     SECONDS_IDLE = 5,      /* wall time in which none of them computes */
     SECONDS_WAITING = 60,  /* wall time, where idleness cannot be seen */
     MEGABYTES_OUTPUT = 8,  /* in one file */

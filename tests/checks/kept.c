@@ -47,6 +47,7 @@ void keep_outputs(const char *program)
     *strrchr(path, '/') = '\0'; /* its folder */
     if (mkdir(path, 0777) < 0)
         quit("cannot make %s: %s", path, strerror(errno));
+    child_restart_clock(); /* each program has the time of a judgement */
     for (int r = 0; r < judging.lesson->n_run; r++) {
         const double before = child_seconds();
         snprintf(options, sizeof options, "%s%s", mode,

@@ -202,10 +202,26 @@ none() { # none NUMBER WHAT TEXT
         [ ! -f build/progress/$nn.pass ] && echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
     result $? "$2 gives no verdict, and says $3" "status $status: $said"
 }
+# Three programs that compute for 0.4 s in each of their five runs are all kept to
+# their ends: the limit, 3 s here, is that of one program.
+kept_programs() {
+    mkdir -p build/three/kept
+    echo '#include <time.h>
+        int main(void) { while (clock() < 4 * (CLOCKS_PER_SEC / 10)) {} }' >build/three/a.c
+    ${CC:-cc} build/three/a.c -o build/three/a
+    cp build/three/a build/three/b
+    cp build/three/a build/three/c
+    "build/solutions/$slug.judge" --keep build/three/kept build/three/[abc]
+    ended=$(cat build/three/kept/*/*.ending)
+    [ "$(echo "$ended" | grep -c '^0 0 ')" = 15 ]
+    result $? 'each program is kept as if it were alone' "$ended"
+    rm -r build/three
+}
 others() {
     prepare "$1"
     remade -DHURRIED
     programs | grep -E "$hurried" | each 200
+    kept_programs
     remade -DWITHOUT_LANDLOCK
     number=100
     programs | grep -e '^kills its parent' -e '^stops its parent' \
