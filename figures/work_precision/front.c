@@ -2,11 +2,11 @@
  * front.c - for a wanted error, which setting is the cheapest?
  *
  * All settings of trials.h in six scenes: error against counted flops.  Table
- * front: those that nothing cheaper is as good as, of equal cost the one with
- * the smallest error (asked 0), the same among even linear triangles (-1), and, with the error that was asked for, what the
- * rule [alg:balance] takes of these from three meshes for 0.5, 0.4, ... as far
- * as a setting gets.  Table cheapest: the first for a few errors.  Then what
- * balance.h makes of the same runs and of those in two other scenes.
+ * front: those that no other of at most their cost is as good as (asked 0), the
+ * same among even linear triangles (-1), and, with the error that was asked for,
+ * what the rule [alg:balance] takes of these from three meshes for 0.5, 0.4, ...
+ * as far as a setting gets.  Table cheapest: the first for a few errors.  Then
+ * what balance.h makes of the same runs and of those in two other scenes.
  */
 #include "balance.h"
 #include "parts.h"
@@ -18,8 +18,8 @@
 
 #include <math.h>
 
-/* The front of the first `count` settings; how many of its corners have an error
- * below what is known of the truth. */
+/* The front of the first `count` settings; how many of its corners have an
+ * error below what is known of the truth. */
 static int print_front(const struct trials *s, int count, double asked)
 {
     double last = 0.0;
@@ -130,8 +130,8 @@ int main(void)
     compare_tolerances(s);
     compare_meshes(s[SLOW_PULL]);
     for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
-    claim(below == 2 && pushed == 2, "only the last two corners of the push are "
-          "below what is known of the truth (%d, %d)", below, pushed);
+    claim(below == 2 && pushed == 2, "only the last two corners of the push "
+          "are below what is known of the truth (%d, %d)", below, pushed);
     claim(failed == squeezed, "only symplectic Euler fails, and other "
           "elements whose corner is squeezed (%d, %d)", failed, squeezed);
     return table_finish();
