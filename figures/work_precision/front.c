@@ -3,10 +3,11 @@
  *
  * All settings of trials.h in six scenes: error against counted flops.  Table
  * front: those that no other of at most their cost is as good as (asked 0), the
- * same among even linear triangles (-1), and, with the error that was asked for,
- * what the rule [alg:balance] takes of these from three meshes for 0.5, 0.4, ...
- * as far as a setting gets.  Table cheapest: the first for a few errors.  Then
- * what balance.h makes of the same runs and of those in two other scenes.
+ * same among even linear triangles (-1), and, with the error that was asked
+ * for, what the rule [alg:balance] takes of these from three meshes for 0.5,
+ * 0.4, ... as far as a setting gets.  Table cheapest: the first for a few
+ * errors.  Then what balance.h makes of the same runs and of those in two other
+ * scenes.
  */
 #include "balance.h"
 #include "parts.h"
