@@ -20,8 +20,7 @@ struct judged_rung {
  * of these errors beyond the tolerance, twice and three times it, scenes for
  * which a lower rung would have done, and those in which neither is so. */
 enum judged_count {
-    JUDGED, REACHED, ACCEPTED, ABOVE, TWICE, THRICE, LOWER, RIGHT,
-    COUNTS
+    JUDGED, REACHED, ACCEPTED, ABOVE, TWICE, THRICE, LOWER, RIGHT, COUNTS
 };
 struct judged {
     int of[COUNTS];
