@@ -9,7 +9,8 @@
  * over a square adds.
  *
  * Tables: all runs; and the flops at which an error at the shared vertices is
- * reached, as trial_at() interpolates them, `-` where the finest mesh errs more.
+ * reached, as trial_at() interpolates them, `-` where the finest mesh errs
+ * more.
  */
 #include "hang.h"
 #include "trial.h"
@@ -132,8 +133,8 @@ int main(void)
           "%g, %g)", cost[2][0], cost[4][0], cost[6][0]);
     claim(cost[3][0] < cost[7][0] && cost[3][0] < cost[5][0] &&
               cost[7][0] < 1.15 * cost[3][0],
-          "graded, 3 %%: averaged triangles cost least, quadratic ones with m = "
-          "2 at most 15 %% more (%g, %g)", cost[3][0], cost[7][0]);
+          "graded, 3 %%: averaged triangles cost least, quadratic ones with "
+          "m = 2 at most 15 %% more (%g, %g)", cost[3][0], cost[7][0]);
     for (int t = 1; t < 3; t++)
         claim(cost[7][t] < cost[3][t] && cost[7][t] < cost[5][t] &&
                   cost[7][t] < cost[8][t],
