@@ -60,7 +60,7 @@ static struct point point(const struct mesh *mesh, int e, int k)
     return p;
 }
 
-static double strain_squared(const double H[2][2])
+static double strain_squared(double H[2][2])
 {
     const double shear = H[0][1] + H[1][0];
     return H[0][0] * H[0][0] + H[1][1] * H[1][1] + 0.5 * shear * shear;

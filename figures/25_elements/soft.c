@@ -20,7 +20,6 @@
 #include "base/table.h"
 #include "linear/sparse.h"
 #include "material/material.h"
-#include "plane/elements.h"
 #include "plane/quadratic.h"
 
 #include <math.h>
