@@ -6,11 +6,11 @@
  * when the 99 % quantile of their times is at most 1/30 s, so that at most one
  * of the ninety is late; `single` is dissection in single precision, `kept` the
  * same with factors kept across steps [alg:kept].  Table swing: 190 steps, in
- * which it is pressed from t = pi on and let go again (dissection); in time when
- * all are.  There a step takes up to hundreds of systems, so that `capped` stops
- * at 8 and goes on from what the line search has reached [alg:line-search],
- * which has less Phi than the guess.  The largest n is found by halving an
- * interval.  What is late because of another program is run once more.
+ * which it is pressed from t = pi on and let go again (dissection); in time
+ * when all are.  There a step takes up to hundreds of systems, so that `capped`
+ * stops at 8 and goes on from what the line search has reached
+ * [alg:line-search], which has less Phi than the guess.  The largest n is found
+ * by halving an interval.  What is late is run again, as others may run too.
  */
 #include "base/clock.h"
 #include "plane/scene.h"
