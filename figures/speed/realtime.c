@@ -3,14 +3,14 @@
  *
  * The stretch of step.c, on one thread.  Table realtime: its first ninety
  * steps, while it is stretched, with the jolt of the start; an n is in time
- * when 99 of 100 of them take at most 1/30 s; `single` is dissection in single
- * precision, `kept` the same with factors kept across steps [alg:kept].  Table
- * swing: 190 steps, in which it is pressed from t = pi on and let go again
- * (dissection); in time when all are.  There a step takes up to hundreds of
- * systems, so that `capped` stops at 8 and goes on from what the line search
- * has reached [alg:line-search], which has less Phi than the guess.  The
- * largest n is found by halving an interval.  What is late may be so because of
- * another program, and is run once more.
+ * when the 99 % quantile of their times is at most 1/30 s, so that at most one
+ * of the ninety is late; `single` is dissection in single precision, `kept` the
+ * same with factors kept across steps [alg:kept].  Table swing: 190 steps, in
+ * which it is pressed from t = pi on and let go again (dissection); in time
+ * when all are.  There a step takes up to hundreds of systems, so that `capped`
+ * stops at 8 and goes on from what the line search has reached
+ * [alg:line-search], which has less Phi than the guess.  The largest n is found
+ * by halving an interval.  What is late is run again, as others may run too.
  */
 #include "base/clock.h"
 #include "plane/scene.h"
@@ -26,8 +26,8 @@ static const int sizes[] = {16, 24, 32, 48, 64};
 enum { SIZES = sizeof sizes / sizeof *sizes, RUNS = 2 };
 enum { FRAMES = 90, SWING = 190, STEP = 2, LEAST = 16, MOST = 400, CAP = 8 };
 
-/* Seconds that 99 of 100 steps do not exceed; INFINITY as soon as two of them
- * are late. */
+/* The 99 % quantile of the seconds of a step; INFINITY as soon as two are late,
+ * since it is late then. */
 static double slowest(int k, int n)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);

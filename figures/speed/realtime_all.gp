@@ -1,4 +1,4 @@
-# realtime_all.gp - the worst frame of a whole swing, with and without a cap of
+# realtime_all.gp - the longest step of a whole swing, with and without a cap of
 # systems, and the largest n that is in time, there and while the body is
 # stretched.
 # Reads   data  tables realtime (solver n p99_ms), swing (systems n worst_ms),
@@ -26,10 +26,10 @@ set xrange [14:74]
 set yrange [0.1:1e4]
 set ytics 0.1, 10, 1e4
 set xlabel "squares per side n"
-set ylabel "worst frame of the swing (ms)" offset 1
+set ylabel "longest step of the swing (ms)" offset 1
 set grid noxtics
-set label 1 "at most 300\nsystems per frame" at 26,500 tc ls 2
-set label 2 sprintf("at most 8 systems per frame,\nall in time up to n = %.0f", \
+set label 1 "at most 300\nsystems per step" at 26,500 tc ls 2
+set label 2 sprintf("at most 8 systems per step,\nall in time up to n = %.0f", \
     most("capped_most")) at 29,5 tc ls 1
 set label 3 "1/30 s" at 15,55
 plot data index "swing" using (of("all")):"worst_ms" with linespoints ls 2, \
@@ -50,7 +50,7 @@ set ytics ("band (90 to 100)" 1, "dissection (124 to 148)" 2, \
     "dissection, single,\nkept (146 to 172)" 4) scale 0
 unset grid
 unset ylabel
-set xlabel "largest n with 99 of 100 steps in time (brackets: range of ten runs)"
+set xlabel "largest n with at most one of 90 steps late (brackets: ten runs)"
 set style fill solid 0.9 noborder
 do for [k = 1:4] {
     set label k sprintf("%.0f", most(Name[k])) at most(Name[k]), k offset 0.6,0

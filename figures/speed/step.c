@@ -117,7 +117,8 @@ static struct cell ms(const struct times *t, double fraction)
     return cell_if(t->runs > 0, 1e3 * times_quantile(t, fraction));
 }
 
-/* growth: exponent from n / 2 to n; real_time: 99 of 100 frames are in time. */
+/* growth: exponent from n / 2 to n; real_time: the 99 % quantile is in
+ * time, so that of ninety steps at most one is late. */
 static void print_method(int k, const struct measured m[])
 {
     for (int i = 0; i < SIZES; i++) {
