@@ -21,7 +21,7 @@ set logscale x
 set xrange [0.01:100]
 set yrange [0:1.6]
 set xlabel "ω Δt"
-set ylabel "amplitude after / before one step"
+set ylabel "growth of the amplitude per step\n(spectral radius)"
 set arrow 1 from 2, 0 to 2, 1.6 nohead ls 8
 set style textbox opaque noborder margins 0.4,0.4
 set label 1 "ω Δt = 2" at 1.7, 1.48 right front boxed

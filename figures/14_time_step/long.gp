@@ -1,81 +1,34 @@
-# long.gp - a cat in the phase plane of one mode, every three steps of half a
-# radian, by each method (grey: the start; the number: what is left of its
-# area), and the energy of the square over a hundred thousand steps.
-# Expected: areas 1, 1, and 1.25^-k for backward Euler.
-# Reads   data  tables cat, long
+# long.gp - the energy of the square over a hundred thousand steps, of each
+# method the least and the largest in blocks of steps.
+# Expected: about 1 (midpoint), bounded (symplectic Euler), to 0 (the others).
+# Reads   data  table long
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/14_time_step/long.tsv"
 if (!exists("out"))  out  = "figures/14_time_step/long.svg"
 load "figures/style.gp"
-set terminal svg size 640,1080 enhanced font "Helvetica,19" \
+set terminal svg size 640,420 enhanced font "Helvetica,15" \
     background rgb "white"
 set output out
 array Key[4] = ["symplectic", "backward", "midpoint", "bdf2"]
-array Name[4] = ["symplectic Euler", "backward Euler", "midpoint", "BDF2"]
 array Style[4] = [2, 1, 3, 4]
-# The outline number j = 0..3 of method m has the rows 30 (4 (m - 1) + j) on.
-row(m, j) = 30 * (4 * (m - 1) + j)
-set multiplot
-unset key
-set size ratio -1
-set xrange [-1.6:1.6]
-set yrange [-1.6:1.6]
-set xtics 1
-set ytics 1
-do for [m = 1:4] {
-    col = (m - 1) % 2
-    line = (m - 1) / 2
-    set lmargin at screen 0.14 + 0.43 * col
-    set rmargin at screen 0.54 + 0.43 * col
-    set tmargin at screen 0.965 - 0.27 * line
-    set bmargin at screen 0.735 - 0.27 * line
-    set format x line == 1 ? "%g" : ""
-    set format y col == 0 ? "%g" : ""
-    set xlabel line == 1 ? "u" : ""
-    set ylabel col == 0 ? "v / ω" : ""
-    stats data index "cat" using "area" every ::row(m, 3)::row(m, 3) nooutput
-    set label 1 sprintf("%s, area %.2f", Name[m], STATS_max) at graph 0.5, graph 1.08 \
-        center
-    # the cats' steps, in the first panel
-    do for [j = 1:m == 1 ? 3 : 0] {
-        stats data index "cat" using "u":"v" every ::row(m, j)::row(m, j)+29 nooutput
-        set label 10 + j sprintf("%d", 3 * j) at STATS_mean_x, STATS_mean_y center front
-    }
-    plot data index "cat" using "u":"v" every ::row(m, 0)::row(m, 0)+29 \
-             with filledcurves closed lc rgb "#bbbbbb", \
-         for [j = 1:3] data index "cat" using "u":"v" \
-             every ::row(m, j)::row(m, j)+29 \
-             with filledcurves closed ls Style[m] fs transparent solid 0.35, \
-         for [j = 1:3] data index "cat" using "u":"v" \
-             every ::row(m, j)::row(m, j)+29 with lines ls Style[m] lw 1
-    unset label
-}
-unset label
-set lmargin at screen 0.15
-set rmargin at screen 0.955
-set tmargin at screen 0.365
-set bmargin at screen 0.075
 unset key
 set style textbox opaque noborder margins 0.6,0.6
 set label 3 "symplectic Euler" at 1e3, 1.18 center front
 set label 4 "midpoint" at 1e4, 1 center tc ls 3 front boxed
 set label 5 "BDF2" at 2.5e2, 0.43 left tc ls 4 front boxed
 set label 6 "backward Euler" at 45, 0.18 left tc ls 1 front
-set size noratio
 set logscale x
 set format x "10^{%T}"
 set format y "%g"
-set xtics autofreq
 set ytics 0.2
 set xrange [10:1e5]
 set yrange [0:1.5]
 set xlabel "steps"
-set ylabel "energy, start: 1"
+set ylabel "energy over that of the start"
 only(m, y) = strcol("method") eq Key[m] ? column(y) : NaN
 plot for [m = 1:4] data index "long" \
          using "steps":(only(m, "least")):(only(m, "most")) \
          with filledcurves ls Style[m] fs transparent solid 0.5, \
      for [m = 1:4] data index "long" using "steps":(only(m, "most")) \
          with lines ls Style[m] lw 1.5
-unset multiplot
 set output

@@ -7,7 +7,7 @@
 if (!exists("data")) data = "build/data/23_least_model/choose.tsv"
 if (!exists("out"))  out  = "figures/23_least_model/choose.svg"
 load "figures/style.gp"
-set terminal svg size 560,530
+set terminal svg size 560,500
 set output out
 set logscale x
 least = 3e-3
@@ -25,20 +25,29 @@ set arrow 2 from 2.2, graph 0 to 2.2, graph 1 nohead ls 9
 set label 1 "leave it out" at 0.085, 15.95 right textcolor rgb "#555555"
 set label 2 "add it" at 0.12, 15.95 left textcolor rgb "#555555"
 set label 3 "enough for 10 %" at 2.4, -0.85 left textcolor rgb "#555555"
-set key above center horizontal maxrows 1 noreverse Right samplen 0.5
+unset key
 set ytics scale 0
 unset grid
 set grid x back ls 9
+# each kind of mark is named once, where there is room beside it
+named(scene, number) = strcol("scene") eq scene ? column(number) : NaN
 # the ring is wide enough to be seen around a triangle
 # two numbers of slender-column are too small to be in the picture: an arrow
-plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7 \
-         title "bends", \
-     "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0 title "turned", \
-     "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0 title "moves", \
-     "" index "scenes" using "strained":0 with points ls 4 pt 13 ps 1.0 title "strained", \
+plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7, \
+     "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0, \
+     "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0, \
+     "" index "scenes" using "strained":0 with points ls 4 pt 13 ps 1.0, \
+     "" index "scenes" using (named("cantilever", "strained")):0:("strained") \
+         with labels right offset -1.2,0 tc ls 4, \
+     "" index "scenes" using (named("below-buckling", "bends")):0:("bends") \
+         with labels left offset 1.4,0 tc ls 8, \
+     "" index "scenes" using (named("slow-pull", "turned")):0:("turned") \
+         with labels left offset 1.2,0 tc ls 2, \
+     "" index "scenes" using (named("fast-pull", "moves")):0:("moves") \
+         with labels left offset 1.2,0 tc ls 1, \
      "" index "scenes" using (column("turned") < least ? 9e-3 : NaN):0:(3.3e-3 - 9e-3):(0) \
-         with vectors ls 2 notitle, \
+         with vectors ls 2, \
      "" index "scenes" using (column("turned") < least ? 0.014 : NaN):0: \
-         (sprintf("others: %.4f", column("turned"))) with labels left tc ls 2 notitle, \
+         (sprintf("others: %.4f", column("turned"))) with labels left tc ls 2, \
      "" index "scenes" using (2.4):0:(sprintf("%s, %s", strcol("least"), \
-         strcol("state") eq "rest" ? "at rest" : "in motion")) with labels left notitle
+         strcol("state") eq "rest" ? "at rest" : "in motion")) with labels left

@@ -75,7 +75,7 @@ static void print_count(int q, int t, struct judged c, struct judged *sum)
 {
     table_row(quantity_name[q], 100.0 * judged_wanted[t], c.of[JUDGED],
               c.of[REACHED], c.of[ACCEPTED], c.of[ABOVE], c.of[TWICE],
-              c.of[THRICE], c.of[LOWER]);
+              c.of[THRICE], c.of[LOWER], c.of[RIGHT]);
     judged_add(sum, c);
 }
 
@@ -104,7 +104,7 @@ int main(void)
     table_end();
     gsl_rng_free(random);
     table_begin("counts", "quantity tolerance judged reached accepted above "
-                          "twice thrice lower");
+                          "twice thrice lower right");
     for (int q = 0; q < QUANTITIES; q++)
         for (int t = 0; t < JUDGED_WANTED; t++)
             print_count(q, t, count[q][t], &sum[q]);

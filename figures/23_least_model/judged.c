@@ -49,6 +49,7 @@ static struct judged judge(struct judged_rung rung[], int n, int t)
     c.of[ABOVE] = rung[k].error > wanted;
     c.of[TWICE] = rung[k].error > 2.0 * wanted;
     c.of[THRICE] = rung[k].error > 3.0 * wanted;
+    c.of[RIGHT] = !c.of[ABOVE] && !c.of[LOWER];
     rung[k].how[t] = c.of[TWICE]   ? "wrong"
                      : c.of[LOWER] ? "lower"
                      : c.of[ABOVE] ? "above"

@@ -17,10 +17,10 @@ struct judged_rung {
 };
 
 /* Scenes judged, those that some rung meets, those for which one was accepted;
- * of these errors beyond the tolerance, twice and three times it, and scenes
- * for which a lower rung would have done. */
+ * of these errors beyond the tolerance, twice and three times it, scenes for
+ * which a lower rung would have done, and those in which neither is so. */
 enum judged_count {
-    JUDGED, REACHED, ACCEPTED, ABOVE, TWICE, THRICE, LOWER, COUNTS
+    JUDGED, REACHED, ACCEPTED, ABOVE, TWICE, THRICE, LOWER, RIGHT, COUNTS
 };
 struct judged {
     int of[COUNTS];

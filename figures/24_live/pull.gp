@@ -14,14 +14,14 @@ set ylabel "speed of the side in the hand (m/s)"
 set xrange [14:66]
 set yrange [1:9]
 set xtics (16, 24, 32, 40, 48, 56, 64)
-set label 1 "G' = μ: 1.28 h per frame" at 15,1.5 tc rgb "black" boxed
-set label 2 "cubic law: frames\nare lost above" at 22.5,6.5 tc rgb "#D55E00" boxed
-set label 3 "circles: log law, none lost at 7.5 m/s, the fastest hand" at 15.2,8.3 tc rgb "#0072B2" boxed
-set label 4 "log law, n = 44 and more: lost\nabove, by kept factors" at 45.5,4.4 tc rgb "#0072B2" boxed
-set label 5 "n = 42: lost only\nbetween these speeds" at 43,6.15 tc rgb "#0072B2" boxed
+set label 1 "dashed: G' = μ, a jump\nof 1.28 h per frame" at 15,1.9 tc rgb "black" boxed
+set label 2 "cubic law: frames are\nlost above this line" at 22.5,6.5 tc rgb "#D55E00" boxed
+set label 3 "log law, n = 16 to 40: no frame is lost\nup to 7.5 m/s, the fastest hand" at 15.2,8.5 tc rgb "#0072B2" boxed
+set label 4 "log law, n = 44 to 64: lost above\nthis line, because factors are kept" at 44.5,4.4 tc rgb "#0072B2" boxed
+set label 5 "log law, n = 42: frames are lost\nonly at the speeds of this bar" at 43,6.15 tc rgb "#0072B2" boxed
 plot per_frame / x with lines ls 8, \
      data index "limit" using "n":"cubic" with linespoints ls 2, \
-     "" index "limit" using "n":(column("log_lost") == 0 ? 7.5 : NaN) \
+     "" index "limit" using "n":(column("n") < 42 ? 7.5 : NaN) \
          with linespoints ls 1 pt 6 dt 3, \
      "" index "limit" using "n":(column("n") > 42 ? column("log") : NaN) \
          with linespoints ls 1, \

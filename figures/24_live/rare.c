@@ -39,9 +39,9 @@ struct seen {
 };
 
 static const char *const WORDS[] = {
-    "u at the end of a swing that should go on (m)",
-    "frames in which the hand waits", "energy (J)", "speed (m/s)",
-    "unfinished frames"};
+    "largest u at the end of a swing that should go on (m)",
+    "frames in which the hand waits", "largest energy (J)",
+    "largest speed (m/s)", "unfinished frames"};
 
 static double number(enum tells tells, struct without_result r)
 {

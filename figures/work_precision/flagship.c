@@ -6,7 +6,8 @@
  * steps, and from the static answer.  In the note what half of h changes.  The
  * ends jump to their velocity at t = 0; beside it the pull with a soft start.
  * The other parts: how far 30 steps are from tiny ones of the midpoint rule,
- * and what the log law changes in the static answer.
+ * and what the log law changes in the static answer.  Half of h and the log law
+ * once more in the motion with tiny steps, whose waves the static answer lacks.
  */
 #include "base/study.h"
 #include "base/table.h"
@@ -24,6 +25,28 @@ static void soft_start(double away[7])
         const struct work run = work_run(&set);
         away[k] = work_distance(&run, &rest);
     }
+}
+
+/* How far 960 and 1920 steps of the midpoint rule are from `coarse`, and what
+ * half of h and the log law change in the motion with 1920. */
+static void tiny_steps(const struct work *coarse, double waves[2],
+                       double *space, double *law)
+{
+    struct work_setting set = {JOLTED_PULL, CUBIC, 1, 8, 0, IMPLICIT_MIDPOINT,
+                               1e-10, LINEAR_TRIANGLE, 1.0};
+    struct work run;
+    for (int k = 0; k < 2; k++) {
+        set.steps = 960 << k;
+        run = work_run(&set);
+        waves[k] = work_distance(&run, coarse);
+    }
+    set.n = 16;
+    const struct work half = work_run(&set);
+    set.n = 8;
+    set.law = LOG;
+    const struct work log_law = work_run(&set);
+    *space = work_distance(&run, &half);
+    *law = work_distance(&run, &log_law);
 }
 
 /* A row per n = 8, 16, 32: what half of h changes in the static answer, and how
@@ -71,7 +94,7 @@ int main(void)
 {
     struct work_setting set = {JOLTED_PULL, CUBIC, 0, 16, 4, BACKWARD_EULER,
                                1e-10, LINEAR_TRIANGLE, 1.0};
-    double change[7], away[7], soft[7], waves[2];
+    double change[7], away[7], soft[7], waves[2], moving_space, moving_law;
     struct work before, rest, run;
     const struct work half = work_run(&set);
     set.n = 8;
@@ -85,13 +108,7 @@ int main(void)
     set.dynamic = 1;
     set.steps = 30;
     const struct work coarse = work_run(&set);
-    set.method = IMPLICIT_MIDPOINT;
-    for (int k = 0; k < 2; k++) {
-        set.steps = 960 << k;
-        run = work_run(&set);
-        waves[k] = work_distance(&run, &coarse);
-    }
-    set.method = BACKWARD_EULER;
+    tiny_steps(&coarse, waves, &moving_space, &moving_law);
     for (int k = 0; k < 7; k++) {
         set.steps = 30 << k;
         run = work_run(&set);
@@ -105,8 +122,9 @@ int main(void)
     for (int k = 0; k < 7; k++)
         table_row(30 << k, cell_if(k > 0, change[k]), away[k], soft[k]);
     table_end();
-    table_begin("space", "change law time_960 time");
-    table_row(space, law, waves[0], waves[1]);
+    table_begin("space", "change law time_960 time moving moving_law");
+    table_row(space, law, waves[0], waves[1], cell_rounded(4, moving_space),
+              cell_rounded(4, moving_law));
     table_end();
     finer_meshes();
 
@@ -117,6 +135,12 @@ int main(void)
               fabs(waves[0] - waves[1]) < 0.05 * waves[1],
           "but the waves that 30 steps leave out change more than the law, and "
           "are resolved (%g, %g, %g)", waves[0], waves[1], law);
+    claim(away[0] < 0.03 * law && moving_space > waves[1] &&
+              waves[1] > moving_law && fabs(moving_space - 2.46e-3) < 5e-5 &&
+              fabs(moving_law - 1.11e-3) < 5e-5,
+          "30 steps are near the static answer (%g), and in the motion space "
+          "(%g) is larger than time, and time than law (%g), too", away[0],
+          moving_space, moving_law);
     claim(away[3] < 1.1 * away[0] && away[6] > 10.0 * away[0],
           "1920 steps are ten times as far from the static answer as 30 (%g, "
           "%g)", away[6], away[0]);

@@ -2,11 +2,12 @@
  * front.c - for a wanted error, which setting is the cheapest?
  *
  * All settings of trials.h in six scenes: error against counted flops.  Table
- * front: those that nothing cheaper is as good as (asked 0), the same among
- * even linear triangles (-1), and, with the error that was asked for, what the
- * rule [alg:balance] takes of these from three meshes for 0.5, 0.4, ... as far
- * as a setting gets.  Table cheapest: the first for a few errors.  Then what
- * balance.h makes of the same runs and of those in two other scenes.
+ * front: those that no other of at most their cost is as good as (asked 0), the
+ * same among even linear triangles (-1), and, with the error that was asked
+ * for, what the rule [alg:balance] takes of these from three meshes for 0.5,
+ * 0.4, ... as far as a setting gets.  Table cheapest: the first for a few
+ * errors.  Then what balance.h makes of the same runs and of those in two other
+ * scenes.
  */
 #include "balance.h"
 #include "parts.h"
@@ -18,12 +19,22 @@
 
 #include <math.h>
 
-/* The front of the first `count` settings. */
-static void print_front(const struct trials *s, int count, double asked)
+/* The front of the first `count` settings; how many of its corners have an
+ * error below what is known of the truth. */
+static int print_front(const struct trials *s, int count, double asked)
 {
+    double last = 0.0;
+    int below = 0;
     for (int i = trials_cheapest(s, count, 10.0); i >= 0;
-         i = trials_cheapest(s, count, s->error[i] * (1.0 - 1e-9)))
+         i = trials_cheapest(s, count, s->error[i] * (1.0 - 1e-9))) {
         trials_row(s, i, asked);
+        claim(s->work[i].flops > last, "%s: no two corners of the front cost "
+              "the same (%g, %g)", work_scene_name(s->scene), last,
+              s->work[i].flops);
+        last = s->work[i].flops;
+        below += s->error[i] < s->floor;
+    }
+    return below;
 }
 
 /* In the mean of all pairs: what the loose tolerance takes of the sharp one. */
@@ -47,11 +58,11 @@ static void compare_tolerances(struct trials *const s[])
           "(%g, %g, %g)", systems / pairs, flops / pairs, change);
 }
 
-/* For a few errors; none of them is so good by its grading. */
+/* For a few errors; the only graded one, in the column, is good by luck. */
 static void print_cheapest(struct trials *const s[])
 {
     static const double wanted[] = {0.3, 0.1, 0.03, 0.01, 0.003, 0.001};
-    int rows = 0, graded = 0, unsure = 0;
+    int rows = 0, graded = 0, lucky = 0, unsure = 0;
     table_begin("cheapest", TRIALS_COLUMNS);
     for (int k = 0; k < JOLTED_PULL; k++)
         for (int i = 0; i < COUNT(wanted); i++) {
@@ -60,11 +71,13 @@ static void print_cheapest(struct trials *const s[])
             trials_row(s[k], best, wanted[i]);
             rows++;
             graded += s[k]->set[best].grade > 1.0;
+            lucky += k == BUCKLE && s[k]->set[best].grade > 1.0;
             unsure += s[k]->error[best] + s[k]->floor > wanted[i];
         }
     table_end();
-    claim(graded == 0 && unsure == 5, "none of the cheapest is graded, five "
-          "are not sure (%d, %d of %d)", graded, unsure, rows);
+    claim(graded == 1 && lucky == 1 && unsure == 5, "of the cheapest only one "
+          "in the column is graded, five are not sure (%d, %d, %d of %d)",
+          graded, lucky, unsure, rows);
 }
 
 /* The linear law in the slow pull: the finer the mesh, the less of the part of
@@ -84,7 +97,7 @@ static void compare_meshes(const struct trials *s)
 int main(void)
 {
     struct trials *s[WORK_SCENES];
-    int failed = 0, squeezed = 0;
+    int failed = 0, squeezed = 0, below = 0, pushed = 0;
 
     for (int k = 0; k < WORK_SCENES; k++)
         s[k] = trials_alloc((enum work_scene)k, k < JOLTED_PULL);
@@ -101,8 +114,9 @@ int main(void)
     table_end();
     table_begin("front", TRIALS_COLUMNS);
     for (int k = 0; k < JOLTED_PULL; k++) {
-        print_front(s[k], s[k]->all, 0.0);
-        print_front(s[k], s[k]->count, -1.0);
+        const int few = print_front(s[k], s[k]->all, 0.0);
+        below += few + print_front(s[k], s[k]->count, -1.0);
+        if (k == PUSH) pushed = few;
     }
     for (int k = 0; k < JOLTED_PULL; k++)
         for (double e = 0.5; trials_cheapest(s[k], s[k]->count, e) >= 0;
@@ -117,6 +131,8 @@ int main(void)
     compare_tolerances(s);
     compare_meshes(s[SLOW_PULL]);
     for (int k = 0; k < WORK_SCENES; k++) trials_free(s[k]);
+    claim(below == 2 && pushed == 2, "only the last two corners of the push "
+          "are below what is known of the truth (%d, %d)", below, pushed);
     claim(failed == squeezed, "only symplectic Euler fails, and other "
           "elements whose corner is squeezed (%d, %d)", failed, squeezed);
     return table_finish();

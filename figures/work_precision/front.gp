@@ -1,6 +1,7 @@
 # front.gp - error against counted flops of every setting in two scenes (grey), the
 # front, whose corners say law, method, n x steps and the element unless it is an
-# even linear one, what the balance rule takes, the floor of the reference; how
+# even linear one, what the balance rule takes, the floor of the reference, with the
+# errors below it shaded; how
 # many settings fail.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason element grade floor; asked 0: the front, -1: that of
@@ -15,6 +16,8 @@ here(s) = strcol("scene") eq Scene[int(s)]
 lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
     t == \"# settings\" && $1 == \"%s\" { all++; n += $10 != \"OK\" } \
     END { print n + 0 \" of \" all }' '%s'", Scene[s], data))
+known(s) = real(system(sprintf("awk -F'\t' '$0 == \"# front\" { on = 1 } \
+    on && $1 == \"%s\" { print $14; exit }' '%s'", Scene[s], data)))
 # of marks within seven pixels of each other, the first
 apart = sprintf("< awk -F'\t' '$0 == \"# settings\" { on = 1; next } \
     NF == 0 { on = 0 } on && ($1 == \"scene\" || $10 == \"OK\" && \
@@ -53,6 +56,8 @@ do for [s = 1:2] {
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.915 tc rgb "#009E73"
     set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.815 tc rgb "#CC79A7"
     set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.865 tc rgb "#009E73"
+    set object 1 rectangle from graph 0, graph 0 to graph 1, first known(s) \
+        behind fillcolor rgb "#E8E8E8" fillstyle solid noborder
     set label 6 "known to" at 6e3, s == 1 ? 6.6e-5 : 7.3e-4
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \

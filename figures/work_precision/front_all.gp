@@ -1,6 +1,7 @@
 # front_all.gp - as front.gp, for all six scenes: error against counted flops of every setting in six scenes (grey), the
 # front, whose corners say law, method, n x steps and the element unless it is an
-# even linear one, what the balance rule takes, the floor of the reference; how
+# even linear one, what the balance rule takes, the floor of the reference, with the
+# errors below it shaded; how
 # many settings fail.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason element grade floor; asked 0: the front, -1: that of
@@ -65,6 +66,8 @@ do for [s = 1:6] {
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.86 tc rgb "#009E73"
     set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.80 tc rgb "#009E73"
     set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.74 tc rgb "#CC79A7"
+    set object 1 rectangle from graph 0, graph 0 to graph 1, first known(s) \
+        behind fillcolor rgb "#E8E8E8" fillstyle solid noborder
     set label 6 "known to" at 6e3, known(s) * 10**(0.034 * room(s))
     plot data index "front" using (here(s) && column("asked") == 0 ? 4e3 : NaN):"floor":(2e8):(0) \
              with vectors nohead ls 8 dt 3, \

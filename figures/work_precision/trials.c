@@ -114,12 +114,20 @@ struct trials *trials_alloc(enum work_scene scene, int others)
 
 void trials_free(struct trials *trials) { free(trials); }
 
+/* At the same cost the smaller error is better. */
+static int is_better(const struct trials *trials, int a, int b)
+{
+    const double more = trials->work[a].flops - trials->work[b].flops;
+    return more < 0.0 ||
+           (more == 0.0 && trials->error[a] < trials->error[b]);
+}
+
 int trials_cheapest(const struct trials *trials, int count, double error)
 {
     int best = -1;
     for (int k = 0; k < count; k++)
         if (trials->error[k] <= error &&
-            (best < 0 || trials->work[k].flops < trials->work[best].flops))
+            (best < 0 || is_better(trials, k, best)))
             best = k;
     return best;
 }

@@ -36,7 +36,8 @@ struct trials *trials_alloc(enum work_scene scene, int others);
 void trials_free(struct trials *sweep);
 
 /* Of the first `count` settings the one with the fewest flops among those with
- * at most this error, or -1. */
+ * at most this error, of those that cost the same the one with the smallest
+ * error, or -1. */
 int trials_cheapest(const struct trials *sweep, int count, double error);
 
 /* Of an error [eq:error-parts]: the differences that the knobs make. */
