@@ -5,8 +5,8 @@
  * particles (FLIP, quadratic kernel) they share the nodes of one grid; as
  * triangles of the same size they have no vertex in common.  Tables: particles
  * (at three times), triangles (at the start), and outcome: the least distance
- * of particles of different discs; at the end the left disc's velocity, how much
- * kinetic energy is left, and how much of that disc is in the other.
+ * of particles of different discs; at the end the left disc's velocity, how
+ * much kinetic energy is left, and how much of that disc is in the other.
  */
 #include "base/options.h"
 #include "base/study.h"
