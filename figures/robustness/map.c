@@ -7,33 +7,13 @@
  * first not positive definite; the same of quadratic triangles on the vertices
  * of n = 16, and how many of the steps a lift takes.
  */
-#include "plane/scene.h"
+#include "first_step.h"
 #include "base/study.h"
 #include "base/table.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { STEPS = 36 };
-
-static struct scene *rest(enum reading reading, enum element element,
-                          enum law law, int n)
-{
-    struct scene_setting set = scene_notes(reading, law, n);
-    set.element = element;
-    return scene_alloc(&set);
-}
-
-/* The first step, of length dt. */
-static struct step_report first_step(struct scene *s, const char *method,
-                                     double dt)
-{
-    const struct step_control control = step_method(method);
-    scene_rest(s);
-    s->set.dt = dt;
-    return scene_step(s, &control);
-}
 
 /* Print the map; the steps that succeeded with at most `most` systems. */
 static int print_map(const char *name, enum law law, const char *method,
@@ -47,7 +27,7 @@ static int print_map(const char *name, enum law law, const char *method,
                      "one step from rest, %s law, method %s",
                      material_law(law), method);
     for (int k = 0; k < 7; k++) {
-        struct scene *s = rest(RIGID, LINEAR_TRIANGLE, law, size[k]);
+        struct scene *s = first_scene(RIGID, LINEAR_TRIANGLE, law, size[k]);
         for (int i = 0; i < STEPS; i++) {
             const double dt = pow(480.0, (double)i / (STEPS - 1) - 1.0);
             const struct step_report report = first_step(s, method, dt);
@@ -62,53 +42,11 @@ static int print_map(const char *name, enum law law, const char *method,
     return good;
 }
 
-static int succeeds(struct scene *s, double dt)
-{
-    return first_step(s, "notes", dt).status == OK;
-}
-
-/* Is K positive definite where the notes' method starts? */
-static int starts_definite(struct scene *s, double dt)
-{
-    double *q = allocate((size_t)s->n_dof, sizeof *q);
-    double *rest = allocate((size_t)s->n_dof, sizeof *rest);
-    memset(s->u, 0, (size_t)s->n_dof * sizeof *s->u);
-    scene_hold(s, dt);
-    step_boundary(s->body, s->g, 0, s->u);
-    const struct incremental Phi = {dt, rest, NULL};
-    const int definite = body_assemble(s->body, Phi, s->u, EXACT, q) == OK &&
-                         matrix_factor(s->body->K) == OK;
-    free(q);
-    free(rest);
-    return definite;
-}
-
-/* The first jump, in steps of 0.002 h, at which `holds` does not; behind the
- * first failure of a method it may converge once more. */
-static double limit(struct scene *s, int (*holds)(struct scene *, double))
-{
-    for (int k = 250; k < 1000; k++)
-        if (!holds(s, asin(0.002 * k * 2.0 / s->set.n))) return 0.002 * k;
-    return INFINITY;
-}
-
-/* The row of an element: the limits of the cubic and of the log law, first[0]
- * and first[1], then those of K at the start. */
-static void limits(enum element element, int n, double first[4])
-{
-    for (int k = 0; k < 2; k++) {
-        struct scene *s = rest(RIGID, element, k ? LOG : CUBIC, n);
-        first[k] = limit(s, succeeds);
-        first[2 + k] = limit(s, starts_definite);
-        scene_free(s);
-    }
-}
-
 /* A row for an element, n = 16, and of STEPS steps, log law, lifted, how many
  * succeed. */
 static int print_element(const char *name, enum element element, double *log)
 {
-    struct scene *s = rest(RIGID, element, LOG, 16);
+    struct scene *s = first_scene(RIGID, element, LOG, 16);
     double first[4];
     int lifted = 0;
     for (int i = 0; i < STEPS; i++) {
@@ -116,28 +54,28 @@ static int print_element(const char *name, enum element element, double *log)
         lifted += first_step(s, "lift", dt).status == OK;
     }
     scene_free(s);
-    limits(element, 16, first);
+    first_limits(element, 16, first);
     *log = first[1];
     table_row(name, first[0], first[1], first[2], first[3], lifted);
     return lifted;
 }
 
-/* Does the notes' method take a jump of 0.904 h under the log law? */
-static int converges_again(int n)
-{
-    struct scene *s = rest(RIGID, LINEAR_TRIANGLE, LOG, n);
-    const int again = succeeds(s, asin(0.904 * 2.0 / n));
-    scene_free(s);
-    return again;
-}
-
 /* The first failure when the ends are pulled apart, n = 16, cubic law. */
 static double pulled(void)
 {
-    struct scene *s = rest(STRETCH, LINEAR_TRIANGLE, CUBIC, 16);
-    const double jump = limit(s, succeeds);
+    struct scene *s = first_scene(STRETCH, LINEAR_TRIANGLE, CUBIC, 16);
+    const double jump = first_limit(s, first_converges);
     scene_free(s);
     return jump;
+}
+
+/* Does the notes' method take a jump of 0.904 h under the log law? */
+static int converges_again(int n)
+{
+    struct scene *s = first_scene(RIGID, LINEAR_TRIANGLE, LOG, n);
+    const int again = first_converges(s, asin(0.904 * 2.0 / n));
+    scene_free(s);
+    return again;
 }
 
 int main(void)
@@ -153,7 +91,7 @@ int main(void)
                      "at which K at its start is first not SPD");
     for (int n = 8; n <= 32; n *= 2) {
         double first[4];
-        limits(LINEAR_TRIANGLE, n, first);
+        first_limits(LINEAR_TRIANGLE, n, first);
         table_row(n, first[0], first[1], first[2], first[3]);
         within &= fabs(first[0] - 0.928) < 0.007 && first[2] > first[0] &&
                   fabs(first[1] - 0.816) < 0.005 && first[3] > first[1];
