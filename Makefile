@@ -68,15 +68,14 @@ number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # Studies are named as NN_slug/what; speed/what, the fastest settings of
-# work_precision and the fastest elements are measured by `make bench`,
-# many/many, which needs PETSc, by `make many`.
+# work_precision, the fastest elements and the steps of particles are measured by
+# `make bench`, many/many, which needs PETSc, by `make many`.
 # A file there with a header of its name is what several studies share.
 SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
 STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
                $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c)))))
-SPEED   := $(filter speed/% work_precision/fronts 25_elements/seconds, \
-               $(STUDIES))
+SPEED   := $(filter speed/% work_precision/fronts %/seconds, $(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
 # of its name, or from the solution of its folder.  A picture with seconds in it

@@ -1,0 +1,116 @@
+/*
+ * seconds.c - how many times as long as an explicit step does an implicit one
+ * take here, and how many times as many flops has it?
+ *
+ * The free bar of ringing.h with each kernel, FLIP, at the start of its first
+ * mode: a step of 1/30 s by Newton's method to 1e-10 h, and one of 80 steps per
+ * period to 1e-2 h.  Each time is the best of 41, in which 20 steps are made,
+ * each from the same particles.  systems: linear systems of the implicit step;
+ * flops_times: implicit over explicit by step_flops.h; times: in microseconds.
+ */
+#include "step_flops.h"
+#include "particles/particle_bodies.h"
+#include "base/clock.h"
+#include "base/study.h"
+#include "base/table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { RUNS = 41, STEPS = 20, CELLS = 8 };
+
+/* What a step changes of the particles. */
+struct kept {
+    double *x, *v;
+    mat2 *F, *B;
+};
+
+static void copy(struct kept to, struct kept from, int n)
+{
+    memcpy(to.x, from.x, 2 * (size_t)n * sizeof *to.x);
+    memcpy(to.v, from.v, 2 * (size_t)n * sizeof *to.v);
+    memcpy(to.F, from.F, (size_t)n * sizeof *to.F);
+    memcpy(to.B, from.B, (size_t)n * sizeof *to.B);
+}
+
+/* particles_step() with a tolerance of one's own. */
+static struct particle_report implicit_step(struct cloud bar, struct material m,
+                                            const struct particle_step *step,
+                                            double tolerance)
+{
+    const struct particle_body body = {bar.grid, bar.p, m, NULL};
+    const int n_dof = 2 * bar.grid->n_node;
+    double *u = allocate((size_t)n_dof, sizeof *u);
+    struct particle_report report = {.status = grid_p2g(bar.grid, bar.p)};
+    if (report.status == OK)
+        report = particle_newton(&body, step, tolerance, u);
+    for (int s = 0; s < n_dof; s++) bar.grid->next[s] = step->rate * u[s];
+    if (report.status == OK)
+        report.status =
+            grid_g2p(bar.grid, step->transfer, 1.0 / step->rate, bar.p);
+    free(u);
+    return report;
+}
+
+/* Microseconds of a step, explicit if the tolerance is 0, and its report. */
+static double microseconds(struct cloud bar, const struct particle_step *step,
+                           double tolerance, struct particle_report *report)
+{
+    const struct material m = material_notes(CUBIC);
+    const struct kept now = {bar.p->x, bar.p->v, bar.p->F, bar.p->B};
+    const size_t n = (size_t)bar.p->n;
+    const struct kept start = {
+        allocate(2 * n, sizeof *start.x), allocate(2 * n, sizeof *start.v),
+        allocate(n, sizeof *start.F), allocate(n, sizeof *start.B)};
+    struct times times = {0};
+    copy(start, now, bar.p->n);
+    for (int r = 0; r < RUNS; r++) {
+        const double begin = clock_seconds();
+        for (int k = 0; k < STEPS; k++) {
+            copy(now, start, bar.p->n);
+            if (tolerance > 0.0)
+                *report = implicit_step(bar, m, step, tolerance);
+            else
+                report->status =
+                    particles_step_explicit(bar.grid, bar.p, m, step);
+        }
+        times_record(&times, clock_seconds() - begin, report->status == OK);
+    }
+    copy(now, start, bar.p->n);
+    free(start.x);
+    free(start.v);
+    free(start.F);
+    free(start.B);
+    return 1e6 * times_best(&times) / STEPS;
+}
+
+int main(void)
+{
+    const char *const kernel[] = {"linear", "quadratic", "cubic"};
+    const struct material m = material_notes(CUBIC);
+    const double c = sqrt(material_modulus(&m));
+    const double rate[2] = {30.0, 80.0 * c / 2.0}, within[2] = {1e-10, 1e-2};
+
+    study_machine();
+    table_begin("steps", "kernel systems explicit_us implicit_us times "
+                         "flops_times");
+    for (int order = 1; order <= 3; order++)
+        for (int k = 0; k < 2; k++) {
+            struct cloud bar = cloud_ringing(order, CELLS, 0.02 * c, FLIP);
+            /* an explicit step takes as long whatever its length is */
+            struct particle_step step = {.rate = rate[1], .transfer = FLIP};
+            struct particle_report report = {.status = OK};
+            const double freely = microseconds(bar, &step, 0.0, &report);
+            step.rate = rate[k];
+            const double solving =
+                microseconds(bar, &step, within[k], &report);
+            table_row(kernel[order - 1], report.iterations, freely, solving,
+                      solving / freely,
+                      step_flops_implicit(bar, m, NO_WALL, &report) /
+                          step_flops_explicit(bar));
+            cloud_free(bar);
+        }
+    table_end();
+    return table_finish();
+}
