@@ -27,6 +27,8 @@ set style textbox opaque noborder margins 0.4,0.4
 set label 1 "ω Δt = 2" at 1.7, 1.48 right front boxed
 set label 3 "symplectic Euler\ngrows beyond 2" at 2.4, 1.48 tc ls 2 front boxed
 set label 4 "midpoint" at 26, 1.08 tc ls 3 front boxed
+set label 8 "midpoint, and symplectic Euler up to 2" at 0.012, 1.08 \
+    tc ls 3 front boxed
 set label 5 "BDF2" at 3.4, 0.68 tc ls 4 front boxed
 set label 6 "backward Euler" at 0.55, 0.66 right tc ls 1 front boxed
 set label 7 "dashed: expected" at 0.012, 0.09 front boxed

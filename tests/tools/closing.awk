@@ -62,7 +62,7 @@ END {
         of("newton_1d", "bar", "1000000 fused_both", "ns_per_unknown"))
     line("... than the same loop with GSL", 5, \
         of("newton_1d", "bar", "1000000 gsl_newton", "over_fused_both"))
-    line("largest n in time (1/30 s, 89 of 90) while stretched", 128, \
+    line("largest n in time (1/30 s, 99 % of steps), stretched", 128, \
         of("realtime", "realtime", "dissection", "n"))
     line("largest n of which the whole swing is, 8 systems a step", 64, \
         of("realtime", "swing", "capped_most", "n"))
