@@ -154,7 +154,7 @@ int main(void)
               kept[2].low[0] > high[0],
           "one knot keeps 90 to 140 J (%g to %g), two more, and a least J of "
           "0.3 to 0.5 (%g to %g)", low[0], high[0], low[1], high[1]);
-    claim(inverted[1] == 0, "no J is <= 0, so that no J shows a knot (%d)",
-          inverted[1]);
+    claim(inverted[1] == 0, "no body has an inverted triangle, knotted or not "
+          "(%d)", inverted[1]);
     return table_finish();
 }

@@ -2,7 +2,8 @@
 # dot is the pointer while the button is down, the small dots are the vertices in
 # the hand, and the strip shows by which rung each frame went; hand and strip come
 # from the tables `hand` and `rungs`, where these are.  With the button up the
-# pointer is small and grey.
+# pointer is small and grey.  Inverted triangles are slivers, so their outlines
+# are thick.
 # Reads   data  table motion
 # Yours   the lesson with --film 3
 # Writes  out   GIF
@@ -13,10 +14,10 @@ set terminal gif animate optimize delay 10 loop 0 size 720,680 @large \
 set output out
 
 # triangles with J > 0 (sign 1) or not (sign 0), of frame k, and a
-# triangle that is a point, so that there is always one
+# triangle that is a point outside, so that there is always one
 frame(k, sign) = sprintf( \
     "< awk -F'\t' 'BEGIN { \
-         for (k = 0; k < 3; k++) print \"-1\t-1\"; print \"\" } \
+         for (k = 0; k < 3; k++) print \"9\t9\"; print \"\" } \
      /^# hand/ || $1 + 0 > %d { exit } \
      $1 == \"%d\" && ($2 > 0) == %d { print $3 \"\t\" $4; print $5 \"\t\" $6; \
          print $7 \"\t\" $8; print $3 \"\t\" $4; print \"\" }' '%s'", \
@@ -64,6 +65,7 @@ do for [k = 0:last:3] {
     plot frame(k, 1) using 1:2 with filledcurves closed fc rgb "#CFE3F0", \
          frame(k, 1) using 1:2 with lines lw 1 lc rgb "#0072B2", \
          frame(k, 0) using 1:2 with filledcurves closed fc rgb "#D600BE", \
+         frame(k, 0) using 1:2 with lines lw 4 lc rgb "#D600BE", \
          rungs(k) using (strip($1)):(-2.35):2 with points pt 5 ps 0.6 \
              lc rgb variable, \
          held(k) using 1:2 with points pt 7 ps 1.2 lc rgb "#D55E00", \

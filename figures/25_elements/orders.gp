@@ -13,7 +13,7 @@ set label 2 "linear, m = 1.5: 2.00" at 40000, 3.6e-4 tc ls 5
 set label 3 "quadratic: 1.42" at 440, 6.2e-3 right tc ls 1
 set label 4 "quadratic, m = 1.5: 2.13" at 440, 3.8e-3 right tc ls 6
 set label 5 "quadratic, m = 2: 2.84" at 440, 2.3e-3 right tc ls 3
-set label 6 "dashed, and the number: the predicted order" at 450000, 0.25 right
+set label 6 "dashed: predicted; the number: its order in h (unknowns \\~ h^{-2})" at 450000, 0.25 right
 # through a point a little beside the last one of a curve, with its order in h
 by(x, last, error, order) = error * (x / last)**(-0.5 * order)
 of(name, grading) = strcol("element") eq name && column("m") == grading \

@@ -13,6 +13,7 @@
 #include "base/table.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static const char *const word[] = HANG_WORDS;
 static const double nu[] = {0.3, 0.49, 0.4999};
@@ -21,8 +22,8 @@ static const struct {
     double m;
 } kind[] = {{HANG_LINEAR, 1.0}, {HANG_LINEAR, 1.5}, {HANG_AVERAGED, 1.0},
             {HANG_CROSSED, 1.0}, {HANG_QUADRATIC, 1.0}, {HANG_QUADRATIC, 2.0}};
-enum { RATIOS = COUNT(nu), KINDS = COUNT(kind), SIZES = 3 };
-static double missing[KINDS][SIZES][RATIOS], div[KINDS][SIZES][RATIOS];
+enum { RATIOS = COUNT(nu), KINDS = COUNT(kind), SIZES = 3, MOST = 32 };
+static double missing[KINDS][SIZES][RATIOS], div_u[KINDS][SIZES][RATIOS];
 
 /* Both components of the vertices that are not held. */
 static int unknowns(enum hang_element element, int n)
@@ -46,7 +47,7 @@ static void print(const char *name, int every)
                                                         8 << j))};
             for (int r = 0; r < RATIOS; r++) {
                 row[4 + r] = cell_rounded(3, missing[k][j][r]);
-                row[7 + r] = cell_rounded(4, div[k][j][r]);
+                row[7 + r] = cell_rounded(4, div_u[k][j][r]);
             }
             table_row_of(10, row);
         }
@@ -74,6 +75,37 @@ static void finer(const struct hang *limit)
     table_end();
 }
 
+/* The means of div u over the squares of averaged triangles, nu = 0.4999: their
+ * size, and that of what alternates in two by two of them. */
+static void squares(int n, const struct hang *limit)
+{
+    struct mesh *mesh;
+    double *u, of[MOST * MOST] = {0.0}, size = 0.0, part = 0.0;
+    hang_whole(HANG_AVERAGED, n, 1.0, nu[RATIOS - 1], &mesh, &u);
+    for (int e = 0; e < mesh->n_triangle; e++) { /* two and two of a square */
+        const int *t = &mesh->triangle[3 * e];
+        double g[6];
+        mesh_gradients(mesh, e, g);
+        for (int a = 0; a < 3; a++)
+            for (int k = 0; k < 2; k++)
+                of[e / 2] += 0.5 * g[2 * a + k] * u[2 * t[a] + k];
+    }
+    for (int cell = 0; cell < n * n; cell++) size += of[cell] * of[cell];
+    for (int j = 0; j < n - 1; j++)
+        for (int i = 0; i < n - 1; i++) {
+            const double *low = &of[j * n + i];
+            part += pow((low[0] - low[1] - low[n] + low[n + 1]) / 4.0, 2.0);
+        }
+    size = sqrt(size) / n / limit->div;
+    part = sqrt(part) / (n - 1) / limit->div;
+    claim(fabs(size - 1.1) < 0.1 &&
+              fabs(part - (n == 8 ? 0.43 : 0.22)) < 0.02,
+          "averaged, n = %d: the mean of div u over a square has the right "
+          "size (%g), but alternates (%g)", n, size, part);
+    free(u);
+    mesh_free(mesh);
+}
+
 int main(void)
 {
     struct hang limit[RATIOS];
@@ -87,10 +119,10 @@ int main(void)
                 const struct hang hang =
                     hang_of(kind[k].element, 8 << j, kind[k].m, nu[r]);
                 missing[k][j][r] = 1.0 - hang.sag / limit[r].sag;
-                div[k][j][r] = hang.div / limit[r].div;
+                div_u[k][j][r] = hang.div / limit[r].div;
             }
         last[k] = missing[k][SIZES - 1][RATIOS - 1];
-        of_div[k] = div[k][SIZES - 1][RATIOS - 1];
+        of_div[k] = div_u[k][SIZES - 1][RATIOS - 1];
     }
     print("sag", 1);
     print("ends", SIZES - 1);
@@ -119,5 +151,6 @@ int main(void)
           "(%g), but comes down to it in criss-cross and quadratic triangles "
           "(%g, %g)",
           of_div[2], of_div[3], of_div[4]);
+    for (int n = 8; n <= MOST; n *= 4) squares(n, &limit[RATIOS - 1]);
     return table_finish();
 }

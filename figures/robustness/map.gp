@@ -1,6 +1,7 @@
 # map.gp - the first step over dt and n: iterations where Newton's method
 # converges, crosses where it does not, for the cubic law.  Line: the boundary moves
-# sin dt = as many h = 2 / n as boundary_step has measured.
+# sin dt = as many h = 2 / n as boundary_step has measured; dotted: by h, as
+# predicted.
 # Reads   data  tables map_notes, map_demand, boundary_step
 # Writes  out   SVG
 load "figures/style.gp"
@@ -36,7 +37,12 @@ do for [k = 1:2] {
         "projection on demand, line search") at graph 0, graph 1.06 font ",14"
     set arrow 1 from asin(jump * 2 / 38), 38 to asin(jump * 2 / 3.05), 3.05 \
         nohead lw 2 lc rgb "black" back
+    set arrow 2 from asin(2.0 / 38), 38 to asin(2.0 / 3.05), 3.05 \
+        nohead lw 1 dt 3 lc rgb "black" back
     set label 2 (k == 1 ? sprintf("Δg = %.2f h", jump) : "") at 0.5, 3.3 right front
+    set label 5 (k == 1 ? "predicted: Δg = h" : "") at 0.19, 13.3 left front \
+        font ",13"
+    if (k == 2) { unset arrow 2 }
     set label 3 (k == 1 ? "blows up or wanders" : "goes on, in up to 21") \
         at 1.4, 41 right font ",13" \
         textcolor rgb (k == 1 ? "#D55E00" : "#08306B") front

@@ -72,6 +72,19 @@ static int finest(const struct trials *s)
     return best;
 }
 
+/* A good guess: of what is plain to take, the log law on the mesh of that run,
+ * the cheapest that is as good.  Its index. */
+static int good_guess(const struct trials *s, int last)
+{
+    int best = last;
+    for (int k = 0; k < s->count; k++)
+        if (s->set[k].law == LOG && s->set[k].n == s->set[last].n &&
+            s->error[k] <= s->error[last] &&
+            s->work[k].flops < s->work[best].flops)
+            best = k;
+    return best;
+}
+
 /* The rule's price for an error, or for the first above it that it reaches; how
  * many runs it takes to pay, against the finest one (which may be worse). */
 static double print_price(const struct trials *s, int meshes, double e)
@@ -82,9 +95,13 @@ static double print_price(const struct trials *s, int meshes, double e)
     const int last = finest(s);
     const double rich = s->work[last].flops;
     const double pays = fmax(1.0, ceil(c.flops / (rich - answer)));
+    const int guess = good_guess(s, last);
     table_row(work_scene_name(s->scene), cell_rounded(2, e), c.probes,
               c.flops, answer, cell_rounded(4, s->error[c.taken]), rich,
-              cell_rounded(4, s->error[last]), pays, c.flops / answer);
+              cell_rounded(4, s->error[last]), pays, c.flops / answer,
+              s->work[guess].flops, s->set[guess].dynamic
+                  ? method_name(s->set[guess].method) : "static",
+              s->set[guess].steps, cell_rounded(4, s->error[guess]));
     claim(c.flops > 9.0 * answer, "%s: to decide costs more than nine answers "
           "(%g)", work_scene_name(s->scene), c.flops / answer);
     claim((s->error[c.taken] > e) == (s->scene == BUCKLE) &&
@@ -92,6 +109,9 @@ static double print_price(const struct trials *s, int meshes, double e)
           "in the column the answer is good enough, and the finest twice as "
           "exact as asked (%g, %g; %g)", work_scene_name(s->scene),
           s->error[c.taken], s->error[last], e);
+    claim(s->work[guess].flops < c.flops, "%s: as good as the finest run, and "
+          "cheaper than deciding (%g, %g)", work_scene_name(s->scene),
+          s->work[guess].flops, c.flops);
     claim((s->error[last] > s->error[c.taken]) ==
               (s->scene == SWING || s->scene == BUCKLE), "%s: the finest is "
           "worse than the answer in the swing and in the column only (%g, %g)",
@@ -161,7 +181,8 @@ void balance_tables(struct trials *const s[WORK_SCENES])
     check_example(s[SLOW_PULL]);
     for (int m = 0; m < 2; m++) {
         table_begin(m ? "price_two" : "price_three", "scene wanted runs probes "
-                    "answer error finest finest_error pays times");
+                    "answer error finest finest_error pays times guess "
+                    "guess_method guess_steps guess_error");
         for (int k = 0; k < WORK_SCENES; k++)
             slowest[m] = fmax(slowest[m], print_price(s[k], 3 - m, 0.1));
         table_end();

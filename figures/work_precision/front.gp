@@ -2,7 +2,7 @@
 # front, whose corners say law, method, n x steps and the element unless it is an
 # even linear one, what the balance rule takes, the floor of the reference, with the
 # errors below it shaded; how
-# many settings fail.
+# many settings fail, and how many of these are explicit.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason element grade floor; asked 0: the front, -1: that of
 #               even linear triangles, else the rule)
@@ -14,8 +14,9 @@ array Scene[2] = ["slow_pull", "shake"]
 array Title[2] = ["slow pull", "shake"]
 here(s) = strcol("scene") eq Scene[int(s)]
 lost(s) = system(sprintf("awk -F'\t' '/^# / { t = $0 } \
-    t == \"# settings\" && $1 == \"%s\" { all++; n += $10 != \"OK\" } \
-    END { print n + 0 \" of \" all }' '%s'", Scene[s], data))
+    t == \"# settings\" && $1 == \"%s\" { all++; n += $10 != \"OK\"; \
+        explicit += $10 != \"OK\" && $4 ~ /^symp/ } \
+    END { print n + 0 \" of \" all \", \" (explicit == n ? \"all\" : explicit + 0) \" explicit\" }' '%s'", Scene[s], data))
 known(s) = real(system(sprintf("awk -F'\t' '$0 == \"# front\" { on = 1 } \
     on && $1 == \"%s\" { print $14; exit }' '%s'", Scene[s], data)))
 # of marks within seven pixels of each other, the first

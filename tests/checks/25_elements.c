@@ -568,8 +568,9 @@ static const struct lesson lesson = {
     "25_elements", claims, COUNT(claims), runs, COUNT(runs), rules,
     COUNT(rules),
     "At n = 16 and nu = 0.4999 the averaged and the quadratic triangles have "
-    "nearly the same sag. Their div u has not: averaged, it is sensible only "
-    "over the square.",
+    "nearly the same sag. Their div u has not: averaged, it is far too large "
+    "in a triangle, and its mean over a square alternates from square to "
+    "square.",
     "Run with --m 4 --n 16, then with --m 2. Is finer at the corner better?",
     what_was_predicted};
 
