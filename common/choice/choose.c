@@ -20,43 +20,6 @@
 
 enum { FINEST = 2 };
 
-static void say_price(const struct ladder_state *s, double within,
-                      double choosing)
-{
-    const struct ladder_scene *scene = s->scene;
-    const double frames = price_frames(s);
-    struct price price[FINEST + 1];
-    for (int k = 0; k <= FINEST; k++) {
-        struct ladder_model model = s->model;
-        model.level = k;
-        price[k] = price_calibrate(model);
-    }
-    const double run = price_seconds(s, price[s->model.level]);
-    struct ladder_state *richest = ladder_alloc(
-        scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
-    const int p = richest->body->K->p, n = richest->body->n_equation;
-    ladder_free(richest);
-    printf("Price, by a calibration of this machine on another body\n");
-    printf("  %.2g flops per %s, %.3g ms: %s %g ms\n", s->flops / frames,
-           s->model.moving ? "step" : "solve", 1e3 * run / frames,
-           run / frames <= within ? "within" : "NOT within", 1e3 * within);
-    if (s->model.rung != BAR)
-        printf("  about %d cells along the body would fit into %g ms\n",
-               price_columns(s, price, FINEST + 1, within), 1e3 * within);
-    /* of the logarithmic law: some six factorisations at rest, two per step */
-    const double rich = matrix_cost(BANDED, n, p).flops *
-                        (s->model.moving ? 2.0 * frames : 6.0);
-    printf("  choosing took %.3g ms, as much as %.2g runs\n", 1e3 * choosing,
-           choosing / run);
-    if (rich > s->flops)
-        printf("  the richest model on the finest mesh takes about %.3g times "
-               "the flops: choosing\n  pays from run %.0f on\n",
-               rich / s->flops, ceil(choosing / run / (rich / s->flops - 1.0)));
-    else
-        printf("  the richest model on the finest mesh costs no more: choosing "
-               "does not pay here\n");
-}
-
 /* The scene at rest with other triangles. */
 static struct ladder_state *solved(const struct ladder_scene *scene,
                                    enum rung rung, enum element element,
@@ -66,6 +29,71 @@ static struct ladder_state *solved(const struct ladder_scene *scene,
         element, grade, scene, (struct ladder_model){rung, 0, level});
     s->status = rung_solve(s);
     return s;
+}
+
+/* Of a frame. */
+static void say_frame(const char *which, double flops, int moving,
+                      double seconds, double within)
+{
+    printf("  %s%.2g flops per %s, %.3g ms: %s %g ms\n", which, flops,
+           moving ? "step" : "solve", 1e3 * seconds,
+           seconds <= within ? "within" : "NOT within", 1e3 * within);
+}
+
+/* Whether c are triangles which s has not, and at rest, where their price is
+ * known. */
+static int others_at_rest(const struct ladder_state *s, const struct cells *c)
+{
+    return c && !s->model.moving &&
+           (c->element != LINEAR_TRIANGLE || c->grade > 1.0 ||
+            c->level != s->model.level);
+}
+
+/* The price of s, of the triangles c where those are the better ones, and what
+ * choosing them has cost. */
+static void say_price(const struct ladder_state *s, const struct cells *c,
+                      double within, double choosing)
+{
+    const struct ladder_scene *scene = s->scene;
+    const double frames = price_frames(s);
+    struct price price[FINEST + 1];
+    for (int k = 0; k <= FINEST; k++) {
+        struct ladder_model model = s->model;
+        model.level = k;
+        price[k] = price_calibrate(model);
+    }
+    double run = price_seconds(s, price[s->model.level]), flops = s->flops;
+    struct ladder_state *richest = ladder_alloc(
+        scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
+    const int p = richest->body->K->p, n = richest->body->n_equation;
+    ladder_free(richest);
+    printf("Price, by a calibration of this machine on another body\n");
+    say_frame(s->model.rung == BAR ? "" : "linear triangles: ", flops / frames,
+              s->model.moving, run / frames, within);
+    if (s->model.rung != BAR)
+        printf("  about %d cells along the body would fit into %g ms\n",
+               price_columns(s, price, FINEST + 1, within), 1e3 * within);
+    if (others_at_rest(s, c)) {
+        struct ladder_state *q = solved(scene, s->model.rung, c->element,
+                                        c->grade, c->level);
+        run = price_seconds(q, price_calibrate_of(c->element, c->grade,
+                                                  q->model));
+        flops = q->flops;
+        say_frame("those of Element: ", flops, 0, run, within);
+        ladder_free(q);
+    }
+    /* of the logarithmic law: some six factorisations at rest, two per step */
+    const double rich = matrix_cost(BANDED, n, p).flops *
+                        (s->model.moving ? 2.0 * frames : 6.0);
+    printf("  choosing took %.3g ms, as much as %.2g runs\n", 1e3 * choosing,
+           choosing / run);
+    if (rich > flops)
+        printf("  the richest model on the finest mesh takes about %.3g times "
+               "the flops: choosing\n  pays from run %.0f on\n",
+               rich / flops, ceil(choosing / run / (rich / flops - 1.0)));
+    else
+        printf("  the richest model on the finest mesh costs no more: choosing "
+               "does not pay here\n");
 }
 
 /* The triangles that need the fewest flops for what is left of the tolerance
@@ -190,7 +218,7 @@ static int end(const struct scene_file *file, const struct asked *asked,
                      ? CHOSEN_WITH_OTHERS : CHOSEN_NOTHING);
     if (s->model.rung != BAR && t->doubt == NO_DOUBT) say_triangles(s, c);
     chosen_say_error(s, t);
-    say_price(s, asked->within, choosing);
+    say_price(s, c, asked->within, choosing);
     if (asked->check) verify(s, t->doubt, c);
     if (asked->picture && t->doubt != GIVES_WAY)
         write_picture(asked->picture, file, s, t, asked->error);

@@ -133,7 +133,7 @@ void chosen_say_model(const struct scene_file *file,
                "%g %%.\nThe last one tried is\n", 100.0 * tolerance);
     printf("  %s:\n    %s\n", model[s->model.rung], why[s->model.rung]);
     printf("  %s\n", s->model.moving ?
-           "in motion: the load moves as fast as the body swings (lesson 14)" :
+           "in motion: the load is too fast for an answer at rest (lesson 14)" :
            scene->time == STANDS ? "at rest: the load stands (lesson 12)"
                                  : "at rest: the load is slow (lesson 14)");
     printf("  mesh %d, of %d x %d cells (lesson 12)%s\n", s->model.level,

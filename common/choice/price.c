@@ -11,7 +11,8 @@ static const double a_while = 2e-3; /* twenty ticks of a browser's clock (s) */
 
 /* The least time of the scene's solve, over its columns (s): the mean of as
  * many as take a while. */
-static double timed(const struct ladder_scene *scene, struct ladder_model model,
+static double timed(enum element element, double grade,
+                    const struct ladder_scene *scene, struct ladder_model model,
                     int *systems)
 {
     double best = INFINITY;
@@ -20,7 +21,8 @@ static double timed(const struct ladder_scene *scene, struct ladder_model model,
         double took = 0.0;
         int columns = 0;
         while (took < a_while) {
-            struct ladder_state *s = ladder_alloc(scene, model);
+            struct ladder_state *s =
+                ladder_alloc_of(element, grade, scene, model);
             const double before = clock_seconds();
             rung_solve(s);
             took += clock_seconds() - before;
@@ -35,15 +37,22 @@ static double timed(const struct ladder_scene *scene, struct ladder_model model,
 
 struct price price_calibrate(struct ladder_model model)
 {
+    return price_calibrate_of(LINEAR_TRIANGLE, 1.0, model);
+}
+
+struct price price_calibrate_of(enum element element, double grade,
+                                struct ladder_model model)
+{
     struct ladder_scene scene = {.slender = 4, .nu = 0.3,
         .weight = {0.0, -0.5}, .time = model.moving ? RISES : STANDS,
         .T = 1.0, .dt = 0.02, .end = 0.2, .finest = model.level};
     int few, more;
-    const double once = timed(&scene, model, &few);
+    const double once = timed(element, grade, &scene, model, &few);
     if (!model.moving || model.rung != LINEAR_PLANE)
         return (struct price){0.0, once / few};
     scene.end = 1.0; /* one factorisation for more steps */
-    const double system = (timed(&scene, model, &more) - once) / (more - few);
+    const double longer = timed(element, grade, &scene, model, &more);
+    const double system = (longer - once) / (more - few);
     return (struct price){fmax(0.0, once - few * system), system};
 }
 

@@ -20,6 +20,10 @@ struct price {
 /* The least of what a tenth of a second has time for. */
 struct price price_calibrate(struct ladder_model model);
 
+/* ... with the triangles of ladder_alloc_of(). */
+struct price price_calibrate_of(enum element element, double grade,
+                                struct ladder_model model);
+
 /* Of the solve, without what ladder_alloc() does (s). */
 double price_seconds(const struct ladder_state *state, struct price price);
 

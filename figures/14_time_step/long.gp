@@ -21,7 +21,7 @@ set logscale x
 set format x "10^{%T}"
 set format y "%g"
 set ytics 0.2
-set xrange [10:1e5]
+set xrange [30:1e5]
 set yrange [0:1.5]
 set xlabel "steps"
 set ylabel "energy over that of the start"

@@ -14,7 +14,7 @@ set offsets 0.05, 0.05, 0.05, 0.05
 set palette defined (0 "#0072B2", 0.5 "#BBBBBB", 1 "#D55E00")
 set cbrange [0.98:1.02]
 set cbtics 0.01 scale 0.3
-set cblabel "J" rotate by 0 offset -1
+set title "J after 0.3 s"
 set xlabel "x (m)"
 set ylabel "y (m)"
 set xtics 0.2

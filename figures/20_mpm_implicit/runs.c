@@ -7,8 +7,11 @@
  * with velocities of 1e-9 m/s make 1500 steps of 0.98 and 1.02 of it.
  * `moving`: and if the bar moves on at a speed V, so that eps grows?  The steps
  * for T = 1/30 s, each 0.95 of the limit at that moment: c sqrt(2 T / (h V)) of
- * the limits themselves, if eps h = V t.
+ * the limits themselves, if eps h = V t.  `ringing`: and in the first mode with
+ * which stability.c begins its implicit step, or in the reverse of it?  times:
+ * their flops over those of an implicit step with four systems.
  */
+#include "step_flops.h"
 #include "particles/particle_bodies.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -37,16 +40,13 @@ static double run(double eps, double part, double *omega)
     return most;
 }
 
-/* How many steps for 1/30 s at the speed V. */
-static int moving(double V)
+/* How many steps for 1/30 s, from these velocities; the bar is `c` after it. */
+static int steps_of(struct cloud c)
 {
     const struct material material = material_notes(CUBIC);
-    struct cloud c = cloud_outlying(1, 1e-6);
     const struct particle_body body = {c.grid, c.p, material, NULL};
     struct particle_step step = {.transfer = FLIP};
     int steps = 0;
-    for (int p = 0; p < c.p->n; p++)
-        c.p->v[2 * p] = V + 1e-9 * (p * 7 % 5 - 2.0);
     for (double left = 1.0 / 30.0; left > 0.0; steps++) {
         claim(grid_p2g(c.grid, c.p) == OK, "the bar is on its grid");
         const double limit = sqrt(2.0) / particle_frequency(&body);
@@ -56,10 +56,52 @@ static int moving(double V)
               "one step");
         left -= dt;
     }
+    return steps;
+}
+
+static int moving(double V)
+{
+    struct cloud c = cloud_outlying(1, 1e-6);
+    for (int p = 0; p < c.p->n; p++)
+        c.p->v[2 * p] = V + 1e-9 * (p * 7 % 5 - 2.0);
+    const int steps = steps_of(c);
     for (int p = 0; p < c.p->n; p++)
         claim(fabs(c.p->v[2 * p] - V) < 1e-8, "these steps are stable");
     cloud_free(c);
     return steps;
+}
+
+static double energy(struct cloud c)
+{
+    const struct material m = material_notes(CUBIC);
+    return particles_moments(c.p).kinetic + particles_elastic(c.p, &m);
+}
+
+static void print_ringing(void)
+{
+    const struct material m = material_notes(CUBIC);
+    const int due[2] = {22, 52};
+    table_begin("ringing", "last_v steps times kept");
+    for (int k = 0; k < 2; k++) {
+        struct cloud c = cloud_outlying(1, 1e-6);
+        const int n = c.p->n;
+        for (int p = 0; p < n; p++)
+            c.p->v[2 * p] = (k ? 0.02 : -0.02) * sqrt(material_modulus(&m)) *
+                            cos(acos(-1.0) / n * (n - p - 0.5));
+        const struct particle_report four = {.iterations = 4};
+        const double last = c.p->v[2 * n - 2], start = energy(c);
+        const double implicit = step_flops_implicit(c, m, NO_WALL, &four);
+        const double freely = step_flops_explicit(c);
+        const int steps = steps_of(c);
+        const double times = steps * freely / implicit;
+        table_row(last, steps, times, energy(c) / start);
+        claim(steps == due[k], "%d steps", steps);
+        claim(fabs(fabs(last) - 0.73) < 0.005, "at 0.73 m/s (%g)", last);
+        claim(fabs(times - (k ? 16.1 : 6.8)) < 0.05, "flops: %g times", times);
+        claim(fabs(energy(c) / start - 1.0) < 0.05, "these steps are stable");
+        cloud_free(c);
+    }
+    table_end();
 }
 
 static void print_moving(void)
@@ -93,5 +135,6 @@ int main(void)
     }
     table_end();
     print_moving();
+    print_ringing();
     return table_finish();
 }

@@ -10,8 +10,8 @@ set yrange [-0.05:1.05]
 set xtics 1
 set xlabel "x (cells)"
 set ylabel "displacement"
-set key above left maxrows 1 samplen 2
-plot data index "field" using "x":"u" with lines ls 1 \
-         title "displacement between the nodes", \
-     data index "particles" using "x":"u" with points ls 2 pt 7 ps 1 \
-         title "particles: the slope is 0 at each of them"
+unset key
+set label 1 "displacement between the nodes" at 2.35, 0.78 tc ls 1
+set label 2 "particles: the slope is 0 at each of them" at 1.2, 0.27 tc ls 2
+plot data index "field" using "x":"u" with lines ls 1, \
+     data index "particles" using "x":"u" with points ls 2 pt 7 ps 1

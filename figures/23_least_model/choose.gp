@@ -31,12 +31,13 @@ unset grid
 set grid x back ls 9
 # each kind of mark is named once, where there is room beside it
 named(scene, number) = strcol("scene") eq scene ? column(number) : NaN
-# the ring is wide enough to be seen around a triangle
-# two numbers of slender-column are too small to be in the picture: an arrow
+# the ring is wide enough to be seen around a triangle, and the triangle around
+# a diamond; two numbers of slender-column, 0.0002 both, are too small
+# to be in the picture: an arrow in the colour of neither
 plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7, \
-     "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.0, \
+     "" index "scenes" using "turned":0:ytic(1) with points ls 2 pt 9 ps 1.15, \
      "" index "scenes" using "moves":0 with points ls 1 pt 5 ps 1.0, \
-     "" index "scenes" using "strained":0 with points ls 4 pt 13 ps 1.0, \
+     "" index "scenes" using "strained":0 with points ls 4 pt 13 ps 0.7, \
      "" index "scenes" using (named("cantilever", "strained")):0:("strained") \
          with labels right offset -1.2,0 tc ls 4, \
      "" index "scenes" using (named("below-buckling", "bends")):0:("bends") \
@@ -46,8 +47,9 @@ plot data index "scenes" using "bends":0 with points ls 8 pt 6 lw 2 ps 1.7, \
      "" index "scenes" using (named("fast-pull", "moves")):0:("moves") \
          with labels left offset 1.2,0 tc ls 1, \
      "" index "scenes" using (column("turned") < least ? 9e-3 : NaN):0:(3.3e-3 - 9e-3):(0) \
-         with vectors ls 2, \
-     "" index "scenes" using (column("turned") < least ? 0.014 : NaN):0: \
-         (sprintf("others: %.4f", column("turned"))) with labels left tc ls 2, \
+         with vectors ls 2 lc rgb "#555555", \
+     "" index "scenes" using (column("turned") < least ? 0.0138 : NaN):0: \
+         (sprintf("strained, turned:\n%.4f each", column("turned"))) with labels left \
+         offset 0,0.35 font ",10.5" tc rgb "#555555", \
      "" index "scenes" using (2.4):0:(sprintf("%s, %s", strcol("least"), \
          strcol("state") eq "rest" ? "at rest" : "in motion")) with labels left

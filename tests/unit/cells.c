@@ -68,6 +68,8 @@ static void a_tenth_of_a_second_is_measured(void)
     ck_assert(told - start >= 0.1 && told - start < 0.11);
     close_to(systems, floor(systems + 0.5), 1e-9);
     ck_assert(systems > 1.5);
+    close_to(price_calibrate_of(QUADRATIC_TRIANGLE, 2.0, plane).system,
+             cubic.system, 1e-9); /* they need as many systems */
     three_from = told + 0.09;
     const struct price step = price_calibrate(moving);
     close_to(step.system * 64.0 / tick, 2.0 / 40.0, 1e-9);

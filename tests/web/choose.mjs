@@ -25,7 +25,7 @@ const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scen
     (!only || name === only));
 /* What is measured in seconds, and what follows from it. */
 const timeless = out => out
-    .replace(/[^ ]+ ms: (NOT )?within/, 'MS')
+    .replace(/[^ ]+ ms: (NOT )?within/g, 'MS')
     .replace(/about -?\d+ cells along/, 'about N cells along')
     .replace(/choosing took .*/, 'choosing took MS')
     .replace(/(choosing\s+pays) from run \d+ on/, '$1')
