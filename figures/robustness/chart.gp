@@ -15,7 +15,7 @@ x_of(s) = int(number(s) / 3) == g ? number(s) % 3 + 1 : NaN
 y_of(i) = -floor(i / 6)
 label_of(m) = m eq "notes" ? "notes' method" : m eq "lift" ? \
     "lift, extrapolation" : m eq "search" ? "line search" : \
-    m eq "demand+search" ? "projection on demand" : "projection always"
+    m eq "demand+search" ? "on demand, search" : "always, search"
 # the first row, from the top, that passes a scene wholly
 array Seen[6] = [0, 0, 0, 0, 0, 0]
 first(k) = int((k - 1) / 3) == g && column("passed") == 100 && !Seen[k] ? \
