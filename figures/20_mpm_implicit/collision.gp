@@ -31,7 +31,7 @@ do for [k = 1:3] {
     set bmargin at screen 0.93 - 0.325*(k - 1) - 0.276
     set label 1 sprintf("%.2f s", Time[k]) at graph 1.02,1.06 center
     set label 2 k == 1 ? "particles on one grid" : k == 3 ? \
-        sprintf("back at %.1f m/s", abs(outcome("particles", 4))) : \
+        sprintf("blue: %.1f m/s to the left", abs(outcome("particles", 4))) : \
         sprintf("at closest %.2f cells", outcome("particles", 3)) \
         at graph 0.45,1.06 center front
     # the lines of the grid

@@ -42,9 +42,8 @@ unset label 6
 set label 3 "PIC" at 175, 0.75
 set label 4 "FLIP, and finite\nelements (rings)" at 110, 0.075 right tc ls 2
 set label 5 "APIC" at 205, 0.4 left
-set label 1 "implicit steps"
+set label 1 "implicit steps, each with 2.3 to 3.1 times the flops"
 plot for [s = 1:3] data index "energy" every ::10*(s+2)::10*s+29 \
          using "steps":"lost" with linespoints ls s, \
-     data index "elements" using "steps":"lost" with linespoints ls 8 pt 6 \
-         ps 1
+     data index "elements" using "steps":"lost" with points ls 8 pt 6 ps 1
 unset multiplot

@@ -17,6 +17,7 @@ unset key
 set lmargin at screen 0.15
 set rmargin at screen 0.97
 grey = "#555555"
+set label 5 "cubic: MAX\\_ITERATIONS" at 1.3e-6, 5.5 tc ls 3
 set label 1 "one implicit step of 1/30 s (no limit)" at 1e-3, 17 center tc rgb grey
 set label 2 "linear: falls to 0\nlike 2 √ε (dashed)" at 2.5e-6, 9e-2 tc ls 1
 set label 7 "with FLIP like √(2 ε)" at 1.1e-4, 4e-3 tc ls 1
@@ -28,4 +29,5 @@ plot for [p = 1:3] data index "critical" every ::4*(p-1)::4*p-1 \
          using "eps":"flip" with lines ls p dt 3, \
      data index "critical" every ::0::3 using "eps":"implicit" \
          with lines lw 2 lc rgb grey, \
+     data index "critical" every ::11::11 using "eps":"implicit" with points ls 3 pt 2 ps 1.2 lw 2, \
      2 * sqrt(x) ls 8

@@ -12,15 +12,16 @@ set output out
 set logscale x
 least = 3e-3
 set xrange [least:30]
-set yrange [16.6:-1.4]
+set yrange [18.1:-1.4]
 set lmargin 14
 set rmargin 1
 set xtics ("0.01" 0.01, "0.1" 0.1, "1" 1)
 set xlabel "number without dimension"
 set arrow 1 from 0.1, graph 0 to 0.1, graph 1 nohead ls 8
-# of what moves after a rise; no line of the grid, which would cross the words
-set arrow 3 from 0.05, graph 0 to 0.05, graph 0.02 nohead ls 9 lw 1.5
+# of what moves after a rise; no line of the grid, which would cross other words
+set arrow 3 from 0.05, graph 0 to 0.05, 16.6 nohead ls 1 lw 1.5
 set label 4 "0.05" at 0.05, graph -0.045 center
+set label 5 "for moves,\nafter a rise" at 0.046, 16.95 right tc ls 1
 set arrow 2 from 2.2, graph 0 to 2.2, graph 1 nohead ls 9
 set label 1 "leave it out" at 0.085, 15.95 right textcolor rgb "#555555"
 set label 2 "add it" at 0.12, 15.95 left textcolor rgb "#555555"

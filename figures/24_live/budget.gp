@@ -13,7 +13,7 @@ set grid noxtics
 set xrange [1.35:40]
 set yrange [0.5:500]
 set xtics (2, 4, 8, 16, 32)
-set xlabel "linear systems that a frame may solve (filled: second rung alone, hollow: both rungs)"
+set xlabel "linear systems that a frame may solve"
 set ylabel "frames unfinished, of 300" offset 0.5
 set label 1 "cubic law" at 2.9,150 tc ls 2
 set label 2 "log law" at 2.6,60 right tc ls 1
@@ -30,7 +30,7 @@ plot data index "sizes" using "budget":(column("log_late") > 0 ? column("log_lat
      "" index "sizes" using "budget":"log_late":(off("log_off")) \
          with labels right offset -1,-0.7 tc ls 1, \
      "" index "sizes" using "budget":"cubic_late":(off("cubic_off")) \
-         with labels left offset 1,0.7 tc ls 2, \
+         with labels left offset 0,1.2 tc ls 2, \
      "" index "systems" using (8):(both("log")) \
          with points ls 1 pt 6 ps 1.1, \
      "" index "systems" using (8):(both("cubic")) \
@@ -39,5 +39,5 @@ plot data index "sizes" using "budget":(column("log_late") > 0 ? column("log_lat
          (sprintf("both\nrungs: %d", column("unfinished"))) \
          with labels left offset 1,0.3 tc ls 1, \
      "" index "systems" using (8):(both("cubic")):\
-         (sprintf("%d", column("unfinished"))) \
-         with labels right offset -1.3,-0.2 tc ls 2
+         (sprintf("both rungs: %d", column("unfinished"))) \
+         with labels left offset 1.2,0.6 tc ls 2
