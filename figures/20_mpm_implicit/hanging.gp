@@ -37,7 +37,7 @@ set tmargin at screen 0.49
 set bmargin at screen 0.085
 set xtics ("16" 16, "32" 32, "64" 64, "128" 128, "256" 256, "512" 512, \
     "1024" 1024)
-set xlabel "work per load: nodes a loop visits (no linear systems)"
+set xlabel "work per load: particles (elements) times the nodes of each"
 set label 10 "a new grid for each of ten loads, four per cell"
 set label 7 "linear kernel" at 110, 2e-2
 set label 8 "quadratic" at 300, 7e-4

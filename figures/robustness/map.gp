@@ -39,7 +39,7 @@ do for [k = 1:2] {
         nohead lw 2 lc rgb "black" back
     set arrow 2 from asin(2.0 / 38), 38 to asin(2.0 / 3.05), 3.05 \
         nohead lw 1 dt 3 lc rgb "black" back
-    set label 2 (k == 1 ? sprintf("Δg = %.2f h", jump) : "") at 0.5, 3.3 right front
+    set label 2 (k == 1 ? sprintf("measured: Δg = %.2f h", jump) : "") at 0.5, 3.3 right front
     set label 5 (k == 1 ? "predicted: Δg = h" : "") at 0.19, 13.3 left front \
         font ",13"
     if (k == 2) { unset arrow 2 }
