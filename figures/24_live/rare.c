@@ -39,8 +39,7 @@ struct seen {
 };
 
 static const char *const WORDS[] = {
-    "largest u at the end of a swing by the midpoint rule, which should go on "
-    "(m)",
+    "largest u at the end of a midpoint swing, which should go on (m)",
     "frames in which the hand waits", "largest energy (J)",
     "largest speed (m/s)", "unfinished frames"};
 

@@ -137,7 +137,7 @@ static void a_motion_has_its_numbers(void)
     says(numbers, "over speed of sound 0.25, ");
     says(numbers, "over a cell 6.3:"); /* 0.79 m of 1/8 m */
     says(model, "implicit midpoint rule, 10 steps of 0.05 s, omega dt 1 (");
-    says(model, "in motion: the load moves as fast");
+    says(model, "in motion: the load is too fast");
     ladder_free(s);
     begin(pulled, (struct ladder_model){LINEAR_PLANE, 0, 1});
     says(numbers, "1 / (omega T)");
