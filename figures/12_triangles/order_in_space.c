@@ -66,7 +66,7 @@ static void add_point(const struct body *body, const double u[], int e,
                    gsl_pow_2(value[1] - smooth(X, 1, 0, 0)));
 }
 
-/* L2 norms of u_h - u and of its gradient, by six points a triangle, two for
+/* L2 norms of u_h - u and of its gradient, by six points per triangle, two for
  * each corner, exact for degree 4 (Dunavant, Int. J. Numer. Meth. Engng 21
  * (1985), p. 1140). */
 static void smooth_error(const struct body *body, const double u[], double *L2,

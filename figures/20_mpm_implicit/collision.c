@@ -81,7 +81,7 @@ static struct outcome collide(double h, double speed, int implicit)
             die("a particle is lost");
     }
     const struct moments end = particles_moments(c.p);
-    claim(fabs(end.momentum[0]) < 1e-12, "the sum is %g", end.momentum[0]);
+    claim(fabs(end.momentum[0]) < 1e-12, "momentum: %g", end.momentum[0]);
     for (int p = 0; p < c.p->n; p += 2)
         out.v += c.p->v[p] / (0.5 * c.p->n); /* of the first half */
     out.kept = end.kinetic / start;
@@ -148,13 +148,13 @@ int main(void)
     table_end();
 
     claim(fine.v < -0.5 * SPEED && fine.kept > 0.75, "the discs bounce: the "
-          "left one goes back by %g m/s, %g is left", fine.v, fine.kept);
+          "left one has %g m/s, %g of the energy is left", fine.v, fine.kept);
     claim(fabs(cells[0] - 1.2) < 0.4 && fabs(cells[1] - 1.2) < 0.4, "they meet "
           "about a cell apart, on either grid (%g, %g)", cells[0], cells[1]);
     claim(fast.gap < 0.9 * fine.gap && fast.v < 0.0, "a harder blow goes "
           "deeper (%g cells), and the discs still bounce", fast.gap / H);
     claim(fabs(longer.v + 1.28) < 0.01 && fabs(longer.kept - 0.284) < 1e-3,
-          "implicit steps damp: %g m/s, %g", longer.v, longer.kept);
+          "implicit steps damp (%g m/s, energy %g)", longer.v, longer.kept);
     claim(inside > 0.5, "%g of the left mesh is in the right one", inside);
     return table_finish();
 }

@@ -12,9 +12,17 @@
 const int RINGING_STEPS[RINGING_SIZES] = {8,  13,  20,  40,  50,
                                           80, 160, 175, 240, 320};
 
-static double energy(const struct particles *p, const struct material *m)
+void ringing_start(struct cloud bar, double a)
 {
-    return particles_moments(p).kinetic + particles_elastic(p, m);
+    const int n = bar.p->n;
+    for (int p = 0; p < n; p++)
+        bar.p->v[2 * p] = a * cos(acos(-1.0) / n * (p + 0.5));
+}
+
+double ringing_energy(struct cloud bar, struct material material)
+{
+    return particles_moments(bar.p).kinetic +
+           particles_elastic(bar.p, &material);
 }
 
 /* cloud_ringing(), shifted; APIC's B is that of the new place. */
@@ -32,14 +40,11 @@ static struct cloud shifted(struct ringing_bar of, double a,
     return bar;
 }
 
-/* particles_step() with a tolerance of one's own.  part = 1/2 is the midpoint
- * rule of FLIP: half a step finds the velocity with which the particles go all
- * of it, and its gain counts twice [eq:one-solve]. */
-static struct particle_report implicit_step(struct cloud bar, struct material m,
-                                            const struct particle_step *step,
-                                            double tolerance, double part)
+struct particle_report ringing_step(struct cloud bar, struct material material,
+                                    const struct particle_step *step,
+                                    double tolerance, double part)
 {
-    const struct particle_body body = {bar.grid, bar.p, m, NULL};
+    const struct particle_body body = {bar.grid, bar.p, material, NULL};
     struct particle_step first = *step;
     first.rate = step->rate / part;
     const int n_dof = 2 * bar.grid->n_node, n = 2 * bar.p->n;
@@ -67,7 +72,7 @@ static struct ringing ring(struct ringing_bar of, enum transfer transfer,
     struct cloud bar = shifted(of, 0.02 * c, transfer);
     const struct particle_step step = {.rate = steps * c / 2.0,
                                        .transfer = transfer};
-    const double start = energy(bar.p, &m);
+    const double start = ringing_energy(bar, m);
     struct ringing out = {.left = NAN};
     enum status status = OK;
     for (int k = 0; k < steps && status == OK; k++) {
@@ -77,12 +82,12 @@ static struct ringing ring(struct ringing_bar of, enum transfer transfer,
             continue;
         }
         const struct particle_report report =
-            implicit_step(bar, m, &step, tolerance, part);
+            ringing_step(bar, m, &step, tolerance, part);
         status = report.status;
         out.flops += step_flops_implicit(bar, m, NO_WALL, &report);
         if (report.iterations > out.systems) out.systems = report.iterations;
     }
-    const double ratio = energy(bar.p, &m) / start;
+    const double ratio = ringing_energy(bar, m) / start;
     out.how = status != OK ? status_name(status)
               : ratio > 1.1 ? "unstable" : "OK";
     if (status == OK && ratio <= 1.1) out.left = ratio;

@@ -33,6 +33,19 @@ struct ringing_bar {
 struct ringing ringing_particles(struct ringing_bar of, enum transfer transfer,
                                  double tolerance, int steps);
 
+/* v := a times the first mode of the free bar. */
+void ringing_start(struct cloud bar, double a);
+
+/* Kinetic of the particles and elastic (J). */
+double ringing_energy(struct cloud bar, struct material material);
+
+/* particles_step() with a tolerance of one's own.  part = 1/2 is the midpoint
+ * rule of FLIP: half a step finds the velocity with which the particles go all
+ * of it, and its gain counts twice [eq:one-solve]; otherwise part = 1. */
+struct particle_report ringing_step(struct cloud bar, struct material material,
+                                    const struct particle_step *step,
+                                    double tolerance, double part);
+
 /* FLIP by the midpoint rule, on the bar of order 2 and RINGING_CELLS. */
 struct ringing ringing_midpoint(double tolerance, int steps);
 

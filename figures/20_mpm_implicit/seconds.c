@@ -8,6 +8,7 @@
  * each from the same particles.  systems: linear systems of the implicit step;
  * flops_times: implicit over explicit by step_flops.h; times: in microseconds.
  */
+#include "ringing.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
 #include "base/clock.h"
@@ -18,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUNS = 41, STEPS = 20, CELLS = 8 };
+enum { RUNS = 41, STEPS = 20 };
 
 /* What a step changes of the particles. */
 struct kept {
@@ -32,25 +33,6 @@ static void copy(struct kept to, struct kept from, int n)
     memcpy(to.v, from.v, 2 * (size_t)n * sizeof *to.v);
     memcpy(to.F, from.F, (size_t)n * sizeof *to.F);
     memcpy(to.B, from.B, (size_t)n * sizeof *to.B);
-}
-
-/* particles_step() with a tolerance of one's own. */
-static struct particle_report implicit_step(struct cloud bar, struct material m,
-                                            const struct particle_step *step,
-                                            double tolerance)
-{
-    const struct particle_body body = {bar.grid, bar.p, m, NULL};
-    const int n_dof = 2 * bar.grid->n_node;
-    double *u = allocate((size_t)n_dof, sizeof *u);
-    struct particle_report report = {.status = grid_p2g(bar.grid, bar.p)};
-    if (report.status == OK)
-        report = particle_newton(&body, step, tolerance, u);
-    for (int s = 0; s < n_dof; s++) bar.grid->next[s] = step->rate * u[s];
-    if (report.status == OK)
-        report.status =
-            grid_g2p(bar.grid, step->transfer, 1.0 / step->rate, bar.p);
-    free(u);
-    return report;
 }
 
 /* Microseconds of a step, explicit if the tolerance is 0, and its report. */
@@ -70,7 +52,7 @@ static double microseconds(struct cloud bar, const struct particle_step *step,
         for (int k = 0; k < STEPS; k++) {
             copy(now, start, bar.p->n);
             if (tolerance > 0.0)
-                *report = implicit_step(bar, m, step, tolerance);
+                *report = ringing_step(bar, m, step, tolerance, 1.0);
             else
                 report->status =
                     particles_step_explicit(bar.grid, bar.p, m, step);
@@ -97,7 +79,8 @@ int main(void)
                          "flops_times");
     for (int order = 1; order <= 3; order++)
         for (int k = 0; k < 2; k++) {
-            struct cloud bar = cloud_ringing(order, CELLS, 0.02 * c, FLIP);
+            struct cloud bar = cloud_ringing(order, RINGING_CELLS,
+                                             0.02 * c, FLIP);
             /* an explicit step takes as long whatever its length is */
             struct particle_step step = {.rate = rate[1], .transfer = FLIP};
             struct particle_report report = {.status = OK};

@@ -10,6 +10,7 @@
  * the light node moves far); flops: of either; times: implicit over explicit,
  * with these systems and (times_one) with one; explicit_times: of 1/30 s.
  */
+#include "ringing.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
 #include "base/study.h"
@@ -85,11 +86,6 @@ static double growth(double courant, void *outlying)
     return log(most) - 1e-4;
 }
 
-static double energy(const struct particles *p, const struct material *m)
-{
-    return particles_moments(p).kinetic + particles_elastic(p, m);
-}
-
 /* The linear systems of an implicit step, and the flops of an explicit one, of
  * this one, and of one with a single system; own: the program's report. */
 static int systems(struct outlying at, double flops[3],
@@ -98,13 +94,11 @@ static int systems(struct outlying at, double flops[3],
     const struct material material = material_notes(CUBIC);
     struct cloud c = cloud_outlying(at.order, at.eps);
     const struct particle_step step = {.rate = 30.0, .transfer = FLIP};
-    for (int p = 0; p < P; p++)
-        c.p->v[2 * p] = 0.02 * sqrt(material_modulus(&material)) *
-                        cos(acos(-1.0) / P * (p + 0.5));
+    ringing_start(c, 0.02 * sqrt(material_modulus(&material)));
     flops[0] = step_flops_explicit(c);
-    const double start = energy(c.p, &material);
+    const double start = ringing_energy(c, material);
     struct particle_report r = particles_step(c.grid, c.p, material, &step);
-    const double kept = energy(c.p, &material) / start;
+    const double kept = ringing_energy(c, material) / start;
     *own = r;
     claim(r.status != OK || kept < 0.075, "it keeps 7 %% of the energy");
     while (r.iterations > 1 &&

@@ -66,9 +66,7 @@ static void solve_averaged(const struct mesh *mesh, struct material material,
     elements_free(s);
 }
 
-/* Two by two cells of the mesh are a square: its four triangles around the
- * middle.  Returns the list of all, [3 n_triangle], for the caller to free. */
-static int *cross(const struct mesh *mesh)
+int *hang_cross(const struct mesh *mesh)
 {
     const int row = mesh->n + 1;
     const int corner[5] = {0, 2, 2 * row + 2, 2 * row, 0};
@@ -168,7 +166,7 @@ struct hang hang_whole(enum hang_element element, int n, double m, double nu,
     if (element == HANG_QUADRATIC) {
         hang.div = solve_quadratic(mesh, material, held, u);
     } else if (element == HANG_CROSSED) {
-        int *triangle = cross(mesh);
+        int *triangle = hang_cross(mesh);
         solve_crossed(mesh, material, held, triangle, u);
         hang.div = size_of_div(mesh, mesh->n_triangle / 2, triangle, u);
         free(triangle);

@@ -32,6 +32,11 @@ struct hang hang_of(enum hang_element element, int n, double m, double nu);
 struct hang hang_whole(enum hang_element element, int n, double m, double nu,
                        struct mesh **mesh, double **u);
 
+/* Two by two cells of the mesh are a square: its four triangles around the
+ * middle.  Returns the list of all, [3 n_triangle / 2], for the caller to
+ * free. */
+int *hang_cross(const struct mesh *mesh);
+
 /* Of three meshes of graded quadratic triangles, the finest with n = 128, as
  * each halving of h leaves the same fraction; at nu = 0.4999 div falls more
  * slowly each time, so that what is extrapolated is some 1 % too large. */

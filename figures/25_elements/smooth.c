@@ -40,7 +40,7 @@ struct point {
     double N[QUADRATIC_NODES], gradient[2 * QUADRATIC_NODES], X[2], size;
 };
 
-/* Six points a triangle, two for each corner, exact for degree 4 (Dunavant,
+/* Six points per triangle, two for each corner, exact for degree 4 (Dunavant,
  * Int. J. Numer. Meth. Engng 21 (1985), p. 1140). */
 enum { POINTS = 6 };
 static struct point point(const struct mesh *mesh, int e, int k)

@@ -20,10 +20,12 @@
 #include "base/table.h"
 #include "linear/sparse.h"
 #include "material/material.h"
+#include "plane/elements.h"
 #include "plane/quadratic.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double nu = 0.4999, target[] = {0.03, 0.01, 0.003, 0.001};
 static const char *const word[] = HANG_WORDS;
@@ -41,26 +43,20 @@ enum { KINDS = COUNT(kind), TARGETS = COUNT(target), MESHES = 7 };
 /* Triangles such that any two vertices of an element are in one of them. */
 static int *pairs(const struct mesh *mesh, enum hang_element element, int *n)
 {
+    *n = mesh->n_triangle / 2;
     if (element == HANG_QUADRATIC) return quadratic_pairs(mesh, n);
-    const int row = mesh->n + 1, step = element == HANG_CROSSED ? 2 : 1;
-    int *list = allocate(12 * (size_t)mesh->n * (size_t)mesh->rows,
-                         sizeof *list);
-    int *t = list;
-    for (int j = 0; j < mesh->rows; j += step)
-        for (int i = 0; i < mesh->n; i += step) {
-            const int low = j * row + i, middle = low + row + 1;
-            const int corner[5] = {low, low + step, low + step * (row + 1),
-                                   low + step * row, low};
-            for (int k = 0; k < 4; k++) {
-                /* round the middle; a cell's own two; or all four of them */
-                if (element == HANG_LINEAR && k % 2) continue;
-                *t++ = corner[k];
-                *t++ = corner[k + 1];
-                *t++ = element == HANG_CROSSED ? middle
-                                               : corner[(k + 2) % 4];
-            }
-        }
-    *n = (int)(t - list) / 3;
+    if (element == HANG_CROSSED) return hang_cross(mesh);
+    *n = mesh->n_triangle;
+    if (element == HANG_AVERAGED) *n += mesh->n * mesh->rows;
+    int *list = allocate(3 * (size_t)*n, sizeof *list);
+    memcpy(list, mesh->triangle, 3 * (size_t)mesh->n_triangle * sizeof *list);
+    for (int e = mesh->n_triangle; e < *n; e++) {
+        int corner[4]; /* the mean joins the two that no edge joins */
+        elements_cell(mesh, e - mesh->n_triangle, corner);
+        list[3 * e] = corner[0];
+        list[3 * e + 1] = corner[1];
+        list[3 * e + 2] = corner[3];
+    }
     return list;
 }
 

@@ -70,7 +70,7 @@ static int change_law(const struct scene *from, enum law law, double *least,
 static void change(int n)
 {
     static const int at[STATES] = {0,  10, 14, 15, 16, 17, 18,
-                                     19, 20, 22, 23, 24, 25, 30};
+                                   19, 20, 22, 23, 24, 25, 30};
     const struct step_control control = step_method("demand+search");
     struct scene *s = start(n, CUBIC, 1);
     for (int i = 0; i < STATES; i++) {

@@ -57,4 +57,3 @@ void first_limits(enum element element, int n, double first[4])
         scene_free(s);
     }
 }
-
