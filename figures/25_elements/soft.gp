@@ -29,6 +29,7 @@ set label 4 "quadratic" at 4e8, 2.1e-3 tc ls 1
 set label 5 "averaged, graded" at 4e8, 6.4e-4 tc ls 4
 set label 6 "quadratic, m = 2" at 4e8, 4e-4 tc ls 3
 set label 7 "quadratic, m = 3.36" at 2.2e8, 2.4e-4 right tc ls 10
+set label 11 "criss-cross, graded" at 1.9e7, 2e-3 right tc ls 7
 set label 8 "dashed: even meshes" at 2e4, 3e-4
 set label 9 "solid: graded" at 2e4, 1.9e-4
 # 8 Gflop per second, the lowest rate of figures/speed, table elements
