@@ -157,16 +157,19 @@ static enum status tangent2(const struct material *material, mat2 F, mat2 dF,
     return OK;
 }
 
-/* Figure 6: a law where it is defined, F = -1 ... 3. */
+/* Print Figure 6: a law where it is defined, at F = J = -1 ... 3. */
 static void print_curve(const struct material *material, int n)
 {
     const char *const name[] = {"curve_linear", "curve_log", "curve_cubic"};
-    table_begin(name[material->law], "F psi P dP");
+    table_begin(name[material->law], "F psi P dP r");
     for (int i = 0; i <= n; i++) {
         const double F = (4.0 * i - n) / n;
+        struct volumetric v = {0};
         struct response1 out;
-        if (response1(material, F, &out) == OK)
-            table_row(F, out.psi, out.P, out.dP);
+        if (volumetric(material->law, F, &v) == OK &&
+            response1(material, F, &out) == OK)
+            table_row(F, out.psi, out.P, out.dP,
+                      cell_if(material->law != LINEAR, v.r));
     }
     table_end();
 }

@@ -276,6 +276,7 @@ $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
 $(T)/pictures.result: tests/cli/pictures.sh $(LESSONS:%=$(BUILD)/data/%.tsv) \
+        README.md lessons/02_constitutive.md \
         $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk) \
         $(wildcard tests/tools/*)
 	$(call say,test,pictures of the student)

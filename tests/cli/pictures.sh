@@ -1,8 +1,8 @@
 #!/bin/sh
 # pictures.sh - what `make plot-NN` draws with the course's scripts: a whole
 # picture from the tables of the solution, one plain line where a table is not
-# there, and a picture or a line, soon, where numbers are wild.  Prints "ok ..."
-# or "FAIL ..." lines.
+# there, and a picture or a line, soon, where numbers are wild; and that Figure 6
+# of the notes has all its curves.  Prints "ok ..." or "FAIL ..." lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -75,4 +75,58 @@ for slug in 01_deformation 12_triangles 17_fibres 21_sparse_cholesky 23_least_mo
                 "$slug with $number${kept:+ here and there}" "$said $bad"
         done
     done
+done
+
+# Figure 6 of the notes: energy, stress and r over F, each of the log and of the
+# cubic law.  gnuplot writes what it would draw; a curve is there whose points are
+# those of the solution's table, at least 50 of them inside the axes.
+lost() { # lost COLUMN SCRIPT: the laws without their curve
+    rm -f "$into/drawn"
+    gnuplot -e "data='$built/data/02_constitutive.tsv'; out='/dev/null'; \
+        set table '$into/drawn'" "$2" >/dev/null 2>&1
+    awk -v column="$1" '
+        function close_to(a, b,    d) { d = a - b
+            return (d < 0 ? -d : d) <= 1e-4 * (1 + (b < 0 ? -b : b)) }
+        function finish(    law) { # a curve ends
+            for (law in rows)
+                if (points == rows[law] && inside >= 50 && !off[law]) drawn[law] = 1
+            points = inside = 0
+            split("", off)
+        }
+        FILENAME != table { table = FILENAME; file++ }
+        file == 1 && /^# curve_/ { law = substr($2, 7); c = 0; next }
+        file == 1 && !NF { law = "" }
+        file == 1 && (law == "log" || law == "cubic") {
+            if (c) { n = ++rows[law]; F[law, n] = $1; y[law, n] = $c; next }
+            for (c = NF; $c != column; c--) continue
+        }
+        file == 2 && (!NF || /^#/) { finish() }
+        file == 2 && /^ *[-0-9]/ {
+            points++
+            inside += $NF == "i"
+            for (law in rows)
+                if (!close_to($1, F[law, points]) || !close_to($2, y[law, points])) off[law] = 1
+        }
+        END { finish(); for (law in rows) if (!drawn[law]) print law
+              if (!rows["log"] || !rows["cubic"]) print "table" }' \
+        "$built/data/02_constitutive.tsv" "$into/drawn" 2>&1 | sort
+}
+for figure in 'energy psi' 'stress P' 'r r'; do
+    name=${figure% *} column=${figure#* }
+    script=figures/02_constitutive/$name.gp
+    said=$(lost "$column" "$script")
+    result "$([ -z "$said" ]; echo $?)" "$name of both laws is drawn" "$said"
+    # and it would be seen: a curve less, and another quantity
+    for law in log cubic; do
+        sed "/data index \"curve_$law\".* with lines/d" "$script" >"$into/script.gp"
+        said=$(lost "$column" "$into/script.gp")
+        result "$([ "$said" = "$law" ]; echo $?)" "$name without the $law law is noticed" "$said"
+    done
+    sed "s/\"$column\"/\"dP\"/g" "$script" >"$into/script.gp"
+    said=$(echo $(lost "$column" "$into/script.gp"))
+    result "$([ "$said" = 'cubic log' ]; echo $?)" "$name of another column is noticed" "$said"
+done
+for page in README.md lessons/02_constitutive.md; do
+    grep -q '^!\[.*/energy\.svg) !\[.*/stress\.svg) !\[.*/r\.svg)$' $page
+    result $? "$page shows all three" 'energy.svg stress.svg r.svg'
 done

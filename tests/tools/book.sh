@@ -30,6 +30,7 @@ summary { overflow-wrap: anywhere; }
 a.label { font-size: .8em; text-decoration: none; white-space: nowrap; }
 .nav { font-size: .85rem; padding: .4em 0; border: solid #ddd; border-width: 1px 0; }
 img { max-width: 100%; height: auto; }
+@media (min-width: 700px) { p:has(.figure + .figure) img { width: 32.4%; } }
 td img { max-width: none; }
 math { font-family: math, "STIX Two Math", "Cambria Math", serif; }
 mstyle[mathvariant=normal] mi { text-transform: none; }
@@ -54,6 +55,7 @@ details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
     p, ul, ol { overflow-x: auto; overflow-y: hidden; }
     ul, ol { padding-left: 1.4em; }
     p .figure img[src$=".svg"]:not(.fits) { max-width: none; width: 620px; }
+    p:has(.figure + .figure) img { width: 100%; }
     td img { width: 72px; }
     td { min-width: 3.5em; } td a.label { white-space: normal; } }
 @media print { @page { size: A4; margin: 12mm; } body { font-size: 10.5pt; }

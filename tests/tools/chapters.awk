@@ -6,7 +6,8 @@
 # prints "FILE: what is wrong".  The pictures of a chapter are Figure X.1, X.2, ...,
 # at most four in a lesson, each with its caption behind it; X is the number of a
 # lesson, and a letter elsewhere.  The text names each before it comes, but for the
-# first, which opens the chapter, and no other number of this kind.
+# first, which opens the chapter, and no other number of this kind.  Those on one
+# line are one picture: side by side on a wide page, one below the other on a phone.
 
 function base(path) { sub(/.*\//, "", path); return path }
 # The name by which a link knows a chapter: its file, or folder/README.md.

@@ -1,0 +1,34 @@
+# r.gp - Figure 6 of the notes, third of three: the function r over J = F in one
+# dimension, of the log and of the cubic law, as the lesson prints it.
+# Reads   data  tables curve_log, curve_cubic
+# Writes  out   SVG
+load "figures/style.gp"
+set terminal svg size 270,300 enhanced font "Helvetica,14"
+set output out
+set key above center horizontal maxrows 1 reverse Left samplen 1.5 width -2
+set lmargin at screen 0.2
+set rmargin at screen 0.97
+set tmargin at screen 0.88
+set bmargin at screen 0.2
+set xrange [-1:3]
+set xtics 1
+set yrange [-3:3]
+set ytics 1
+set xlabel "J = F (-)" offset 0,0.4
+set ylabel "r(J) (-)" offset 0.5
+set object 1 rectangle from graph 0, graph 0 to first 0, graph 1 \
+    fc rgb "#eeeeee" fs solid noborder behind
+set label 1 "inside\nout" at -0.94, 2.6 textcolor rgb "#555555"
+flat(of) = column("F") == 0 ? column(of) : NaN # crushed flat
+behind = exists("reference") # grey, where the data are a student's
+if (!behind) reference = data
+plot for [law in "log cubic"] reference index "curve_".law \
+         using "F":(behind ? column("r") : NaN) with lines lw 7 \
+         lc rgb "#DDDDDD" notitle, \
+     data index "curve_log" using "F":"r" with lines ls 1 title "log", \
+     data index "curve_cubic" using "F":"r" with lines ls 2 title "cubic", \
+     data index "curve_cubic" using "F":(flat("r")) with points pt 7 ps 0.6 \
+         lc rgb "#D55E00" notitle, \
+     data index "curve_cubic" using "F":(flat("r")): \
+         (sprintf("r(0) = %.2f", column("r"))) with labels \
+         left offset 2.3,-0.2 tc ls 2 notitle
