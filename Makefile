@@ -9,6 +9,49 @@
 # Numbers have a decimal point, whatever the user's language is.
 export LC_ALL := C
 
+# A job for each processor; of the tests several wait, for a loop's end or a
+# sleeper, so they get two more.
+ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
+MAKEFLAGS += -j$(shell echo $$(($$(getconf _NPROCESSORS_ONLN 2>/dev/null || \
+                 echo 2)$(if $(filter test,$(MAKECMDGOALS)), + 2))))
+endif
+MAKEFLAGS += --no-print-directory
+
+# What may be given with which goal; to any other it is an error.  It reaches
+# student.sh in the environment and as it was typed: what looks like make's or
+# the shell's to expand is neither's.
+takes_lesson := TABLE ARGS
+takes_diff   := TABLE ARGS
+takes_plot   := TABLE X Y KEY ARGS
+takes_live   := ARGS
+takes_choose := SCENE ERROR WITHIN VERIFIED
+takes_debug  := ARGS
+takes_check  := JSON
+takes_grade  := JSON
+MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFIED
+takes_deps   := $(MAY_BE_GIVEN)
+given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
+goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
+ifeq ($(MAKELEVEL),0)
+$(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
+    make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
+    $(strip $(foreach t,lesson plot diff debug check live choose grade,$(if $(filter \
+    $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
+endif
+
+# Goals that install come first, and then another make for the others, which asks
+# anew what there is: of the rest of this file the first reads nothing.
+INSTALL := $(sort $(filter deps deps-web deps-many,$(MAKECMDGOALS)))
+ifneq ($(INSTALL),)
+THEN := $(filter-out $(INSTALL),$(MAKECMDGOALS))
+.NOTPARALLEL:
+.PHONY: then $(INSTALL) $(THEN)
+$(INSTALL): ; @sh tests/tools/$(subst -,_,$@).sh
+then: $(INSTALL)
+	@exec "$(MAKE)" $(THEN)
+$(sort $(THEN)): then ; @:
+else
+
 CC      ?= cc
 CFLAGS  ?= -O2 -g
 STRICT  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
@@ -104,10 +147,6 @@ FIGURES := $(foreach f,$(filter-out $(TIMED),$(SCRIPTS)),$(call picture,$f)) \
 TIMED_HERE := $(foreach f,$(filter-out $(BENCHED),$(TIMED)),$(BUILD)/$(call \
                   picture,$f))
 
-# With `deps` among the goals nothing is compiled before it has finished; where
-# gsl-config is missing, nothing before GSL has been looked for.
-DEPS := $(filter deps,$(MAKECMDGOALS)) $(if $(GSL_CFLAGS),,gsl)
-
 # What all objects were compiled with: with other words they are compiled anew.
 # A test with ANY_FLAGS=1 takes them as they are.
 FLAGS := $(strip $(CC) $(STD) $(STRICT) $(CFLAGS) $(LDFLAGS) $(if $(filter \
@@ -119,13 +158,6 @@ endif
 endif
 RULES := Makefile $(BUILD)/flags
 
-# A job for each processor; of the tests several wait, for a loop's end or a
-# sleeper, so they get two more.
-ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
-MAKEFLAGS += -j$(shell echo $$(($$(getconf _NPROCESSORS_ONLN 2>/dev/null || \
-                 echo 2)$(if $(filter test,$(MAKECMDGOALS)), + 2))))
-endif
-MAKEFLAGS += --no-print-directory
 export CC MAKE
 # A judged program with a sanitizer needs all addresses.
 export SANITIZED := $(findstring -fsanitize=,$(CC) $(CFLAGS) $(LDFLAGS))
@@ -135,7 +167,7 @@ SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help deps status figures course book bench clean gsl always
+.PHONY: help status figures course book bench clean gsl always
 .DEFAULT_GOAL := help
 
 help:
@@ -169,16 +201,14 @@ help:
 	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 	@echo '  make check-07 JSON=file      the verdict for machines, too'
 
-deps:
-	@sh tests/tools/deps.sh
-
-gsl: | $(filter deps,$(DEPS))
+gsl:
 	@echo '#include <gsl/gsl_math.h>' | $(CC) -E - > /dev/null 2>&1 || { \
 	    echo 'GSL is not found; it comes with: make deps' >&2; exit 1; }
 
 # ---- library and programs ---------------------------------------------------
 
-$(BUILD)/flags: $(OTHER_FLAGS)
+# Where gsl-config is missing, GSL is looked for before anything is compiled.
+$(BUILD)/flags: $(OTHER_FLAGS) | $(if $(GSL_CFLAGS),,gsl)
 	$(Q)mkdir -p $(@D) && $(WHOLE) printf '%s\n' '$(subst ','\'',$(FLAGS))' \
 	    > $(PART) && $(MOVED)
 
@@ -187,7 +217,7 @@ $(BUILD)/flags: $(OTHER_FLAGS)
 # has all but window_sdl.c, which needs SDL2 and is for `make live` only,
 # window_web.c, which is for a page, and the program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
-NO_PROGRAM := help deps status alone check-% hint-% solution-% reset-% watch-% \
+NO_PROGRAM := help status alone check-% hint-% solution-% reset-% watch-% \
               debug-% mistakes-%
 ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
              solutions/$(SLUG).c)
@@ -223,14 +253,14 @@ native_for = $(if $(filter readable,$1),$(NATIVE)) \
                  $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
                  $(filter -g,$(CFLAGS))),$(NATIVE))) \
              $(if $(filter body triangles lanes,$1),$(call same_digits,$(NATIVE)))
-$(OBJECTS): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
+$(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(call native_for,$(notdir $*)) $< $(OBJECT)
 
 # Compiled and linked by themselves: `make test` links them with other libraries.
 PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
-$(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES) | $(DEPS)
+$(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(OBJECT)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
@@ -251,7 +281,7 @@ $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
           compare cells tables claims guard output predict child confine sight \
           kept)
-$(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES) | $(DEPS)
+$(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
@@ -420,26 +450,6 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 # exec: a signal to make's child is one to the script
 STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' sh tests/tools/student.sh
 
-# What may be given with which goal; to any other it is an error.  It reaches
-# student.sh in the environment and as it was typed: what looks like make's or
-# the shell's to expand is neither's.
-takes_lesson := TABLE ARGS
-takes_diff   := TABLE ARGS
-takes_plot   := TABLE X Y KEY ARGS
-takes_live   := ARGS
-takes_choose := SCENE ERROR WITHIN VERIFIED
-takes_debug  := ARGS
-takes_check  := JSON
-takes_grade  := JSON
-MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFIED
-given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
-goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
-ifeq ($(MAKELEVEL),0)
-$(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
-    make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
-    $(strip $(foreach t,lesson plot diff debug check live choose grade,$(if $(filter \
-    $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
-endif
 override TABLE := $(if $(filter TABLE,$(given)),$(value TABLE))
 override X     := $(if $(filter X,$(given)),$(value X))
 override Y     := $(if $(filter Y,$(given)),$(value Y))
@@ -510,9 +520,9 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help deps status figures course book web wasm web-pages test live choose \
+GOALS := help status figures course book web wasm web-pages test live choose \
          bench many grade lint starters workbook programs studies memcheck look alone clean new-% \
-         deps-% test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
+         test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
 $(BY_NUMBER:=-%): ; $(WANT); exit 2
 ifneq ($(filter-out $(GOALS),$(foreach g,$(MAKECMDGOALS),$(if $(findstring \
@@ -544,4 +554,5 @@ else
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
 endif
 include tests/tests.mk
+endif
 endif

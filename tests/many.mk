@@ -3,8 +3,7 @@
 # Without them `make many` and `make test-many` say so in one line, and the book
 # is filled from the counts that figures/many/many.tsv keeps.
 
-.PHONY: deps-many many test-many many-programs
-deps-many: ; @sh tests/tools/deps_many.sh
+.PHONY: many test-many many-programs
 
 MANY := $(BUILD)/figures/many
 MANY_FILES := $(wildcard figures/many/*.[ch])

@@ -166,7 +166,7 @@ CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
 CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
 UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
-$(BUILD)/unit/%.o: tests/unit/%.c $(RULES) | $(DEPS)
+$(BUILD)/unit/%.o: tests/unit/%.c $(RULES)
 	$(call say,cc,$<)
 	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
 $(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
@@ -232,7 +232,7 @@ look: $(patsubst %,$(BUILD)/looked/%,$(filter-out $(SEEN),$(LOOKED)))
 EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
               lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
-$(T)/lint.result: $(EVERYTHING) | $(DEPS)
+$(T)/lint.result: $(EVERYTHING)
 	$(call say,test,lint)
 	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
 $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
@@ -315,7 +315,7 @@ SAID_gcc = $(if $(IS_GCC),$(patsubst %,%.said,$(OBJECTS) $(PARTS:=.o) $(JUDGE) \
                $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit)))
 VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_$*)' SAID='$(SAID_$*)' \
            sh tests/tools/build_variants.sh
-$(T)/build-%.result: $(EVERYTHING) | $(DEPS)
+$(T)/build-%.result: $(EVERYTHING)
 	$(call say,test,$* build)
 	$(SHARED)$(Q)mkdir -p $(@D) && $(VARIANTS) $* > $@
 $(T)/build-valgrind.result: $$(READY)

@@ -8,8 +8,7 @@ WASM := $(BUILD)/wasm
 # what is not here, in words
 WEB_MISSING = BUILD='$(BUILD)' sh tests/tools/web_missing.sh
 no_web = not here; make deps-web installs it
-.PHONY: deps-web web
-deps-web: ; @BUILD='$(BUILD)' sh tests/tools/deps_web.sh
+.PHONY: web
 
 # Debian's emscripten does not find its acorn under another node than Debian's.
 EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
