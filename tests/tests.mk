@@ -261,6 +261,9 @@ $(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.
         tests/tools/seconds.awk figures/speed/README.md
 	$(call say,test,what make bench makes of its tables)
 	$(Q)mkdir -p $(@D) && sh $< > $@
+$(T)/bare.result: tests/cli/bare.sh tests/tools/deps.sh Makefile $(wildcard tests/*.mk)
+	$(call say,test,a machine that has nothing yet)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
@@ -330,7 +333,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/wide.result $(T)/form.result $(T)/bench.result \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/new.result $(T)/diff.result \
+           $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
            $(T)/many.result $(T)/web-pages.result $(T)/web.result \
            $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \

@@ -12,7 +12,8 @@ have_header() { printf '#include <%s>\n' "$1" | ${CC:-cc} $2 -E - >/dev/null 2>&
 missing=
 need() { missing="$missing $1"; }
 
-command -v "${CC:-cc}" >/dev/null 2>&1 || need compiler
+set -- ${CC:-cc}
+command -v "$1" >/dev/null 2>&1 || need compiler
 command -v pkg-config >/dev/null 2>&1 || need pkg-config
 case " $missing " in
 *" compiler "*) need gsl; need check ;;
@@ -44,9 +45,9 @@ if command -v apt-get >/dev/null 2>&1; then
     echo "  deps     installing $names"
     log=$(mktemp) || exit 1
     export DEBIAN_FRONTEND=noninteractive
-    if ! { apt-get update && $install; } >"$log" 2>&1; then
-        tail -n 5 "$log" >&2
-        echo "deps: apt-get failed; the whole log is $log" >&2
+    # what an update cannot reach may be no source of these
+    if ! { apt-get update; $install; } >"$log" 2>&1; then
+        echo "deps: apt-get failed: $(sed -n '/^E: /{p;q;}' "$log") (the whole log: $log)" >&2
         exit 1
     fi
     rm -f "$log"
@@ -59,8 +60,8 @@ elif command -v brew >/dev/null 2>&1; then
     echo "  deps     installing$missing"
     brew install $missing || exit 1
 else
-    echo "deps: missing:$missing. Install a C compiler, the GNU Scientific Library" >&2
-    echo "      with headers, Check (libcheck), pkg-config and gnuplot." >&2
+    echo "deps: missing:$missing. Install a C compiler, the GNU Scientific Library with" \
+        "headers, Check (libcheck), pkg-config and gnuplot." >&2
     exit 1
 fi
 echo "  deps     installed:$missing"
