@@ -21,9 +21,10 @@ script() { # script FILE: its lines are read
 bare() { # bare FOLDER GOAL...: on a machine that has the programs in FOLDER
     path=$here/$1
     shift
-    said=$(env -i PATH="$path" "$MAKE" "$@" 2>&1 </dev/null)
+    said=$(env -i PATH="$path" TMPDIR="$here" "$MAKE" "$@" 2>&1 </dev/null)
     status=$?
 }
+without_make() { printf '%s\n' "$said" | grep -v '\*\*\* \[\|recipe for target'; }
 
 # ---- nothing starts before deps has ended --------------------------------------
 # Any program but the shell leaves a line in `early`.
@@ -41,8 +42,7 @@ goals='status figures course book web test live bench many grade lint starters
     mutants-03 workbook-03 mistakes-03 lesson-03 check-03 hint-03 diff-03 plot-03
     watch-03 debug-03 build/common/base/status.o build/test/v8/clock.o'
 bare few -j8 $goals deps
-[ $status = 2 ] && [ ! -e early ] &&
-    [ -z "$(echo "$said" | grep -v 'deps\] Error 1$')" ]
+[ $status = 2 ] && [ ! -e early ] && [ -z "$(without_make)" ]
 result $? 'nothing starts before deps has ended' "$said $(cat early 2>&1)"
 cp Makefile whole
 sed -e 's/^then: .*/then:/' -e '/^.NOTPARALLEL/d' whole >Makefile
@@ -111,8 +111,8 @@ mv tools/gnuplot away
 rm tools/brew
 says() { # says WHAT TEXT: in one line, and status does not follow
     bare tools deps status
-    [ $status = 2 ] && [ "$(echo "$said" | grep -c -v '^make: \|^  deps ')" = 1 ] &&
-        echo "$said" | grep -q -e "^deps: $2"
+    [ $status = 2 ] && [ "$(without_make | grep -c -v '^  deps ')" = 1 ] &&
+        without_make | grep -q -e "^deps: $2"
     result $? "$1" "status $status; $said"
 }
 echo 'echo "E: no network"; echo more; exit 100' | script tools/apt-get
