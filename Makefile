@@ -8,6 +8,8 @@
 
 # Numbers have a decimal point, whatever the user's language is.
 export LC_ALL := C
+# Before GNU make 4.3 one within a function begins a comment.
+hash := \#
 
 # A job for each processor; of the tests several wait, for a loop's end or a
 # sleeper, so they get two more.
@@ -73,14 +75,19 @@ endif
 # lines that stand one after the other, which gcc 12 contracts all the same.
 # They make the build one for this machine; `make clean` and NATIVE= give one for
 # any.
-ALL_NATIVE = $(shell takes() { \
+# $(call once,NAME): $(ask_NAME), expanded when it is first needed.  make 3.81
+# crashes where a variable is changed while it is expanded.
+once = $(if $(filter undefined,$(origin said_$1)),$(eval \
+           said_$1 := $$(ask_$1)))$(said_$1)
+ask_native = $(shell takes() { \
                  $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
                  2>/dev/null && echo "$$@"; }; \
                  set -- -O3 -march=native -mprefer-vector-width=512 \
                  -ffp-contract=fast; \
                  takes "$$@" || for flag in "$$@"; do takes "$$flag"; done)
+ALL_NATIVE = $(call once,native)
 ifeq ($(origin NATIVE),undefined)
-NATIVE = $(eval NATIVE := $(ALL_NATIVE))$(NATIVE)
+NATIVE = $(ALL_NATIVE)
 endif
 PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # What is made is moved to its place when it is whole: another make may be
@@ -92,11 +99,12 @@ COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
 # What the compiler says of an object stays in OBJECT.said: a test reads it.
 OBJECT  = -c -o $(PART) 2> $(PART).said; status=$$?; cat $(PART).said >&2; \
           [ $$status = 0 ] && mv -f $(PART).said $@.said && $(MOVED)
-# the linker that takes half as long, where there is one; asked for once
+# the linker that takes half as long, where there is one
+ask_linker = $(shell echo 'int main(void) { return 0; }' | \
+                 $(CC) -Werror -fuse-ld=gold -x c - -o /dev/null 2>/dev/null && \
+                 echo -fuse-ld=gold)
 ifeq ($(origin FAST_LD),undefined)
-FAST_LD = $(eval FAST_LD := $(shell echo 'int main(void) { return 0; }' | \
-              $(CC) -Werror -fuse-ld=gold -x c - -o /dev/null 2>/dev/null && \
-              echo -fuse-ld=gold))$(FAST_LD)
+FAST_LD = $(call once,linker)
 endif
 export FAST_LD
 LIBS    = $(LDFLAGS) $(FAST_LD) $(GSL_LIBS)
@@ -223,7 +231,7 @@ ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
              solutions/$(SLUG).c)
 NEEDS := $(if $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),$(shell find -L \
              common figures solutions lessons tests -type f -name '*.[ch]' \
-             -exec grep -H '^\#include "' {} + | \
+             -exec grep -H '^$(hash)include "' {} + | \
              awk -v asked='$(ASKED)' -f tests/tools/needs.awk))
 comma := ,
 needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
@@ -243,10 +251,10 @@ $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 
 # tiles.c and front.c are as fast with -O2 and these of gcc, have the same digits,
 # and compile in two thirds of the time.
-LESS_THAN_O3 = $(eval LESS_THAN_O3 := $(shell set -- -O2 -ftree-vectorize \
-                   -fvect-cost-model=dynamic -fpeel-loops; $(CC) -Werror "$$@" \
-                   -x c -c /dev/null -o /dev/null 2>/dev/null && echo "$$@" || \
-                   echo -O3))$(LESS_THAN_O3)
+ask_less = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
+               -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
+               2>/dev/null && echo "$$@" || echo -O3)
+LESS_THAN_O3 = $(call once,less)
 same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
@@ -287,11 +295,12 @@ $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES)
 
 # An index beyond an array whose length the compiler knows is a trap there, if it
 # knows how; judge.h guards the arrays that the checks hand over.
-BOUNDS = $(eval BOUNDS := $(shell for flags in \
-             '-fsanitize=bounds -fsanitize-undefined-trap-on-error' \
-             '-fsanitize=bounds -fsanitize-trap=bounds'; do \
-             $(CC) -Werror $$flags -x c -c /dev/null -o /dev/null 2>/dev/null && \
-             echo $$flags && break; done))$(BOUNDS)
+ask_bounds = $(shell for flags in \
+                 '-fsanitize=bounds -fsanitize-undefined-trap-on-error' \
+                 '-fsanitize=bounds -fsanitize-trap=bounds'; do \
+                 $(CC) -Werror $$flags -x c -c /dev/null -o /dev/null 2>/dev/null && \
+                 echo $$flags && break; done)
+BOUNDS = $(call once,bounds)
 
 # A judge is compiled more often than run, and runs no longer with -O1.
 QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
@@ -335,8 +344,8 @@ $(ASKING:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: figures/%.gp \
 	    $(filter-out %.gp,$^) $$($(OPTIONS_OF) $<) > $(PART) && $(MOVED)
 
 # The numbers of a chapter's Example: its lesson's, with the ARGS that stand there.
-EXAMPLES := $(patsubst lessons/%.md,%,$(shell grep -l '^## Example$$' /dev/null \
-                lessons/[0-9]*.md))
+EXAMPLES := $(patsubst lessons/%.md,%,$(shell grep -l '^$(hash)$(hash) Example$$' \
+                /dev/null lessons/[0-9]*.md))
 ARGS_OF = sed -n '/^\#\# Example$$/,/^\#\# On paper$$/s/.*ARGS=.\([^`]*\).`.*/\1/p'
 $(EXAMPLES:%=$(BUILD)/data/%/example.tsv): $(BUILD)/data/%/example.tsv: \
         $(BUILD)/solutions/% lessons/%.md

@@ -58,10 +58,10 @@ endef
 # table, and its words.  Where the main build has the flags and the vectors of v8,
 # hence its code, the tables are those of the main build already, but for those
 # with seconds, which name the machine.
-V8_HERE = $(eval V8_HERE := $(shell \
-              [ '$(strip $(NATIVE))' = '$(strip $(ALL_NATIVE))' ] && $(CC) \
-              $(NATIVE) -Icommon -dM -E -include linear/vec.h -x c /dev/null | \
-              grep -q 'VEC_WIDTH 8$$' && echo yes))$(V8_HERE)
+ask_v8 = $(shell [ '$(strip $(NATIVE))' = '$(strip $(ALL_NATIVE))' ] && $(CC) \
+             $(NATIVE) -Icommon -dM -E -include linear/vec.h -x c /dev/null | \
+             grep 'VEC_WIDTH 8$$' > /dev/null && echo yes)
+V8_HERE = $(call once,v8)
 # $(call SAME_RUN,BUILD,options,/example where it is one)
 MAIN = $(BUILD)/data/$*$3.tsv
 SAME_RUN = mkdir -p $(@D) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \

@@ -306,8 +306,9 @@ $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md \
 # only the older ones, so that they are compiled anew.
 NOT_NATIVE = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename \
                  $(notdir $o)))),,$o))
-IS_GCC = $(eval IS_GCC := $(if $(SANITIZED)$(filter-out file,$(origin \
-             CFLAGS))$(findstring clang,$(shell $(CC) --version)),,yes))$(IS_GCC)
+ask_gcc = $(if $(SANITIZED)$(filter-out file,$(origin CFLAGS))$(findstring \
+              clang,$(shell $(CC) --version)),,yes)
+IS_GCC = $(call once,gcc)
 READY = $(if $(IS_GCC),$(NOT_NATIVE) $(PROGRAMS:=.o) \
             $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
 # What gcc says of the main build it need not be asked for again.

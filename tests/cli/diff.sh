@@ -161,9 +161,9 @@ compared() { # compared EDIT: the reference's output, changed by an awk program
     status=$?
 }
 mkdir -p awks
-for shell in mawk gawk original-awk 'busybox awk'; do
+for shell in mawk gawk 'gawk --posix' original-awk 'busybox awk'; do
     program=$(command -v "${shell%% *}") || { echo "skip diff: no $shell here"; continue; }
-    awk="awks/${shell%% *}"
+    awk="awks/$shell"
     printf '#!/bin/sh\nexec %s "$@"\n' "$program${shell#"${shell%% *}"}" >"$awk"
     chmod +x "$awk"
     compared '{ print }'

@@ -6,7 +6,7 @@
 # hyphens between them, or an <a id="...">.  First every file is read for its
 # places, then again for its links.
 
-function folder(path) { return path ~ /\// ? substr(path, 1, match(path, /[^\/]*$/) - 1) : "" }
+function folder(file) { return file ~ /\// ? substr(file, 1, match(file, /[^\/]*$/) - 1) : "" }
 # From the top of the tree, without "name/.."
 function path(from, to) {
     to = folder(from) to

@@ -88,6 +88,10 @@ rule 'no -ffast-math anywhere' "$(grep -nE 'fast-math *$|-Ofast' Makefile | grep
 rule 'ulimit sets one limit at a time (dash takes no more)' \
     "$(grep -nE 'ulimit( +-[SH])* +-[a-z] +[0-9a-z]+ +-' Makefile tests/*.mk \
         tests/tools/*.sh tests/cli/*.sh)"
+rule 'make 3.81 reads the makefiles (tests/tools/old_make.awk)' \
+    "$(awk -f tests/tools/old_make.awk Makefile tests/*.mk)"
+rule 'no parameter of an awk function is named like a function' \
+    "$(awk -f tests/tools/parameters.awk tests/tools/*.awk figures/*.awk figures/*/*.awk)"
 sh tests/tools/sizes.sh lint | concerns
 rule 'a header of at most 25 lines tells what a program is for' \
     "$(awk 'FNR == 1 { ended = 0; if (!/^\/\*/) print FILENAME ": none" }

@@ -14,9 +14,9 @@ function is_number(text) {
 function fail(text) { print text; failed = 1; exit 2 }
 function quoted(text) { gsub(/'/, "''", text); return "'" text "'" }
 # The order of magnitude, some logarithm; not every awk has log().
-function magnitude(v,    part) {
-    split(sprintf("%e", v), part, "e")
-    return part[2] + (part[1] - 1) / 9
+function magnitude(v,    digits) {
+    split(sprintf("%e", v), digits, "e")
+    return digits[2] + (digits[1] - 1) / 9
 }
 # How far v is on an axis from least to most: 0 to n.
 function part(v, least, most, log_, n) {
