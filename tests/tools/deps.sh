@@ -47,7 +47,8 @@ if command -v apt-get >/dev/null 2>&1; then
     export DEBIAN_FRONTEND=noninteractive
     # what an update cannot reach may be no source of these
     if ! { apt-get update; $install; } >"$log" 2>&1; then
-        echo "deps: apt-get failed: $(sed -n '/^E: /{p;q;}' "$log") (the whole log: $log)" >&2
+        why=$(sed -n -e '/^E: /{p;q;}' -e '/^W: Failed to fetch/{p;q;}' "$log")
+        echo "deps: apt-get failed: $why (the whole log: $log)" >&2
         exit 1
     fi
     rm -f "$log"
