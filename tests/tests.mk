@@ -264,12 +264,18 @@ $(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.
 $(T)/bare.result: tests/cli/bare.sh tests/tools/deps.sh Makefile $(wildcard tests/*.mk)
 	$(call say,test,a machine that has nothing yet)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
+$(T)/drawn.result: tests/cli/drawn.sh tests/tools/figure.sh \
+        $(BUILD)/data/10_neohookean_bar/newton.tsv \
+        $(BUILD)/data/13_backward_euler_2d/motion.tsv
+	$(call say,test,which pictures are drawn anew)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
 $(T)/figure.$(subst /,.,$1).result: $(call data_of,$1) figures/$1.gp \
         figures/style.gp tests/tools/figure.sh
-	$(Q)mkdir -p $$(@D) && if said=$$$$(sh tests/tools/figure.sh \
+	$(Q)mkdir -p $$(@D) && rm -f $(T)/$(subst /,.,$(call picture,$1)) && \
+	    if said=$$$$(sh tests/tools/figure.sh \
 	        figures/$1.gp $$< $(T)/$(subst /,.,$(call picture,$1)) 2>&1); \
 	    then echo 'ok figure $1'; else echo "FAIL figure $1: $$$$said"; fi > $$@
 endef
@@ -331,7 +337,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result \
-           $(T)/wide.result $(T)/form.result $(T)/bench.result \
+           $(T)/wide.result $(T)/form.result $(T)/bench.result $(T)/drawn.result \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
