@@ -85,7 +85,7 @@ const char *ladder_part(enum part part)
 enum { ROWS = 4 };
 static int coarsest(const struct ladder_scene *scene)
 {
-    return (int)fmax(2.0, floor(ROWS * scene->slender + 0.5));
+    return (int)fmax(2.0, floor((double)ROWS * scene->slender + 0.5));
 }
 
 struct ladder_model ladder_first(const struct ladder_scene *scene)

@@ -1,4 +1,5 @@
 /* judge.c - all the checks of a program, what is said of them, one verdict. */
+#define _DARWIN_C_SOURCE /* mkdtemp, on macOS */
 #include "judging.h"
 
 #include "predict.h"

@@ -1,4 +1,5 @@
 /* verdict.c - a check in a child of its own, and how it ended. */
+#define _DARWIN_C_SOURCE /* MSG_DONTWAIT, on macOS */
 #include "judging.h"
 
 #include <errno.h>

@@ -12,6 +12,7 @@ mine=lessons/$slug.c
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
 }
+command -v timeout >/dev/null || timeout() { shift; "$@"; } # macOS has none
 says() { # says TEXT WHAT COMMAND...: TEXT is a pattern in what it says
     text=$1 what=$2
     shift 2

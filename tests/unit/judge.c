@@ -2,6 +2,7 @@
  * judge.c - laws of tests/checks/judge.h and output.h: what the judge reads
  * from a program's output, and what it takes for a difference.
  */
+#define _DARWIN_C_SOURCE /* as judge.c and verdict.c need it */
 #include "../checks/confine.c"
 
 /* The judge's clock, which may jump. */
