@@ -6,16 +6,17 @@
 
 #include "names.h"
 
-enum {
-#ifdef HURRIED             /* a test of what becomes of an endless loop */
-    SECONDS_COMPUTING = 1,
-    SECONDS_JUDGING = 3,
-#else
-    SECONDS_COMPUTING = 5, /* CPU time, which no other program takes away */
-    SECONDS_JUDGING = 12,  /* the same, of all children together */
+/* CPU time, which no other program takes away: thirty times what the dearest
+ * check of a right program takes.  Tests give other seconds. */
+#ifndef JUDGE_SECONDS
+#define JUDGE_SECONDS 5
 #endif
-    SECONDS_IDLE = 5,      /* wall time in which none of them computes */
-    SECONDS_WAITING = 60,  /* wall time, where idleness cannot be seen */
+
+enum {
+    SECONDS_COMPUTING = JUDGE_SECONDS,
+    SECONDS_JUDGING = 4 * JUDGE_SECONDS, /* of all children together */
+    SECONDS_IDLE = 5,     /* wall time in which none of them computes */
+    SECONDS_WAITING = 60, /* wall time, where idleness cannot be seen */
     MEGABYTES_OUTPUT = 8,  /* in one file */
     MOST_FILES = 64,
     MOST_PROCESSES = 128,

@@ -43,7 +43,7 @@ static int all_processes(int most, struct process process[])
         n++;
     }
     closedir(all);
-    return n;
+    return n > 0 ? n : -1; /* not even this one */
 }
 #endif
 

@@ -145,6 +145,16 @@ for dir in '' no-such-folder none . ; do
         cmp -s wanted build/grade/grades.csv
     result $? "grade refuses the folder '$dir'" "$said"
 done
+# a compiler that is not done with a submission
+mkdir -p late/ann && cp "solutions/$slug.c" late/ann
+printf '#!/bin/sh\ncase $* in *build/grade/*) sleep 1000 ;; esac\nexec %s "$@"\n' \
+    "${CC:-cc}" >never && chmod +x never
+said=$(SECONDS_COMPILING=3 "$MAKE" grade BUILD=build DIR=late CC="$PWD/never" \
+    ANY_FLAGS=1 2>&1)
+[ $? = 2 ] && grep -q "^ann,$slug,not judged,-,-,-\$" build/grade/grades.csv &&
+    grep -q 'the compiler was not done after 3 s' build/grade/verdicts.txt
+result $? 'grade has no verdict where the compiler was not done' \
+    "$said $(cat build/grade/grades.csv build/grade/verdicts.txt)"
 # the lines for Gradescope of TEACHING.md, with a lesson and with none
 awk '/^```/ { shown = 0 } shown { print } /^```sh/ { shown = 1 }' \
     lessons/TEACHING.md | sed "s|/autograder|\$PWD/autograder|" >run_autograder

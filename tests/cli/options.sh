@@ -51,7 +51,7 @@ for program in $(ls "$BUILD/solutions" | grep '^[0-9][0-9]_[a-z0-9_]*$'); do
     "$BUILD/solutions/$program" -h | random_lines | while IFS= read -r line; do
         text=${line#*|}
         IFS='|'; set -- ${text#*|}; unset IFS
-        (ulimit -t 20; exec "$BUILD/solutions/$program" "$@") \
+        (ulimit -t 300; exec "$BUILD/solutions/$program" "$@") \
             >"$tmp/out" 2>"$tmp/err" </dev/null
         status=$?
         case ${line%%|*}.$status in

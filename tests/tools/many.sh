@@ -160,8 +160,6 @@ test_all() {
 }
 
 measure() {
-    LIMIT=300 # n = 512 on a busy machine
-    export LIMIT
     each "$all" ''
     for table in runs messages memory; do
         printf '# %s\n' "$table"

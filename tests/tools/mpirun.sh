@@ -1,7 +1,7 @@
 #!/bin/sh
 # mpirun.sh PROCESSES PROGRAM ARGUMENTS... - run a program on many processes.
 #
-# For Open MPI on a machine that others use as well: at most 60 s (or LIMIT), one
+# For Open MPI on a machine that others use as well: at most ten minutes, one
 # thread per process, and a process that waits lets others run.  Without these a
 # waiting process spins, and a step of milliseconds takes a second when there
 # are more processes than free cores.
@@ -19,9 +19,9 @@ if [ "$(id -u)" = 0 ]; then
 fi
 processes=$1
 shift
-mpirun -q --timeout "${LIMIT:-60}" -n "$processes" "$@"
+mpirun -q --timeout 600 -n "$processes" "$@"
 status=$?
 case $status in
-110 | 124) echo "mpirun: no end after ${LIMIT:-60} seconds" >&2 ;;
+110 | 124) echo "mpirun: no end after ten minutes" >&2 ;;
 esac
 exit $status

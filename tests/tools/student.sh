@@ -9,7 +9,7 @@ set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}" "${JSON:=}"
-: "${ARGS:=}" "${TABLE:=}"
+: "${ARGS:=}" "${TABLE:=}" "${SECONDS_COMPILING:=300}"
 command=$1
 slug=${2:-}
 nn=${slug%%_*}
@@ -41,16 +41,22 @@ clean_up() {
     rm -rf "$folder"
 }
 
-# compile FILE TARGET...: by make, with limits, for a file may include anything
-bounded=
-if command -v timeout >/dev/null 2>&1; then bounded='timeout 120'; fi
+# compile FILE TARGET...: by make, with limits, for a file may include anything.
+# Where its end is none of the file's, the words in the file `late` say so.
 compile() {
     source=$1
     shift
+    rm -f "$folder/late"
     patiently sh -c '
-        { ulimit -t 60; ulimit -f 2000000; ulimit -v 4000000; } 2>/dev/null
-        exec "$@"' sh $bounded "$MAKE" "$@" FILE="$source" \
-        INTO="$folder/judge" SLUG="$slug" >"$folder/log" 2>&1
+        { ulimit -t "$0"; ulimit -f 2000000; ulimit -v 4000000; } 2>/dev/null
+        exec "$@"' "$SECONDS_COMPILING" $(within "$SECONDS_COMPILING") "$MAKE" "$@" \
+        FILE="$source" INTO="$folder/judge" SLUG="$slug" >"$folder/log" 2>&1 && return
+    if [ $ended = 124 ] || grep -qi 'cpu *time limit exceeded' "$folder/log"; then
+        echo "not done after $SECONDS_COMPILING s"
+    elif grep -qE '(^|: |[0-9] )(Terminated|Killed)( |$)' "$folder/log"; then
+        echo 'ended by a signal'
+    fi >"$folder/late"
+    return 1
 }
 # build FILE: its judge, and the solution with its own.  These are nearly always
 # there; when they are not, and the limits were too narrow for them as well, they
@@ -60,12 +66,19 @@ build() {
     compile "$@" "$folder/judge" && return
     "$MAKE" -q "$2" "$3" >/dev/null 2>&1 && return 1
     : >"$folder/unready"
+    rm -f "$folder/late"
     patiently "$MAKE" "$2" "$3" >"$folder/log" 2>&1 && rm "$folder/unready" &&
         compile "$1" "$folder/judge"
 }
 errors() { grep -E 'error|undefined reference|cannot find|not found' "$1"; }
 
-not_your_fault() {
+no_build() { # why there is none, when it is not the file
+    [ ! -s "$folder/late" ] || {
+        echo "Lesson $nn is not judged: the compiler was $(cat "$folder/late")." \
+            'Is the machine busy? Try again.' >"$folder/why"
+        no_verdict "make check-$nn"
+        return 2
+    }
     {
         echo "Lesson $nn cannot be judged; your file is not the reason:"
         errors "$folder/log" >"$folder/errors" || cp "$folder/log" "$folder/errors"
@@ -166,7 +179,8 @@ judge() {
         return 1 ;;
     esac
     if ! build "$1"; then
-        [ ! -f "$folder/unready" ] || { not_your_fault; return 2; }
+        [ ! -f "$folder/unready" ] && [ ! -s "$folder/late" ] ||
+            { no_build; return 2; }
         why=$(sed -n 's/^refused: //p' "$folder/log")
         if [ -n "$why" ]; then
             echo "  $2 is not judged: $why." >"$folder/why"
@@ -175,7 +189,7 @@ judge() {
         fi
         mv "$folder/log" "$folder/log.first"
         compile "solutions/$slug.c" "$folder/judge" ||
-            { not_your_fault; return 2; }
+            { no_build; return 2; }
         mv "$folder/log.first" "$folder/log"
         explain_compile "$1" "$2" >"$folder/why"
         [ -z "$log" ] || echo "  the whole message: $log" >>"$folder/why"

@@ -18,9 +18,9 @@ static int wanted(const char *law, int argc, char *argv[])
     return argc < 2 || argv[1][0] == '-';
 }
 
-/* A law that does not end is ended after a minute of its own computing, which
- * no load of the machine takes away; one that sleeps, after ten minutes. */
-enum { COMPUTES = 60, WAITS = 600 };
+/* A law that does not end is ended after minutes of its own computing, which no
+ * load of the machine takes away, or half an hour of waiting. */
+enum { COMPUTES = 300, WAITS = 1800 };
 static void limit_laws(void)
 {
     struct rlimit limit;
