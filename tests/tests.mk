@@ -295,7 +295,7 @@ $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
+$(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff): \
         $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
@@ -305,6 +305,7 @@ $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff): \
 # and on what each lesson's own judge says of its data
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
+$(T)/elsewhere.result: .gitattributes $(wildcard tests/*.mk) $(BUILD)/data/$(TRIED).tsv
 $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md \
         $(T)/lint.result
 # Objects that are the same without the flags for this machine, where the others
@@ -341,6 +342,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result \
            $(T)/wide.result $(T)/form.result $(T)/bench.result $(T)/drawn.result \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
+           $(T)/elsewhere.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
            $(T)/many.result $(T)/web-pages.result $(T)/web.result \

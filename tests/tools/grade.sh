@@ -91,7 +91,7 @@ text() {
               if (!inside) print at ? substr(rest, 1, at - 1) : rest
               rest = at ? substr(rest, at + 2) : ""
               if (at) inside = !inside
-          } }' | tr -d '[:space:]' | cksum
+          } }' | tr -d '\357\273\277[:space:]' | cksum # without blanks or a mark
 }
 
 # Which files have the text of another one or of the solution?  That of the
