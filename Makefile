@@ -14,8 +14,9 @@ hash := \#
 # A job for each processor; of the tests several wait, for a loop's end or a
 # sleeper, so they get two more.
 ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
-MAKEFLAGS += -j$(shell echo $$(($$(getconf _NPROCESSORS_ONLN 2>/dev/null || \
-                 echo 2)$(if $(filter test,$(MAKECMDGOALS)), + 2))))
+JOBS := $(shell echo $$(($$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)$(if \
+            $(filter test,$(MAKECMDGOALS)), + 2))))
+MAKEFLAGS += -j$(JOBS)
 endif
 MAKEFLAGS += --no-print-directory
 
@@ -59,9 +60,14 @@ CFLAGS  ?= -O2 -g
 STRICT  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wstrict-prototypes -Wmissing-prototypes
 STD     := -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off
-GSL_CFLAGS   := $(shell gsl-config --cflags 2>/dev/null)
-GSL_LIBS     = $(or $(shell gsl-config --libs 2>/dev/null), \
-                    -lgsl -lgslcblas -lm)
+ask_cflags = $(shell gsl-config --cflags 2>/dev/null)
+ask_libs   = $(shell gsl-config --libs 2>/dev/null)
+GSL_CFLAGS = $(call once,cflags)
+GSL_LIBS   = $(or $(call once,libs),-lgsl -lgslcblas -lm)
+# $(call once,NAME): $(ask_NAME), expanded when it is first needed.  make 3.81
+# crashes where a variable is changed while it is expanded.
+once = $(if $(filter undefined,$(origin said_$1)),$(eval \
+           said_$1 := $$(ask_$1)))$(said_$1)
 # A solver that may not see a NaN is told so in one line.
 ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
       $(CFLAGS) $(LDFLAGS) $(if $(filter file undefined,$(origin NATIVE)),, \
@@ -75,10 +81,6 @@ endif
 # lines that stand one after the other, which gcc 12 contracts all the same.
 # They make the build one for this machine; `make clean` and NATIVE= give one for
 # any.
-# $(call once,NAME): $(ask_NAME), expanded when it is first needed.  make 3.81
-# crashes where a variable is changed while it is expanded.
-once = $(if $(filter undefined,$(origin said_$1)),$(eval \
-           said_$1 := $$(ask_$1)))$(said_$1)
 ask_native = $(shell takes() { \
                  $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
                  2>/dev/null && echo "$$@"; }; \
@@ -118,25 +120,36 @@ LESSONS := $(sort $(basename $(notdir $(wildcard solutions/[0-9][0-9]_*.c))))
 number  = $(firstword $(subst _, ,$1))
 LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
+# Thousands of rules are for studies, pictures, tests and teachers; what a student
+# asks for does without them, and answers at once.
+NO_PROGRAM := help status alone check-% hint-% solution-% reset-% watch-% \
+              debug-% mistakes-%
+LINKED := $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS))
+JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
+                 $(BUILD)/solutions/$(SLUG).judge)
+FOR_STUDENT := $(if $(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live choose \
+                   $(JUDGED_BY),$(or $(MAKECMDGOALS),help))$(filter \
+                   mistakes-%,$(MAKECMDGOALS)),,yes)
 # Studies are named as NN_slug/what; speed/what, the fastest settings of
 # work_precision, the fastest elements and the steps of particles are measured by
 # `make bench`, many/many, which needs PETSc, by `make many`.
 # A file there with a header of its name is what several studies share.
 SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
-STUDIES := $(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
-               $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c)))))
+STUDIES := $(if $(FOR_STUDENT),,$(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
+               $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c))))))
 SPEED   := $(filter speed/% work_precision/fronts %/seconds, $(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
 # of its name, or from the solution of its folder.  A picture with seconds in it
 # names the machine: of this machine it is drawn under build/figures/.
-SCRIPTS := $(patsubst figures/%.gp,%,$(sort $(wildcard figures/*/*.gp)))
-KINDS_OF_SCRIPT := $(sort $(shell awk ' \
+SCRIPTS := $(if $(FOR_STUDENT),,$(patsubst figures/%.gp,%,$(sort $(wildcard \
+               figures/*/*.gp))))
+KINDS_OF_SCRIPT := $(if $(SCRIPTS),$(sort $(shell awk ' \
     /^set terminal gif/ { print "moving=" FILENAME } \
     /machine.data/ { print "timed=" FILENAME } \
     /square.gp"/ { print "square=" FILENAME } \
-    /^. Yours  / { print "asking=" FILENAME }' /dev/null figures/*/*.gp))
+    /^. Yours  / { print "asking=" FILENAME }' figures/*/*.gp)))
 scripts_that_are = $(patsubst $1=figures/%.gp,%,$(filter \
                        $1=%,$(KINDS_OF_SCRIPT)))
 MOVING  := $(call scripts_that_are,moving)
@@ -160,7 +173,7 @@ TIMED_HERE := $(foreach f,$(filter-out $(BENCHED),$(TIMED)),$(BUILD)/$(call \
 FLAGS := $(strip $(CC) $(STD) $(STRICT) $(CFLAGS) $(LDFLAGS) $(if $(filter \
              file undefined,$(origin NATIVE)),,NATIVE=$(NATIVE)))
 ifeq ($(ANY_FLAGS),)
-ifneq ($(FLAGS),$(strip $(shell cat $(BUILD)/flags 2>/dev/null)))
+ifneq ($(FLAGS),$(strip $(if $(wildcard $(BUILD)/flags),$(shell cat $(BUILD)/flags))))
 OTHER_FLAGS := always
 endif
 endif
@@ -216,7 +229,7 @@ gsl:
 # ---- library and programs ---------------------------------------------------
 
 # Where gsl-config is missing, GSL is looked for before anything is compiled.
-$(BUILD)/flags: $(OTHER_FLAGS) | $(if $(GSL_CFLAGS),,gsl)
+$(BUILD)/flags: $(OTHER_FLAGS) | $(if $(LINKED),$(if $(GSL_CFLAGS),,gsl))
 	$(Q)mkdir -p $(@D) && $(WHOLE) printf '%s\n' '$(subst ','\'',$(FLAGS))' \
 	    > $(PART) && $(MOVED)
 
@@ -225,11 +238,9 @@ $(BUILD)/flags: $(OTHER_FLAGS) | $(if $(GSL_CFLAGS),,gsl)
 # has all but window_sdl.c, which needs SDL2 and is for `make live` only,
 # window_web.c, which is for a page, and the program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
-NO_PROGRAM := help status alone check-% hint-% solution-% reset-% watch-% \
-              debug-% mistakes-%
 ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
              solutions/$(SLUG).c)
-NEEDS := $(if $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),$(shell find -L \
+NEEDS := $(if $(LINKED),$(shell find -L \
              common figures solutions lessons tests -type f -name '*.[ch]' \
              -exec grep -H '^$(hash)include "' {} + | \
              awk -v asked='$(ASKED)' -f tests/tools/needs.awk))
@@ -243,7 +254,7 @@ OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
                common/choice/choose.c,$(wildcard \
                common/*/*.c)))
 # One of another make may have left out what has come since.
-LEFT_OUT := $(if $(wildcard $(LIB)),$(filter-out $(shell ar t $(LIB)), \
+LEFT_OUT := $(if $(and $(LINKED),$(wildcard $(LIB))),$(filter-out $(shell ar t $(LIB)), \
                 $(notdir $(OBJECTS))))
 $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 	$(call say,lib,$@)
@@ -311,8 +322,8 @@ build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(QUICK) $(BOUNDS) $3 -I. \
               -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
               tests/checks/$2.c $(PLACED)
 
-$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(LIB) \
-                            $(NAMING)
+$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(NAMING) \
+        $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,$<)
 	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
 
@@ -344,8 +355,8 @@ $(ASKING:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: figures/%.gp \
 	    $(filter-out %.gp,$^) $$($(OPTIONS_OF) $<) > $(PART) && $(MOVED)
 
 # The numbers of a chapter's Example: its lesson's, with the ARGS that stand there.
-EXAMPLES := $(patsubst lessons/%.md,%,$(shell grep -l '^$(hash)$(hash) Example$$' \
-                /dev/null lessons/[0-9]*.md))
+EXAMPLES := $(if $(SCRIPTS),$(patsubst lessons/%.md,%,$(shell grep -l \
+                '^$(hash)$(hash) Example$$' /dev/null lessons/[0-9]*.md)))
 ARGS_OF = sed -n '/^\#\# Example$$/,/^\#\# On paper$$/s/.*ARGS=.\([^`]*\).`.*/\1/p'
 $(EXAMPLES:%=$(BUILD)/data/%/example.tsv): $(BUILD)/data/%/example.tsv: \
         $(BUILD)/solutions/% lessons/%.md
@@ -543,13 +554,8 @@ clean:
 	@for f in $(BUILD)/*; do case $$f in \
 	    */progress|*/saved|*/source) ;; *) rm -rf "$$f" ;; esac; done
 
-# Thousands of rules are for tests and teachers; what a student asks for does
-# without them, and answers at once.
-JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
-                 $(BUILD)/solutions/$(SLUG).judge)
-ifeq ($(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live choose $(JUDGED_BY), \
-      $(or $(MAKECMDGOALS),help))$(filter mistakes-%,$(MAKECMDGOALS)),)
-ifneq ($(filter-out $(NO_PROGRAM),$(MAKECMDGOALS)),)
+ifneq ($(FOR_STUDENT),)
+ifneq ($(LINKED),)
 -include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d))
 endif
 else

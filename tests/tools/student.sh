@@ -39,6 +39,7 @@ clean_up() {
     end_running
     chmod -R u+rwx "$folder" 2>/dev/null
     rm -rf "$folder"
+    folder=
 }
 
 # compile FILE TARGET...: by make, with limits, for a file may include anything.
@@ -171,8 +172,8 @@ judge() {
         verdict "UNFINISHED (empty file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
-    case $(od -An -tx1 -N2 "$1" | tr -d ' ') in
-    fffe | feff | 00?? | ??00)
+    case $(od -An -tx1 -N2 "$1") in
+    *ff*fe* | *fe*ff* | *00*)
         echo "$2 is in UTF-16. Save it as UTF-8, which compilers read." \
             >"$folder/why"
         verdict "WRONG (UTF-16)" "WRONG compile - -" "make check-$nn"
@@ -205,8 +206,9 @@ judge() {
         --mistakes "$BUILD/mistakes/$slug" ${3:+--prepare "$3"} \
         --result "$folder/result" --report "$folder/report" 2>"$folder/why"
     status=$?
-    mkdir -p "$folder" # a program may have removed it
-    [ $status -gt 1 ] && [ $status -lt 128 ] || cat "$folder/why" >&2
+    [ -d "$folder" ] || mkdir -p "$folder" # a program may have removed it
+    [ $status -gt 1 ] && [ $status -lt 128 ] || [ ! -s "$folder/why" ] ||
+        cat "$folder/why" >&2
     if [ "$(fingerprint)" != "$sums" ]; then
         {
             echo "While $2 was judged, files of the workbook changed"
