@@ -136,8 +136,9 @@ FOR_STUDENT := $(if $(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live choos
 # A file there with a header of its name is what several studies share.
 SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
-STUDIES := $(if $(FOR_STUDENT),,$(filter-out many/%,$(patsubst figures/%.c,%,$(sort $(filter-out \
-               $(SHARED_BY_STUDIES),$(wildcard figures/*/*.c))))))
+STUDIES := $(if $(FOR_STUDENT),,$(filter-out many/%,$(patsubst \
+               figures/%.c,%,$(sort $(filter-out $(SHARED_BY_STUDIES),$(wildcard \
+               figures/*/*.c))))))
 SPEED   := $(filter speed/% work_precision/fronts %/seconds, $(STUDIES))
 COUNTED := $(filter-out $(SPEED),$(STUDIES))
 # A script makes an SVG, or a GIF when it moves.  Its data come from the study
@@ -254,8 +255,8 @@ OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
                common/choice/choose.c,$(wildcard \
                common/*/*.c)))
 # One of another make may have left out what has come since.
-LEFT_OUT := $(if $(and $(LINKED),$(wildcard $(LIB))),$(filter-out $(shell ar t $(LIB)), \
-                $(notdir $(OBJECTS))))
+LEFT_OUT := $(if $(and $(LINKED),$(wildcard $(LIB))),$(filter-out $(shell \
+                ar t $(LIB)),$(notdir $(OBJECTS))))
 $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 	$(call say,lib,$@)
 	$(Q)$(WHOLE) ar rcs $(PART) $(OBJECTS) && $(MOVED)
