@@ -30,15 +30,16 @@ takes_live   := ARGS
 takes_choose := SCENE ERROR WITHIN VERIFIED
 takes_debug  := ARGS
 takes_check  := JSON
+takes_update := FROM DRY
 takes_grade  := JSON
-MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFIED
+MAY_BE_GIVEN := TABLE X Y KEY ARGS JSON SCENE ERROR WITHIN VERIFIED FROM DRY
 takes_deps   := $(MAY_BE_GIVEN)
 given := $(foreach v,$(MAY_BE_GIVEN),$(if $(filter command,$(origin $v)),$v))
 goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
 ifeq ($(MAKELEVEL),0)
 $(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
     make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
-    $(strip $(foreach t,lesson plot diff debug check live choose grade,$(if $(filter \
+    $(strip $(foreach t,lesson plot diff debug check live choose grade update,$(if $(filter \
     $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
 endif
 
@@ -122,7 +123,7 @@ LIB     := $(BUILD)/libworkbook.a
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # Thousands of rules are for studies, pictures, tests and teachers; what a student
 # asks for does without them, and answers at once.
-NO_PROGRAM := help status alone check-% hint-% solution-% reset-% watch-% \
+NO_PROGRAM := help status update alone check check-% hint-% solution-% reset-% watch-% \
               debug-% mistakes-%
 LINKED := $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS))
 JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
@@ -189,7 +190,7 @@ SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 .DELETE_ON_ERROR:
 .SECONDARY:
 .SUFFIXES:
-.PHONY: help status figures course book bench clean gsl always
+.PHONY: help status check update figures course book bench clean gsl always
 .DEFAULT_GOAL := help
 
 help:
@@ -199,11 +200,13 @@ help:
 	@echo '  make status       the lessons, and which of yours pass'
 	@echo '  make lesson-07    build and run my lessons/07_*.c'
 	@echo '  make check-07     judge it: one line per check, one verdict'
+	@echo '  make check        judge all of mine that have changed since'
 	@echo '  make hint-07      the next hint; there are three levels'
 	@echo '  make plot-07      my numbers over the reference, as a picture'
 	@echo '  make diff-07      the cells in which mine and the reference differ'
 	@echo '  make solution-07  the reference solution (after a pass, or FORCE=1)'
 	@echo '  make reset-07     put the starter back (my file is saved first)'
+	@echo '  make update       take a new version; what I wrote is set into it'
 	@echo '  make watch-07     check again at each save'
 	@echo '  make debug-07     run mine with the sanitizers; where to start gdb'
 	@echo '  make figure-07    the figures of a lesson; figure-07-orders: one'
@@ -399,8 +402,9 @@ figure-%: $$(foreach f,$$(filter-out $$(BENCHED),$$(call asked_for,$$*)),$$(if \
 	@for f in $(filter $(BENCHED),$(call asked_for,$*)); do \
 	    echo "  figures/$$f.svg is left to make bench"; done
 	@[ -n '$(call asked_for,$*)' ] || { echo 'There is no figure-$*; there are:' \
-	    $(or $(notdir $(filter $(call folder_of,$*)/%,$(SCRIPTS))),$(patsubst \
-	    %/,%,$(sort $(dir $(SCRIPTS))))) >&2; exit 2; }
+	    >&2; printf '  %s\n' $(or $(notdir $(filter $(call \
+	    folder_of,$*)/%,$(SCRIPTS))),$(patsubst %/,%,$(sort $(dir \
+	    $(SCRIPTS))))) >&2; exit 2; }
 
 $(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
 	$(call say,check,$*)
@@ -475,11 +479,15 @@ override X     := $(if $(filter X,$(given)),$(value X))
 override Y     := $(if $(filter Y,$(given)),$(value Y))
 override KEY   := $(if $(filter KEY,$(given)),$(value KEY))
 override ARGS  := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
-$(foreach v,SCENE ERROR WITHIN VERIFIED,$(eval override $v := $$(if $$(filter \
+$(foreach v,SCENE ERROR WITHIN VERIFIED FROM DRY,$(eval override $v := $$(if $$(filter \
     $v,$$(given)),$$(value $v))))
-export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFIED
+export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFIED FROM DRY
 
 status: ; @$(STUDENT) status
+check: ; @$(SHARED)$(STUDENT) check
+# of the version before where one took tests/ away and was killed
+update: ; @exec sh $(firstword $(wildcard tests/tools/update.sh \
+            saved/*/old/tests/tools/update.sh))
 
 define lesson_rules
 .PHONY: $(addsuffix -$1,lesson check hint plot diff solution reset watch mistakes)
@@ -540,7 +548,7 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help status figures course book web wasm web-pages test live choose \
+GOALS := help status check update figures course book web wasm web-pages test live choose \
          bench many grade lint starters workbook programs studies memcheck look alone clean new-% \
          test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)

@@ -295,7 +295,7 @@ $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff): \
+$(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff update): \
         $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
@@ -345,6 +345,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/elsewhere.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
+           $(T)/update.result \
            $(T)/many.result $(T)/web-pages.result $(T)/web.result \
            $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
@@ -354,7 +355,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
 # what rests on all studies of another compiler; the many short ones come last, so
 # that no processor is without one before the end.
 FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits \
-            web-live habits new grade wide) $(SAME_RESULTS) \
+            web-live habits new update grade wide) $(SAME_RESULTS) \
         $(patsubst %,$(T)/%.result,cli diff json pictures book lint)
 test: $(FIRST) $(RESULTS)
 	@sh tests/tools/sizes.sh table

@@ -130,7 +130,7 @@ cp "solutions/$slug.c" "lessons/$slug.c"
 echo '/* mine */' >>"lessons/$slug.c"
 "$MAKE" "reset-$nn" >/dev/null 2>&1
 awk -f tests/tools/starter.awk "solutions/$slug.c" | cmp -s - "lessons/$slug.c" &&
-    grep -q '/\* mine \*/' build/saved/*
+    grep -q '/\* mine \*/' saved/*
 result $? 'reset puts the starter back and keeps the file' ''
 BUILD=build sh tests/tools/student.sh watch "$slug" >"$tmp/watch" 2>&1 &
 watch=$!

@@ -201,7 +201,7 @@ none() { # none NUMBER WHAT TEXT
         CFLAGS=-O0 ${COMPILER:+CC="$COMPILER"} 2>&1 </dev/null)
     status=$?
     [ $status = 2 ] && [ ! -f build/progress/$nn.result ] &&
-        [ ! -f build/progress/$nn.pass ] && echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
+        echo "$said" | tr -s '\n ' ' ' | grep -qF -e "$3"
     result $? "$2 gives no verdict, and says $3" "status $status: $said"
 }
 # Three programs that compute for 0.4 s in each of their five runs are all kept to

@@ -35,10 +35,10 @@ BEGIN {
     n = split(lessons, slug, " ")
     for (k = 1; k <= n; k++) if (index(slug[k], number "_") == 1) known = 1
     command = nearest(word, by_number (number != "" ? "" : " help deps status" \
-        " figures course book web test live bench many grade lint starters clean"))
+        " update figures course book web test live bench many grade lint starters clean"))
     if (command == "")
         print "There is no " goal "; make alone says what there is."
-    else if (number == "" && index(" " by_number " ", " " command " "))
+    else if (number == "" && command != "check" && index(" " by_number " ", " " command " "))
         print "There is no " goal ": make " command "-07, for lesson 07?"
     else if (number == "")
         print "There is no " goal ": make " command "?"

@@ -3,32 +3,30 @@
 # it judge other files.
 #
 # Called by the Makefile, from the top of the workbook, with BUILD and MAKE set.
-# Progress is kept in $BUILD/progress, replaced files in $BUILD/saved; neither
-# is touched by `make clean`.
+# Progress is kept in $BUILD/progress, which `make clean` leaves alone, and files
+# that are replaced in saved/, which is not below $BUILD.
 set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}" "${FORCE:=}" "${SANITIZED:=}" "${JSON:=}"
 : "${ARGS:=}" "${TABLE:=}" "${SECONDS_COMPILING:=300}"
 command=$1
-slug=${2:-}
-nn=${slug%%_*}
-mine=lessons/$slug.c
-state=$BUILD/progress/$nn
-mkdir -p "$BUILD/progress" "$BUILD/saved" "$BUILD/mine"
+lesson() { slug=$1 nn=${1%%_*} mine=lessons/$1.c state=$BUILD/progress/${1%%_*}; }
+lesson "${2:-}"
+mkdir -p "$BUILD/progress" "$BUILD/mine"
 case $BUILD in /*) built=$BUILD ;; *) built=./$BUILD ;; esac
 
 sum() { [ ! -f "$1" ] || cksum <"$1" 2>/dev/null; }
 starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
 title() { sed -n '1s/^# Lesson [0-9]*[: ]*//p' "lessons/$1.md"; }
 
-# The stamp of a pass holds the sum of the file that passed.
-passed() { [ -f "$state.pass" ] && [ "$(cat "$state.pass")" = "$(sum "$mine")" ]; }
+. tests/tools/progress.sh
 
 save_mine() { # save_mine WHOSE: keep a copy of the file; say where
     [ -f "$mine" ] || return 0
-    copy=$BUILD/saved/$slug.$(date +%Y%m%d-%H%M%S).$$.c
-    cp "$mine" "$copy" && echo "  $1 is kept as $copy"
+    copy=saved/$slug.$(date +%Y%m%d-%H%M%S).$$.c
+    { mkdir -p saved && cp "$mine" "$copy"; } || exit
+    echo "  $1 is kept as $copy"
 }
 
 # ---- judging: everything is done in $folder ---------------------------------
@@ -235,7 +233,7 @@ judge() {
 # Judge the student's file, and keep what comes of it.  Two of these may run at
 # the same time.
 check() {
-    rm -f "$state.pass" "$state.result"
+    rm -f "$state.result"
     log=$BUILD/mine/$slug.log
     before=$(sum "$mine")
     json_begin
@@ -244,9 +242,9 @@ check() {
     status=$?
     json_end "$folder/report" || status=2
     [ ! -f "$folder/log" ] || mv -f "$folder/log" "$log"
-    [ ! -s "$folder/result" ] || mv -f "$folder/result" "$state.result"
-    if [ $status = 0 ] && [ "$before" = "$(sum "$mine")" ]; then
-        echo "$before" >"$state.pass"
+    if [ -s "$folder/result" ]; then
+        { echo "$before"; judges | cksum; } >>"$folder/result"
+        mv -f "$folder/result" "$state.result"
     fi
     clean_up
     [ $status != 0 ] || following
@@ -278,32 +276,7 @@ trap 'trap "" INT TERM HUP QUIT
     [ -z "$part" ] || rm -f "$part"' EXIT
 trap 'exit 130' INT TERM HUP QUIT
 
-last_result() { # the last verdict's word, failed check and slot
-    word= failed= at=
-    [ ! -f "$state.result" ] || read -r word failed at rest <"$state.result"
-}
-
 . tests/tools/numbers.sh
-
-status() {
-    for file in solutions/[0-9][0-9]_*.c; do
-        slug=$(basename "$file" .c) nn=${slug%%_*}
-        mine=lessons/$slug.c state=$BUILD/progress/$nn
-        last_result
-        if passed; then
-            say=passed
-        elif [ ! -s "$mine" ] || starter "$slug" | cmp -s - "$mine"; then
-            say='not begun'
-        elif [ "$word" = OK ]; then
-            say='changed since it passed'
-        elif [ -n "$word" ]; then
-            say="last verdict $word"
-        else
-            say='not checked yet'
-        fi
-        printf '  %-26s %-26s %s\n' "$slug" "$say" "$(title "$slug")"
-    done
-}
 
 . tests/tools/pictures.sh
 
@@ -326,7 +299,7 @@ run)
     esac
     exit $status ;;
 check)
-    check ;;
+    if [ -n "$slug" ]; then check; else check_all; fi ;;
 grade)
     grade "$3" "$4" "$5" ;;
 watch)
