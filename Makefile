@@ -39,8 +39,8 @@ goal_ignores = $(filter-out $(takes_$(firstword $(subst -, ,$1))),$(given))
 ifeq ($(MAKELEVEL),0)
 $(foreach g,$(or $(MAKECMDGOALS),help),$(if $(call goal_ignores,$g),$(error \
     make $g ignores $(firstword $(call goal_ignores,$g)); that is for make \
-    $(strip $(foreach t,lesson plot diff debug check live choose grade update,$(if $(filter \
-    $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
+    $(strip $(foreach t,lesson plot diff debug check live choose grade update,$(if \
+    $(filter $(firstword $(call goal_ignores,$g)),$(takes_$t)),$t))))))
 endif
 
 # Goals that install come first, and then another make for the others, which asks
@@ -548,8 +548,9 @@ new-%:
 # when a goal is none of these.
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help status check update figures course book web wasm web-pages test live choose \
-         bench many grade lint starters workbook programs studies memcheck look alone clean new-% \
+GOALS := help status check update figures course book web wasm web-pages test live \
+         choose bench many grade lint starters workbook programs studies memcheck \
+         look alone clean new-% \
          test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
 $(BY_NUMBER:=-%): ; $(WANT); exit 2

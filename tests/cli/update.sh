@@ -1,5 +1,5 @@
 #!/bin/sh
-# update.sh - make update in small copies of the workbook, of three lessons, which
+# update.sh - make update in small copies of the workbook, of two lessons, which
 # follow another: what becomes of a student's file in each change of a starter, and
 # that nothing is lost whatever ends it; then make check, which judges what changed.
 set -u
@@ -34,7 +34,7 @@ outside() { # and lines outside of the slots
 mkdir "$work/up" && cp -R Makefile .gitignore "$work/up" &&
     mkdir -p "$work/up/solutions" "$work/up/lessons/scenes" "$work/up/tests/tools" &&
     cp tests/tools/update.* tests/tools/starter.awk "$work/up/tests/tools" &&
-    cp solutions/0[345]*.c "$work/up/solutions" && cd "$work/up" || exit 1
+    cp solutions/0[34]*.c "$work/up/solutions" && cd "$work/up" || exit 1
 starters
 git=$(command -v git)
 if [ -n "$git" ]; then
