@@ -59,7 +59,8 @@ case $out in
     was=${from%.*.*.}
     sed -e 's/\(Produced by GNUPLOT\) .*</\1</' \
         -e 's/rotate(\(-*[0-9]*\)\.[0-9]*)/rotate(\1)/g' "$part" >"$part.new" &&
-        # the same picture of other numbers stays as it is
+        # the same picture of other numbers stays as it is, with its old sums
+        # (remove it first, where the numbers are others on every machine)
         grep -qF "drawn from $was." "$out" 2>/dev/null &&
         sed '/^<!-- drawn from/d' "$out" | cmp -s - "$part.new" &&
         touch "$out" && exit
