@@ -8,8 +8,8 @@
  * lost of 40 at 6 m/s, and the most systems in a frame), limit (of both laws
  * the least speed, in steps of 0.1 m/s, that loses one of the first three
  * frames from the last state, and the jump in one frame over h; under LOG also
- * the largest such speed, and the frames lost of 10 at the fastest hand, 7.5
- * m/s, and of 40 then with the second rung and from the elastic lift), slope (G' of
+ * the largest such speed, and at the fastest hand, 7.5 m/s, the frames lost of
+ * 10, and of 40 with the second rung and from the elastic lift), slope (G' of
  * both laws over J: dP/dF of a triangle has the eigenvalue mu - G').
  */
 #include "motion/live.h"
@@ -51,9 +51,8 @@ static struct losses pull(int n, enum law law, enum start start,
     return sum;
 }
 
-/* Which speeds lose a frame (m/s): the least, looked for upwards in steps of
- * 0.5, then downwards in steps of 0.1, and the largest, downwards, or NAN; how
- * many of these lose none. */
+/* Which speeds lose a frame (m/s): the least, to 0.1, looked for upwards in
+ * steps of 0.5, and the largest, or NAN; how many of these lose none. */
 struct limit {
     double least, largest;
     int spared;
