@@ -86,7 +86,7 @@ static struct pulled pull(int n, enum law law, enum grab grab, live_rung *rung,
 
 static void print_log(void)
 {
-    static const int n[] = {40, 42, 44, 48, 56, 64};
+    static const int n[] = {40, 42, 44, 64};
     table_begin("log", "n kept new systems kept_lost new_lost");
     for (int k = 0; k < COUNT(n); k++) {
         int kept = 0, fresh = 0, most = 0;

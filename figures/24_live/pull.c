@@ -8,8 +8,8 @@
  * lost of 40 at 6 m/s, and the most systems in a frame), limit (of both laws
  * the least speed, in steps of 0.1 m/s, that loses one of the first three
  * frames from the last state, and the jump in one frame over h; under LOG also
- * the largest such speed, and at the fastest hand, 7.5 m/s, the frames lost of
- * 10, and of 40 with the second rung and from the elastic lift), slope (G' of
+ * the largest such speed, and the frames lost of 10 at the fastest hand, 7.5
+ * m/s, and then with the second rung and from the elastic lift), slope (G' of
  * both laws over J: dP/dF of a triangle has the eigenvalue mu - G').
  */
 #include "motion/live.h"
@@ -83,8 +83,8 @@ static void print_limit(void)
         const double jump = of_log.least / h_per_frame;
         const int some = n[k] > 40, fine = n[k] > 42;
         const int lost = pull(n[k], LOG, LAST_STATE, 0, 7.5, 10).lost;
-        const int second = pull(n[k], LOG, LAST_STATE, 1, 7.5, 40).lost;
-        const int elastic = pull(n[k], LOG, ELASTIC, 0, 7.5, 40).lost;
+        const int second = pull(n[k], LOG, LAST_STATE, 1, 7.5, 10).lost;
+        const int elastic = pull(n[k], LOG, ELASTIC, 0, 7.5, 10).lost;
         table_row(n[k], cubic.least, cubic.least / h_per_frame,
                   cell_if(some, of_log.least), cell_if(some, jump),
                   cell_if(some, of_log.largest), lost, second, elastic);
