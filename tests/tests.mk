@@ -346,8 +346,8 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
            $(T)/update.result \
-           $(T)/many.result $(T)/web-pages.result $(T)/web.result \
-           $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
+           $(T)/many.result $(T)/web-small.result $(T)/web-pages.result \
+           $(T)/web.result $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang mac sanitize \
                valgrind)

@@ -1,8 +1,9 @@
 #!/bin/sh
 # deps_web.sh - install what only `make web` needs: emscripten, node-acorn, chromium
-# and pandoc; and fetch GSL's source into BUILD/source, where make clean leaves it.
+# and pandoc; and fetch svgo and GSL's source into BUILD/source, where make clean
+# leaves them.
 #
-# With apt; GSL_SOURCE=, a tarball or a folder, is taken as it is.  The entry that
+# With apt and npm; GSL_SOURCE=, a tarball or a folder, is taken as it is.  The entry that
 # apt needs for sources is made in BUILD/source for the moment, and no file of the
 # system is changed.  Exit status 1 when something cannot be had.
 set -u
@@ -10,7 +11,9 @@ LC_ALL=C
 export LC_ALL
 folder=${BUILD:-build}/source
 missing=
-for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc; do
+svgo() { node tests/tools/web_small.js >/dev/null 2>&1; }
+for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc npm=npm; do
+    [ $name != npm=npm ] || ! svgo || continue
     command=${name#*=} package=${name%=*}
     if [ -n "$command" ]; then command -v "$command" >/dev/null 2>&1 && continue
     else [ -d "${NODE_PATH:-/usr/share/nodejs}/acorn" ] && continue; fi
@@ -19,13 +22,13 @@ done
 mkdir -p "$folder" || exit 1
 folder=$(cd "$folder" && pwd)
 source=$(sh tests/tools/web_gsl.sh source)
-if [ -z "$missing" ] && [ -n "$source" ]; then
-    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, GSL's source"
+if [ -z "$missing" ] && [ -n "$source" ] && svgo; then
+    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, svgo, GSL's source"
     exit 0
 fi
 if ! command -v apt-get >/dev/null 2>&1; then
-    echo "deps-web: install emscripten 3.1 with node and acorn, chromium and pandoc;" >&2
-    echo "          and give GSL_SOURCE=, the tarball of GSL 2.7 or newer" >&2
+    echo "deps-web: install emscripten 3.1 with node and acorn, chromium, pandoc, and" >&2
+    echo "          npm install --prefix $folder svgo@4; give GSL_SOURCE=, the tarball of GSL 2.7 or newer" >&2
     exit 1
 fi
 log=$folder/deps.log
@@ -42,6 +45,15 @@ if [ -n "$missing" ]; then
         echo "deps-web: apt-get failed; the whole log is $log" >&2
         exit 1
     fi
+fi
+if ! svgo; then
+    echo "  deps     fetching svgo with npm"
+    if ! npm install --silent --prefix "$folder" svgo@4 >"$log" 2>&1; then
+        tail -n 3 "$log" >&2
+        echo "deps-web: npm failed; the whole log is $log" >&2
+        exit 1
+    fi
+    missing="$missing svgo"
 fi
 if [ -z "$source" ]; then
     echo "  deps     fetching GSL's source with apt-get source"

@@ -94,11 +94,7 @@ for (const name of fs.readdirSync("lessons/web"))
     fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
 for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
     if (name.endsWith(".svg"))
-        try {
-            fs.writeFileSync(`${part}/${name}`, small.svg(read(`${part}/${name}`)));
-        } catch (error) {
-            fail(`${name}: ${error.message}`);
-        }
+        fs.writeFileSync(`${part}/${name}`, small.picture(name, read(`${part}/${name}`)));
     if (!name.endsWith(".html")) continue;
     const up = "../".repeat(name.split("/").length - 1);
     const css = `<link rel="stylesheet" href="${up}book.css">`;
