@@ -48,7 +48,7 @@ if [ -n "$missing" ]; then
 fi
 if ! svgo; then
     echo "  deps     fetching svgo with npm"
-    if ! npm install --silent --prefix "$folder" svgo@4 >"$log" 2>&1; then
+    if ! npm install --prefix "$folder" svgo@4 >"$log" 2>&1; then
         tail -n 3 "$log" >&2
         echo "deps-web: npm failed; the whole log is $log" >&2
         exit 1
