@@ -111,7 +111,7 @@ $(T)/web-small.result: tests/web/small.mjs tests/tools/web_small.js $(if $(shell
 	$(call say,test,$<)
 	$(Q)mkdir -p $(@D) && export BUILD='$(BUILD)' && \
 	    if ! node tests/tools/web_small.js > $@.log 2>&1; then \
-	    echo 'skip web: pictures in fewer bytes: no node with svgo: $(no_web)'; \
+	    echo 'skip web: node with svgo: $(no_web)'; \
 	    else node $< 2> $@.log || grep -q . $@ || echo "FAIL web: $<: $$(cat $@.log)"; \
 	    fi > $@
 # A test: $1 its name, $2 its command.
