@@ -124,13 +124,12 @@ PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # Thousands of rules are for studies, pictures, tests and teachers; what a student
 # asks for does without them, and answers at once.
 NO_PROGRAM := help status update alone check check-% hint-% solution-% reset-% watch-% \
-              debug-% mistakes-%
+              debug-%
 LINKED := $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS))
 JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
                  $(BUILD)/solutions/$(SLUG).judge)
-FOR_STUDENT := $(if $(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% live choose \
-                   $(JUDGED_BY),$(or $(MAKECMDGOALS),help))$(filter \
-                   mistakes-%,$(MAKECMDGOALS)),,yes)
+FOR_STUDENT := $(if $(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% mistakes-% \
+                   live choose $(JUDGED_BY),$(or $(MAKECMDGOALS),help)),,yes)
 # Studies are named as NN_slug/what; speed/what, the fastest settings of
 # work_precision, the fastest elements and the steps of particles are measured by
 # `make bench`, many/many, which needs PETSc, by `make many`.
@@ -325,14 +324,36 @@ QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
 # $(call build_judge,program to judge,NN_slug,more flags)
 NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
 NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
-build_judge = $(NAMES) '$1' $2 $@.h && $(COMPILE) $(QUICK) $(BOUNDS) $3 -I. \
-              -Itests/checks -DPROGRAM='"$1"' -DNAMES='"$@.h"' \
-              tests/checks/$2.c $(PLACED)
+build_judge = $(NAMES) '$1' $2 $@.h && $(call judge_with,$@.h,$1,$2,$3)
+judge_with  = $(COMPILE) $(QUICK) $(BOUNDS) $4 -I. -Itests/checks \
+              -DPROGRAM='"$2"' -DNAMES='"$1"' tests/checks/$3.c $(PLACED)
 
 $(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(NAMING) \
         $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,$<)
 	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
+
+# Known mistakes and equivalent programs of a lesson (tests/mistakes/NN_slug.txt):
+# all.judge has them all, for they differ in a few functions.  NAME is one of them
+# as a program, NAME.judge its judge, NAME.why what the student is told, after the
+# check that catches it.  They are compiled as quickly as can be, with -O1 where
+# they compute for long, and without warnings.  Where an entry does not fit the
+# solution any more, there is none, and lint says why.
+LONG := 18_% 22_%
+HASTY = -g0 -w -Wl,-S
+unwarned = $(filter-out $(STRICT),$1)
+VARIANT = awk -f tests/tools/variant.awk
+$(LESSONS:%=$(BUILD)/mistakes/%/all.c): $(BUILD)/mistakes/%/all.c: \
+        tests/mistakes/%.txt solutions/%.c tests/tools/variant.awk
+	$(Q)mkdir -p $(@D) $(PART) && trap 'rm -rf $(PART)' 0; trap 'exit 130' 1 2 15; \
+	    $(VARIANT) -v all=$(PART) $< solutions/$*.c > $(PART)/list && \
+	    chmod +x $(PART)/* && rm -f $(@D)/*.why && mv -f $(PART)/* $(@D)
+$(BUILD)/mistakes/%/all.judge: $(BUILD)/mistakes/%/all.c tests/checks/%.c \
+        $(JUDGE) $(NAMING) $$(call needs,solutions/$$*.c) \
+        $$(call needs,tests/checks/$$*.c)
+	$(call say,judge,tests/mistakes/$*.txt)
+	$(Q)$(NAMES) solutions/$*.c $* $@.h && $(call unwarned,$(call \
+	    judge_with,$@.h,$<,$*,$(if $(filter $(LONG),$*),-O1,-O0) $(HASTY)))
 
 # For student.sh: a judge INTO of any FILE of lesson SLUG, and whether FILE
 # compiles by itself.
@@ -497,6 +518,7 @@ update: ; @exec sh $(firstword $(wildcard tests/tools/update.sh \
 
 define lesson_rules
 .PHONY: $(addsuffix -$1,lesson check hint plot diff solution reset watch mistakes)
+mistakes-$1: $(BUILD)/mistakes/$2/all.judge
 lesson-$1: $(BUILD)/mine/$2
 	@$(STUDENT) run $2
 check-$1: ; @$(SHARED)$(STUDENT) check $2
@@ -556,7 +578,7 @@ WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
 GOALS := help status check update figures course book web wasm web-pages test live \
          choose bench many grade lint starters workbook programs studies memcheck \
-         look alone clean new-% \
+         same look alone clean new-% \
          test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)
 $(BY_NUMBER:=-%): ; $(WANT); exit 2
@@ -572,17 +594,10 @@ clean:
 
 ifneq ($(FOR_STUDENT),)
 ifneq ($(LINKED),)
--include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d))
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/mistakes/*/*.d $(OBJECTS:=.d))
 endif
-else
-# Known mistakes: with the rules of their lesson alone.
-ifeq ($(filter-out mistakes-%,$(MAKECMDGOALS)),)
-LESSONS := $(filter $(MAKECMDGOALS:mistakes-%=%_%),$(LESSONS))
--include $(wildcard $(BUILD)/*/*.d $(OBJECTS:=.d) \
-                    $(LESSONS:%=$(BUILD)/mistakes/%/*.d))
 else
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
-endif
 include tests/tests.mk
 endif
 endif

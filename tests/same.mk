@@ -8,6 +8,10 @@
 # machine, or, where there is no clang, v2, these files so by CC.  In both the
 # clock counts how often it is asked, so that no second need be excepted.
 # tests/tools/same.sh compares their tables, and what becomes of them.
+#
+# DEAR studies compute for seconds, some three quarters of all that studies do, with
+# functions that other studies of their folders run, too: `make same` has them as
+# well, which .ci/run asks for.
 
 ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o \
             %/lanes.o, \
@@ -20,9 +24,14 @@ anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call 
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O2
 
+DEAR := 23_least_model/chart 23_least_model/choose 23_least_model/held_out \
+        23_least_model/random 23_least_model/twelve 24_live/budget 24_live/kept \
+        24_live/pull 24_live/rare 25_elements/gains 25_elements/soft \
+        robustness/map robustness/push work_precision/front work_precision/split
 # the longest first
-RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/knot, \
-            $(COUNTED)) $(LESSONS) $(EXAMPLES:=/example) $(COUNTED)
+RUNS := $(filter-out $(if $(filter same,$(MAKECMDGOALS)),,$(DEAR)), \
+            $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
+                $(COUNTED)) $(LESSONS) $(EXAMPLES:=/example) $(COUNTED))
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
@@ -52,7 +61,7 @@ $(T)/same-$1.result: $(RUNS:%=$(T)/$1/data/%.tsv) \
         tests/tools/same.sh tests/tools/same.awk tests/tools/workbook.awk
 	$(call say,test,the same numbers: $1)
 	$(Q)BUILD='$(BUILD)' SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' \
-	    sh tests/tools/same.sh $1 > $$@
+	    RUNS='$(sort $(RUNS))' sh tests/tools/same.sh $1 > $$@
 endef
 # A program is linked to be run once.  A claim that does not hold there leaves no
 # table, and its words.  Where the main build has the flags and the vectors of v8,
@@ -88,5 +97,8 @@ $(T)/same-here.result: $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) 
 	    sh tests/tools/same.sh here > $@
 SAME_RESULTS := $(T)/same-here.result $(T)/same-v8.result $(T)/same-$(NARROW).result \
                 $(T)/same.result
+.PHONY: same
+same: $(patsubst %,$(T)/same-%.result,v8 $(NARROW))
+	@cat $^ | sh tests/tools/count.sh
 $(T)/same.result: tests/cli/same.sh tests/tools/same.awk
 	$(Q)mkdir -p $(@D) && sh $< > $@

@@ -7,7 +7,7 @@ T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
 .PHONY: test starters workbook programs studies memcheck
 
-# ---- starters, known mistakes, workbook -------------------------------------
+# ---- starters, workbook -------------------------------------
 
 starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 
@@ -18,66 +18,6 @@ $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
                            $(LIB) $(NAMING)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*,-Werror -O0 -g0)
-
-# Known mistakes and equivalent programs (tests/mistakes/NN_slug.txt), made from
-# the solution: build/mistakes/NN_slug/NAME.c, the program NAME, what the student
-# is told NAME.why (after the check that catches it), and the judge NAME.judge.
-VARIANT = awk -f tests/tools/variant.awk
-variants = $(shell awk '/^$1: / { sub(/.*\//, "", FILENAME); \
-               sub(/txt$$/, "", FILENAME); sub(/\.$$/, "", FILENAME); \
-               print FILENAME "/" $$2 }' /dev/null \
-               $(wildcard $(LESSONS:%=tests/mistakes/%.txt)))
-MISTAKES    := $(call variants,mistake)
-EQUIVALENTS := $(call variants,equivalent)
-
-# There are many of them.  They are compiled and linked as quickly as can be, with
-# -O1 where the program computes for long, and without warnings.  Where an entry
-# does not fit the solution any more, there is none, and lint says why.
-LONG := 18_% 22_%
-HASTY = -g0 -w -Wl,-S
-unwarned = $(filter-out $(STRICT),$1)
-quick = $(if $(filter $(LONG),$1),-O1,-O0) $$(HASTY)
-slug_of = $(patsubst %/,%,$(dir $1))
-define variant_rules
-$(BUILD)/mistakes/$1.c: tests/mistakes/$(slug_of).txt solutions/$(slug_of).c \
-        tests/tools/variant.awk
-	$(Q)mkdir -p $$(@D)
-	$(Q)$$(WHOLE) $$(VARIANT) -v name=$(notdir $1) -v get=caught-by,why $$< \
-	        > $$(PART) && mv -f $$(PART) $$(@:.c=.why) && \
-	    $$(VARIANT) -v name=$(notdir $1) $$(filter-out %.awk,$$^) > $$(PART) && \
-	    $$(MOVED) || rm -f $$@ $$(@:.c=.why)
-$(BUILD)/mistakes/$1: $(BUILD)/mistakes/$1.c $(LIB)
-	$(Q)[ ! -f $$< ] || { $$(call unwarned,$$(COMPILE)) \
-	    $(call quick,$1) $$< $$(PLACED); }
-$(BUILD)/mistakes/$1.judge: $(BUILD)/mistakes/$1.c $(JUDGE) $(LIB) \
-        tests/checks/$(slug_of).c $(NAMING) $(BUILD)/solutions/$(slug_of).judge
-	$(Q)[ ! -f $$< ] || { LIKE='$(BUILD)/solutions/$(slug_of).judge.h' \
-	    $$(call unwarned,$$(call build_judge,$$<,$(slug_of),$(call quick,$1))); }
-endef
-$(foreach v,$(MISTAKES) $(EQUIVALENTS),$(eval $(call variant_rules,$v)))
-# the known mistakes of a lesson and their judges, or those alone that the check
-# CAUGHT_BY catches, or the judges of those that are JUDGED; one that is no longer
-# listed goes
-CAUGHT_BY =
-JUDGED =
-caught := $(shell awk '/^mistake: / { name = $$2 } /^caught-by: / { \
-    slug = FILENAME; sub(/.*\//, "", slug); sub(/\.txt$$/, "", slug); \
-    print slug "/" name "," $$2 }' /dev/null $(LESSONS:%=tests/mistakes/%.txt))
-by_check = $(patsubst %$(comma)$(CAUGHT_BY),%,$(filter \
-    $1/%$(comma)$(CAUGHT_BY),$(caught)))
-define mistakes_rule
-mistakes-$(call number,$1): $$(addprefix $(BUILD)/mistakes/,$(if \
-        $(JUDGED),$(JUDGED:%=$1/%.judge),$(if $(CAUGHT_BY),$(by_check),$(filter \
-        $1/%,$(MISTAKES) $(MISTAKES:%=%.judge)))))
-	@for why in $(BUILD)/mistakes/$1/*.why; do \
-	    [ -f "$$$$why" ] || continue; name=$$$${why%.why}; \
-	    case ' $(patsubst %,$(BUILD)/mistakes/%,$(MISTAKES) $(EQUIVALENTS)) ' in \
-	    *" $$$$name "*) ;; *) rm -f "$$$$name" "$$$$why" "$$$$name.judge" ;; \
-	    esac; done
-endef
-$(foreach l,$(LESSONS),$(eval $(call mistakes_rule,$l)))
-# the rest is not for those who ask for known mistakes alone
-ifneq ($(filter-out mistakes-%,$(MAKECMDGOALS)),)
 
 # A class at once: DIR holds one folder per student.
 GRADE = exec env BUILD='$(BUILD)' LESSONS='$(LESSONS)' sh tests/tools/grade.sh
@@ -114,10 +54,16 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
                        lessons/%.c tests/tools/verify.sh
 	$(call say,test,$* starter)
 	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
+# Each known mistake and equivalent program is judged.  What the programs that its
+# judge compares with print, with each of the lesson's options, is found out once.
+# Nothing that a student asks for reads it.
+$(T)/%.mistakes.result: $(BUILD)/mistakes/%/all.judge $(BUILD)/solutions/% \
+                        tests/tools/verify.sh tests/tools/verify.awk
+	$(call say,test,$* mistakes)
+	$(Q)mkdir -p $(@D) && $(VERIFY) mistakes $* > $@
 
-KINDS = solution starter behave names
+KINDS = solution starter mistakes behave names
 
-mistakes_of = $(patsubst %,$(BUILD)/mistakes/%,$(filter $1/%,$(MISTAKES)))
 define verify_rules
 $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) \
@@ -129,35 +75,12 @@ $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
 	$$(call say,test,$1 names)
 	$(SHARED)$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
-verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result) \
-        $(patsubst %,$(T)/%.result,$(filter $1/%,$(MISTAKES) $(EQUIVALENTS)))
+verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result)
 	@{ cat $$^; sh tests/tools/lint.sh $1; } | sh tests/tools/count.sh
 endef
 $(foreach l,$(LESSONS),$(eval $(call verify_rules,$l)))
 .PHONY: lint
 lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
-# What the programs that a judge of these compares with print, with each of the
-# lesson's options, is found out once, of a mistake by its judge, which has it
-# compiled in.  Nothing that a student asks for reads it.
-define kept_rule
-$(T)/kept/$1.all: $(BUILD)/solutions/$1.judge $(BUILD)/solutions/$1 \
-        $(patsubst %,%.judge,$(call mistakes_of,$1))
-	$(Q)rm -rf $(T)/kept/$1 && mkdir -p $(T)/kept/$1 && set -- && \
-	    for program in $$(wordlist 2,99,$$^); do \
-	        [ ! -x "$$$$program" ] || set -- "$$$$@" "$$$$program"; done && \
-	    $$< --keep $(T)/kept/$1 "$$$$@" && : > $$@
-endef
-$(foreach l,$(LESSONS),$(eval $(call kept_rule,$l)))
-define variant_test
-$(T)/$1.result: $(BUILD)/mistakes/$1.judge $(BUILD)/solutions/$(patsubst %/,%,$(dir $1)) \
-        $(T)/kept/$(patsubst %/,%,$(dir $1)).all \
-        tests/tools/verify.sh tests/tools/verify.awk
-	$$(call say,test,$1)
-	$(Q)mkdir -p $$(@D) && $$(VERIFY) $2 $(patsubst %/,%,$(dir $1)) $(notdir $1) > $$@
-endef
-$(foreach v,$(MISTAKES),$(eval $(call variant_test,$v,mistake)))
-$(foreach v,$(EQUIVALENTS),$(eval $(call variant_test,$v,equivalent)))
-
 # ---- unit laws of common/, and deliberate mistakes that they must catch -----
 
 UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
@@ -175,31 +98,21 @@ $(T)/unit.%.result: $(BUILD)/unit/%
 	$(call say,test,unit $*)
 	$(Q)mkdir -p $(@D) && { $< > $@ || true; }
 
-# name,file,unit,caught-by of every entry.  Its object goes before the library's,
-# and of the unit program the law alone is run.
-UNIT_MISTAKES := $(shell awk '$$1 == "mistake:" { name = $$2 } \
-    $$1 == "file:" { file = $$2 } $$1 == "unit:" { unit = $$2 } \
-    $$1 == "caught-by:" && !twice[name]++ { print name "," file "," unit "," $$2 }' \
-    tests/unit/mistakes.txt)
-unit_field = $(word $2,$(subst $(comma), ,$1))
-define unit_mistake
-$(T)/unit-mistake.$1.result: tests/unit/mistakes.txt $2 $(BUILD)/unit/$3.o \
-        $(BUILD)/unit/unit.o $(LIB) tests/tools/variant.awk
-	$$(call say,test,common/ with $1)
-	$(Q)mkdir -p $$(@D) && { $$(VARIANT) -v name=$1 $$(wordlist 1,2,$$^) \
-	        > $(BUILD)/unit/$1.c && $$(call unwarned,$$(PLAIN)) -O0 $$(HASTY) \
-	        -I$(dir $2) $(if $(filter %/tiles.c %/front.c,$2),$$(NATIVE:-O3=-O1)) \
-	        $(BUILD)/unit/$1.c $$(wordlist 3,4,$$^) -o $(BUILD)/unit/$1.mistake $$(UNIT_LIBS) && \
-	    $(BUILD)/unit/$1.mistake $4; } 2>&1 | awk '{ said = said $$$$0 "\n" } \
-	    /^FAIL [a-z]*: $4:/ { caught = 1 } \
-	    END { if (caught) print "ok common/ with $1 is caught"; \
-	          else print "FAIL common/ with $1 is not caught: " said }' > $$@
-endef
-$(foreach m,$(UNIT_MISTAKES),$(eval $(call unit_mistake,$(call \
-    unit_field,$m,1),$(call unit_field,$m,2),$(call unit_field,$m,3),$(call \
-    unit_field,$m,4))))
-UNIT_RESULTS := $(foreach m,$(UNIT_MISTAKES),$(T)/unit-mistake.$(call \
-                    unit_field,$m,1).result)
+# Of each file those in it are compiled at once, and of the unit programs the laws
+# alone are run that must catch them.
+UNIT_MISTAKES := $(sort $(shell awk '$$1 == "file:" { file = $$2 } \
+    $$1 == "unit:" { print file "," $$2 }' tests/unit/mistakes.txt))
+MISTAKEN := $(sort $(foreach m,$(UNIT_MISTAKES),$(firstword $(subst $(comma), ,$m))))
+units_of = $(patsubst $1$(comma)%,%,$(filter $1$(comma)%,$(UNIT_MISTAKES)))
+UNIT_RESULTS := $(MISTAKEN:%.c=$(T)/mistakes/%.result)
+$(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) \
+        $(BUILD)/unit/unit.o \
+        $$(addsuffix .o,$$(addprefix $(BUILD)/unit/,$$(call units_of,$$*.c))) \
+        tests/tools/unit_mistakes.sh tests/tools/variant.awk
+	$(call say,test,mistakes in $<)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' LIBS='$(UNIT_LIBS)' \
+	    COMPILE='$(call unwarned,$(PLAIN)) -O0 $(HASTY) -I$(<D)' \
+	    sh tests/tools/unit_mistakes.sh $< $(basename $@) > $@
 
 # ---- the whole, in other builds, and the closing line -----------------------
 
@@ -299,9 +212,12 @@ $(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff u
         $(T)/%.result: tests/cli/%.sh \
         $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
-        $(call mistakes_of,$(TRIED))
+        $(BUILD)/mistakes/$(TRIED)/all.judge
 	$(call say,test,$*)
 	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
+# those that copy the workbook (copy.sh)
+$(patsubst %,$(T)/%.result,hostile grade habits json limits new diff cli \
+    elsewhere update) $(LESSONS:%=$(T)/%.behave.result): $(LIB)
 # and on what each lesson's own judge says of its data
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
@@ -338,7 +254,6 @@ include tests/same.mk
 WEB_TESTS := web-live web-choose web-pictures web-mistakes
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
-           $(patsubst %,$(T)/%.result,$(MISTAKES) $(EQUIVALENTS)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result \
            $(T)/wide.result $(T)/form.result $(T)/bench.result $(T)/drawn.result \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
@@ -370,4 +285,3 @@ include tests/web.mk
 include tests/web_live.mk
 include tests/many.mk
 include tests/mutants.mk
-endif

@@ -121,16 +121,6 @@ static int explains(const char *name, const struct both both[], int got)
     return same && tells;
 }
 
-/* Have built what is not; 0 when that fails. */
-static int prepare(const char *variable, const char *names)
-{
-    char command[PATH_SIZE];
-    if (!judging.prepare) return 1;
-    snprintf(command, sizeof command, "%s %s='%s' >/dev/null",
-             judging.prepare, variable, names);
-    return child_command(command) == 0;
-}
-
 /* The known mistakes that give the outputs of the program under test, and that
  * this check catches, each name after a blank; see explains(). */
 static void find_suspects(const char *check, int got, size_t size,
@@ -196,11 +186,11 @@ void diagnose(int index, const struct finding *bad, size_t size, char found[])
     char path[PATH_SIZE + 64];
     int n = 0, used = 0;
 
-    if (!judging.mistakes || !prepare("CAUGHT_BY", claim.name)) return;
+    if (!judging.mistakes) return;
+    if (judging.prepare && child_command(judging.prepare) != 0) return;
     child_restart_clock();
     find_suspects(claim.name, strstr(bad->text, ": got ") != NULL,
                   sizeof suspects, suspects);
-    if (!*suspects || !prepare("JUDGED", suspects)) return;
     const char *subject = judging.subject;
     for (const char *s = suspects; sscanf(s, "%63s%n", name, &used) == 1;
          s += used) {

@@ -299,6 +299,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.result = value_of(argc, argv, "--result");
     judging.report = value_of(argc, argv, "--report");
     judging.kept = absolute(value_of(argc, argv, "--kept"));
+    judging.as = value_of(argc, argv, "--as");
     const char *work = value_of(argc, argv, "--work");
     if (n > MAX_CLAIMS)
         quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
@@ -307,8 +308,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     if (!judging.file || !judging.reference)
         quit("usage: %s --file FILE [--source FILE] [--subject JUDGE] "
              "--reference PROGRAM [--mistakes FOLDER] [--prepare COMMAND] "
-             "[--result FILE] [--report FILE] [--kept FOLDER] "
-             "[--work FOLDER]", argv[0]);
+             "[--result FILE] [--report FILE] [--kept FOLDER "
+             "[--as MISTAKE]] [--work FOLDER]", argv[0]);
     make_work(work ? work : argv[0]);
     child_on_interrupt(remove_work);
     child_work_in(judging.work);

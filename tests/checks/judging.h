@@ -23,12 +23,12 @@ struct judging {
                             * this one */
     const char *reference; /* program of the reference solution */
     const char *mistakes;  /* folder with the known mistakes' programs */
-    const char *prepare;   /* command that builds those that CAUGHT_BY= names
-                            * the check of, and judges of the JUDGED= */
+    const char *prepare;   /* command that builds them, or NULL */
     const char *result;    /* file for "verdict check slot mistakes" */
     const char *report;    /* file for all that is said; NULL: none */
     const char *kept;      /* folder with what the reference and the known
                             * mistakes have printed; NULL: run them */
+    const char *as;        /* the mistake that is judged itself, or NULL */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 };
 extern struct judging judging;
@@ -70,9 +70,8 @@ struct output *output_of_subject(const char *options);
 /*
  * `make test` asks again and again what a reference or a known mistake prints:
  * its rules have a judge run each program once, with all options of the lesson,
- * and keep that in the folder judging.kept.  NAME.judge, the judge of a
- * mistake, is run as the program NAME, so that this need not be built.  A judge
- * of a student's program is given no such folder.
+ * and keep that in the folder judging.kept.  A judge of a student's program is
+ * given no such folder.
  */
 void keep_outputs(const char *program);
 int is_kept(const char *program);

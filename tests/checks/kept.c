@@ -9,25 +9,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const char judge_suffix[] = ".judge";
-
-/* Where the program's name in its path ends: before that suffix. */
-static size_t name_length(const char *program)
-{
-    const size_t n = strlen(program), suffix = sizeof judge_suffix - 1;
-    const int judge =
-        n > suffix && strcmp(program + n - suffix, judge_suffix) == 0;
-    return judge ? n - suffix : n;
-}
-
 /* The file `what` of run r of a program, in a folder of the program's name. */
 static const char *kept_file(const char *program, int r, const char *what,
                              char path[PATH_SIZE])
 {
     const char *slash = strrchr(program, '/');
     const char *name = slash ? slash + 1 : program;
-    if (snprintf(path, PATH_SIZE, "%s/%.*s/%d.%s", judging.kept,
-                 (int)name_length(name), name, r, what) >= PATH_SIZE)
+    if (snprintf(path, PATH_SIZE, "%s/%s/%d.%s", judging.kept, name, r, what) >=
+        PATH_SIZE)
         quit("a path of more than %d characters", PATH_SIZE);
     return path;
 }
@@ -41,8 +30,7 @@ int is_kept(const char *program)
 
 void keep_outputs(const char *program)
 {
-    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE], options[256];
-    const char *mode = name_length(program) < strlen(program) ? "--run " : "";
+    char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
     kept_file(program, 0, "ending", path);
     *strrchr(path, '/') = '\0'; /* its folder */
     if (mkdir(path, 0777) < 0)
@@ -50,10 +38,9 @@ void keep_outputs(const char *program)
     child_restart_clock(); /* each program has the time of a judgement */
     for (int r = 0; r < judging.lesson->n_run; r++) {
         const double before = child_seconds();
-        snprintf(options, sizeof options, "%s%s", mode,
-                 judging.lesson->runs[r]);
         const struct ending ending =
-            output_run(program, options, kept_file(program, r, "out", out),
+            output_run(program, judging.lesson->runs[r],
+                       kept_file(program, r, "out", out),
                        kept_file(program, r, "err", err));
         FILE *file = fopen(kept_file(program, r, "ending", path), "w");
         if (!file ||

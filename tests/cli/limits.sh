@@ -66,7 +66,7 @@ cp "$picture" before.svg
 rm -f build/data/$slug.tsv build/mistakes/$slug/*
 for k in 1 2; do
     "$MAKE" -j2 build/data/$slug.tsv "$picture" build/solutions/$slug.verdict \
-        build/mistakes/$slug/lift_sign.c >said.$k 2>&1 &
+        build/mistakes/$slug/all.judge >said.$k 2>&1 &
     eval "run$k=\$!"
 done
 wait "$run1"

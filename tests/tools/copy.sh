@@ -19,11 +19,5 @@ if [ -z "$slug" ]; then
 fi
 cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
     "$to/build/solutions"
-mkdir -p "$to/build/mistakes/$slug"
-for name in $(awk -f tests/tools/variant.awk -v list=mistake \
-    "tests/mistakes/$slug.txt"); do
-    [ -f "$BUILD/mistakes/$slug/$name" ] || continue # its entry does not fit
-    for part in "$name" "$name.why" "$name.c"; do
-        cp -p "$BUILD/mistakes/$slug/$part" "$to/build/mistakes/$slug"
-    done
-done
+mkdir -p "$to/build/mistakes"
+[ ! -d "$BUILD/mistakes/$slug" ] || cp -Rp "$BUILD/mistakes/$slug" "$to/build/mistakes"

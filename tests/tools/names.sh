@@ -10,8 +10,6 @@
 #     system means by it; one stays: that by which alone there is a function of
 #     the lesson;
 #   - gives what is declared by the checks names that no program has.
-# LIKE is the solution's header, if there is one, which a program with the same names
-# and directives has, too.
 # A program is refused, with a line "refused: WHY", that runs before its main()
 # or includes a solution.  CPP is the compiler with its flags.
 set -u
@@ -27,11 +25,6 @@ refuse() { # refuse WHY...
     echo "refused: $*" >&2
     exit 1
 }
-
-outline() { awk -f tests/tools/names.awk "$1" && grep '^[[:space:]]*#' "$1"; }
-if [ -f "${LIKE:-}" ] && [ "$(outline "$program")" = "$(outline "$solution")" ]; then
-    exec cp "$LIKE" "$into"
-fi
 
 # An #include or a macro may multiply without end, in time, text or memory.
 ({ ulimit -t 4; ulimit -f 8192; ulimit -v 1000000; } 2>/dev/null

@@ -238,7 +238,7 @@ check() {
     before=$(sum "$mine")
     json_begin
     folder=$(mktemp -d "$BUILD/mine/$slug.XXXXXX") || return 2
-    judge "$mine" "$mine" "'$MAKE' mistakes-$nn"
+    judge "$mine" "$mine" "'$MAKE' mistakes-$nn >/dev/null"
     status=$?
     json_end "$folder/report" || status=2
     [ ! -f "$folder/log" ] || mv -f "$folder/log" "$log"

@@ -4,6 +4,13 @@
 #     awk -f tests/tools/variant.awk -v name=X -v get=why FILE      one field,
 #                                                                   or a,b two
 #     awk -f tests/tools/variant.awk -v name=X FILE SOLUTION        the program
+#     awk -f tests/tools/variant.awk -v all=DIR FILE SOLUTION       DIR/all.c is all
+#         of them: which, the number MISTAKE in the environment says, and with none
+#         it is the solution.  DIR/NAME and NAME.judge run one of its judge all.judge,
+#         NAME.why has what is said of a mistake.  The numbers, what each is, its
+#         name, and the slot of the first line changed are printed; - for none, and
+#         "alone" for the number of one that changes what is in no function.
+#         With file=F it is those of the file F alone, and DIR has all.c alone.
 #     awk -f tests/tools/variant.awk -v check=SOLUTION FILE         what is wrong
 #         with the entries, a line each; with a folder, "common/", the program is
 #         that folder and what the entry's `file:` says
@@ -31,7 +38,8 @@
 #     ...what stands there instead...
 #     end
 #
-# Several from/to pairs in an entry are applied one after another.
+# Several from/to pairs in an entry are applied one after another.  Those of a
+# lesson change functions, between the { and the } that begin a line, alone.
 
 function wrong(e, what) { if (!(e in problem)) problem[e] = what }
 
@@ -73,7 +81,7 @@ FILENAME == ARGV[1] {
 { program = program $0 "\n" }
 
 # The program with entry e; where that cannot be, problem[e] says why.
-function changed(e, program,   k, at, rest, from) {
+function changed(e, program,    k, at, rest, from) {
     if (!pairs[e]) wrong(e, "changes nothing")
     for (k = 1; k <= pairs[e] && !(e in problem); k++) {
         from = text[e, k, "from"]
@@ -87,6 +95,81 @@ function changed(e, program,   k, at, rest, from) {
         program = substr(program, 1, at - 1) text[e, k, "to"] rest
     }
     return program
+}
+# Its functions, from { to }, go to body[1], body[2], ...; what is left is returned,
+# with \001 where they stood.
+function bodies(text, body,    n, line, lines, k, inside, rest) {
+    lines = split(text, line, "\n")
+    for (k = 1; k < lines; k++) {
+        if (!inside && line[k] == "{") {
+            inside = 1
+            body[++n] = ""
+            rest = rest "\001"
+        }
+        if (inside) body[n] = body[n] line[k] "\n"
+        else rest = rest line[k] "\n"
+        if (line[k] == "}") inside = 0
+    }
+    return rest
+}
+# The slot of the first line in which two programs differ, or -.
+function slot_of(program, text,    line, lines, other, k, part, slot) {
+    lines = split(program, line, "\n")
+    split(text, other, "\n")
+    for (k = 1; k <= lines; k++) {
+        if (line[k] ~ /\/\* SLOT /) {
+            split(line[k], part, " ")
+            slot = part[3]
+            sub(/\(.*/, "", slot)
+        }
+        if (line[k] != other[k]) break
+        if (line[k] ~ /\/\* END /) slot = ""
+    }
+    return slot == "" ? "-" : slot
+}
+function put(e, its,    run) {
+    run = "#!/bin/sh\nMISTAKE=" e " exec \"${0%/*}/all.judge\" "
+    print run "--run \"$@\"" > its
+    close(its)
+    print run "\"$@\"" > (its ".judge")
+    close(its ".judge")
+    if (kind[e] == "equivalent") return
+    printf "%s%s", value[e, "caught-by"], value[e, "why"] > (its ".why")
+    close(its ".why")
+}
+# All entries in one program: a function with a mistake has a case for each.
+function merge(    e, m, rest, text, own, its, part, parts, at, number) {
+    rest = bodies(program, own)
+    parts = split(rest, part, "\001")
+    for (e = 1; e <= n; e++) {
+        if (file != "" && value[e, "file"] != file "\n") continue
+        text = changed(e, program)
+        number = e
+        if (bodies(text, its) != rest) number = "alone"
+        if (e in problem) number = "-"
+        at = file == "" ? slot_of(program, text) : \
+             value[e, "unit"] value[e, "caught-by"]
+        gsub(/\n/, " ", at)
+        print number, kind[e], title[e], at
+        if (number != e) continue
+        if (file == "") put(e, all "/" title[e])
+        for (m = 1; m < parts; m++)
+            if (its[m] != own[m])
+                cases[m] = cases[m] "case " e ":\n" its[m] "break;\n"
+    }
+    all = all "/all.c"
+    printf "%s", "extern char *getenv(const char *);\n" \
+        "extern int atoi(const char *);\n" \
+        "static int mistake_number(void)\n{\n    static int is = -1;\n" \
+        "    if (is < 0) is = getenv(\"MISTAKE\") ? atoi(getenv(\"MISTAKE\")) : 0;\n" \
+        "    return is;\n}\n" > all
+    for (m = 1; m <= parts; m++) {
+        printf "%s", part[m] > all
+        if (m in cases)
+            printf "{\nswitch (mistake_number()) {\n%sdefault:\n%s}\n}\n", \
+                cases[m], own[m] > all
+        else if (m < parts) printf "%s", own[m] > all
+    }
 }
 # The text of a file, read once.
 function read(file,   line) {
@@ -117,6 +200,10 @@ END {
             said = title[e] ": " problem[e]
             if (problem[e] != "" && !saying[said]++) print said
         }
+        exit 0
+    }
+    if (all != "") {
+        merge()
         exit 0
     }
     e = entry[name]

@@ -1,31 +1,19 @@
 #!/bin/sh
-# verify.sh KIND NN_slug [NAME] - one claim about a lesson's own material.
+# verify.sh KIND NN_slug - claims about a lesson's own material.
 #
 # Prints lines "ok WHAT" and "FAIL WHAT: why" and exits with 0; the Makefile
-# counts the lines.  KIND is solution, starter, mistake, equivalent or behave.
+# counts the lines.  KIND is solution, starter, mistakes or behave.
 set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
-kind=$1 slug=$2 name=${3:-}
+kind=$1 slug=$2 name=$2
 nn=${slug%%_*}
 judge_one() { # judge_one JUDGE [OPTIONS]: its verdict block
     one=$1
     shift
-    "$one" "$@" --file "$kind ${name:-$slug}" --reference "$BUILD/solutions/$slug" \
+    "$one" "$@" --file "$kind $name" --reference "$BUILD/solutions/$slug" \
         --mistakes "$BUILD/mistakes/$slug" 2>&1
-}
-# A variant is judged with what its lesson's programs print, as it was kept.
-judge_variant() {
-    program=$BUILD/mistakes/$slug/$name
-    if [ ! -f "$program.c" ]; then
-        echo "FAIL $nn: $name does not fit the solution: make lint says where"
-        exit 0
-    fi
-    judge_one "$program.judge" --kept "$BUILD/test/kept/$slug" >"$program.said"
-    awk -v kind="$kind" -v name="$name" -v nn="$nn" -f tests/tools/verify.awk \
-        "tests/mistakes/$slug.txt" "$program.c" "solutions/$slug.c" "$program.said"
-    rm -f "$program.said"
 }
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok $2"; else echo "FAIL $2: $3"; fi
@@ -65,8 +53,20 @@ starter)
     [ "$(cat "lessons/$slug.c")" = "$wanted" ] ||
         [ "$(git show ":lessons/$slug.c" 2>/dev/null)" = "$wanted" ]
     result $? "$nn: starter is in step with its solution" "make starters" ;;
-mistake | equivalent)
-    judge_variant ;;
+mistakes)
+    # each is judged with what the lesson's programs print, which is kept
+    all=$BUILD/mistakes/$slug kept=$BUILD/test/kept/$slug
+    rm -rf "$kept" && mkdir -p "$kept"
+    set -- "$BUILD/solutions/$slug"
+    for why in "$all"/*.why; do set -- "$@" "${why%.why}"; done
+    "$BUILD/solutions/$slug.judge" --keep "$kept" "$@"
+    while read -r number kind name slot; do
+        echo "entry $number $kind $name $slot"
+        set -- --kept "$kept"
+        [ $kind = equivalent ] || set -- "$@" --as "$name"
+        [ ! -f "$all/$name.judge" ] || judge_one "$all/$name.judge" "$@" </dev/null
+    done <"$all/list" | awk -v nn="$nn" -f tests/tools/verify.awk \
+        "tests/mistakes/$slug.txt" - ;;
 behave)
     # behave WHAT LINE VERDICT: LINE as the first line of the first slot
     with_line() {
