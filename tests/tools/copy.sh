@@ -19,5 +19,10 @@ if [ -z "$slug" ]; then
 fi
 cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
     "$to/build/solutions"
-mkdir -p "$to/build/mistakes"
-[ ! -d "$BUILD/mistakes/$slug" ] || cp -Rp "$BUILD/mistakes/$slug" "$to/build/mistakes"
+mkdir -p "$to/build/mistakes/$slug"
+for file in "$BUILD/mistakes/$slug"/*; do # no folder of a judge that is at work
+    case $file in
+    *.part) ;;
+    *) [ ! -f "$file" ] || cp -p "$file" "$to/build/mistakes/$slug" ;;
+    esac
+done
