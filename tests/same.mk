@@ -10,8 +10,8 @@
 # tests/tools/same.sh compares their tables, and what becomes of them.
 #
 # DEAR studies compute for seconds, some three quarters of all that studies do, with
-# functions that other studies of their folders run, too: `make same` has them as
-# well, which .ci/run asks for.
+# functions that other studies of their folders run, too: `make same` runs them as
+# well, as .ci/run does.
 
 ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o \
             %/lanes.o, \
@@ -97,8 +97,11 @@ $(T)/same-here.result: $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) 
 	    sh tests/tools/same.sh here > $@
 SAME_RESULTS := $(T)/same-here.result $(T)/same-v8.result $(T)/same-$(NARROW).result \
                 $(T)/same.result
+# Tables that are missing are made for a result that is to be made alone.
 .PHONY: same
-same: $(patsubst %,$(T)/same-%.result,v8 $(NARROW))
+SAME_ALL := $(patsubst %,$(T)/same-%.result,v8 $(NARROW))
+$(if $(filter same,$(MAKECMDGOALS)),$(eval $(SAME_ALL): always))
+same: $(SAME_ALL)
 	@cat $^ | sh tests/tools/count.sh
 $(T)/same.result: tests/cli/same.sh tests/tools/same.awk
 	$(Q)mkdir -p $(@D) && sh $< > $@

@@ -144,7 +144,8 @@ long_for() {
     valgrind.sparse) echo solve_equals_dense_for_random_patterns \
         what_is_indefinite_is_solved_with_signs \
         a_body_in_either_storage_has_the_same_matrix \
-        the_order_takes_every_free_vertex_once rounded_factors_have_seven_digits \
+        the_order_takes_every_free_vertex_once factors_solve_on_their_way \
+        rounded_factors_have_seven_digits \
         the_verbs_are_those_of_dense_storage a_line_separates_its_two_sides \
         a_step_in_either_storage_is_the_same ;;
     valgrind.study) echo a_rate_is_as_sure_as_its_runs ;;
