@@ -44,7 +44,8 @@ static void add_mass(const struct body *body, const double v[], double out[])
  * Given the state u0, v0 before the step, return b (2.18b) at all vertices, for
  * the constant body force s->density (N/m^2) and the constant s->traction (N/m)
  * on the right end, whose edge j, 0 <= j < n, joins the vertices
- * j (n + 1) + n and (j + 1) (n + 1) + n.
+ * j (n + 1) + n and (j + 1) (n + 1) + n.  The edges may be of any length and
+ * lean, and what s->f holds does not count.
  */
 static void right_hand_side(const struct scene *s, double dt,
                             const double u0[], const double v0[], double b[])

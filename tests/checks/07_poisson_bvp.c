@@ -8,7 +8,8 @@
  *     7a   n, x          7 unequal; 4 to 128 equal; 1 to 12 graded in the runs
  *     7b   problem, u    beta 1, 1 + x and another; exact parabola and others
  *     7b   n, x          7 graded both ways; 4 to 128 equal
- *     7c   h1, err1, h2, err2, floor  all in order_and_constant_are_recovered
+ *     7c   h1, err1, h2, err2, floor  all in order_and_constant_are_recovered:
+ *                        errors that fall and that grow, finer and coarser
  * x[0] = 0 and x[n] = 1 are the problem's.
  */
 #include "program.h"
@@ -248,16 +249,18 @@ static void order_and_constant_are_recovered(void)
                               {h[0], e[0], h[1], 1e-12},
                               {h[0], e[0], h[0], e[0]}};
 
-    for (int k = 0; k < 2; k++) { /* refined, and made coarser */
-        const struct order found =
-            observed_order(h[k], e[k], h[1 - k], e[1 - k], 1e-12);
-        expect_close(found.order, p, 1e-13, p,
-                     "order of err = %g h^%g, measured at h1 = %g and h2 = %g",
-                     C, p, h[k], h[1 - k]);
-        expect_close(found.constant, C, 1e-12, C,
-                     "constant of err = %g h^%g, measured at h1 = %g and h2 = "
-                     "%g", C, p, h[k], h[1 - k]);
-    }
+    for (int grows = 0; grows < 2; grows++)
+        for (int k = 0; k < 2; k++) { /* refined, and made coarser */
+            const double s = grows ? -0.613 : p, h1 = h[k], h2 = h[1 - k];
+            const struct order found = observed_order(h1, C * pow(h1, s), h2,
+                                                      C * pow(h2, s), 1e-12);
+            expect_close(found.order, s, 1e-13, p,
+                         "order of err = %g h^%g, measured at h1 = %g and h2 = "
+                         "%g", C, s, h1, h2);
+            expect_close(found.constant, C, 1e-12, C,
+                         "constant of err = %g h^%g, measured at h1 = %g and "
+                         "h2 = %g", C, s, h1, h2);
+        }
     for (int k = 0; k < COUNT(none); k++) {
         const struct order zero = observed_order(none[k][0], none[k][1],
                                                  none[k][2], none[k][3], 1e-12);

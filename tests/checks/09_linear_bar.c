@@ -7,7 +7,8 @@
  *                       3 to 128; 1 to 11 in the runs
  *     9b   modulus      that of s and another one
  *     9b   f_mid        those of s; in loads_add_up_... of no formula
- *     9c   s, K, b      all four pairs of ends; balanced or not; not SPD
+ *     9c   s, K, b      all four pairs of ends; balanced or not; not SPD;
+ *                       K and b afterwards in nodal_values_are_exact
  *     9d   s, modulus, b, u   solutions, and in stresses_... any numbers
  */
 #include "program.h"
@@ -310,6 +311,7 @@ static void nodal_values_are_exact(void)
         double *b = guarded_alloc(n_elem + 1), *u = guarded_alloc(n_elem + 1);
         double b_before[n_elem + 1];
         struct matrix *K = assembled(s, modulus_, b);
+        struct matrix *K_before = matrix_copy(K);
         for (int i = 0; i <= n_elem; i++) b_before[i] = b[i];
         expect(solve(s, K, b, u) == OK, "solve: scene %d has a solution", k);
         /* u0 and P0 of u = u0 + (P0 X - c X^2 / 2) / M, by hand */
@@ -330,7 +332,11 @@ static void nodal_values_are_exact(void)
                          s->held[1] ? "held" : "free");
             expect(b[i] == b_before[i],
                    "solve changed b[%d]: the reactions need it as it was", i);
+            for (int j = 0; j <= n_elem; j++)
+                expect(matrix_get(K, i, j) == matrix_get(K_before, i, j),
+                       "solve changed K[%d][%d]: K is left alone", i, j);
         }
+        matrix_free(K_before);
         matrix_free(K);
     }
 }

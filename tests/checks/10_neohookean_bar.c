@@ -320,6 +320,25 @@ static void it_measures_in_lengths(void)
     }
 }
 
+/* A log law pressed to F = 3e-3 and a little more: the first step is shorter
+ * than the tolerance allows, and leaves over M/2 step^2 / F^3, 4.6 times what
+ * it allows. */
+static void it_measures_in_forces(void)
+{
+    const struct newton_control control = {1e-6, 100, 0, 0};
+    const struct material material = material_make(LOG, 1000.0, 0.0);
+    const double F = 3e-3, step = 0.5 * control.tolerance;
+    const double b[] = {0.0, 0.0, material1_pk1(&material, F + step)};
+    const struct bar bar = {2, 0.5, {1, 0}, guarded_copy(3, b), material};
+    const double start[] = {0.0, 0.5 * (F - 1.0), F - 1.0};
+    const struct newton_report report =
+        newton(&bar, &control, guarded_copy(3, start));
+    expect(report.status == OK && report.iterations == 2, "log law, F = %g, "
+           "tolerance 1e-6: %s after %d steps, not OK after 2; the first step, "
+           "%g n h, leaves over 4.6e-6 of the modulus", F,
+           status_name(report.status), report.iterations, step);
+}
+
 static void it_says_nonfinite(void)
 {
     for (int end = 0; end < 2; end++) {
@@ -339,11 +358,15 @@ static void newton_stops_at_solutions_only(void)
     it_goes_on_while_it_moves();
     it_makes_the_first_step();
     it_measures_in_lengths();
+    it_measures_in_forces();
     it_says_nonfinite();
     struct bar_scene scene = bar_scene_notes(CUBIC, 10);
     struct bar_state *s = answer(&scene);
     expect(s->report.iterations <= 1, "a bar at rest: solved after %d steps; "
            "it is solved before the first", s->report.iterations);
+    expect(s->report.iterations > 0 || s->report.increment == 0.0,
+           "a bar at rest, solved without a step: the increment is %g, not 0, "
+           "after other bars", s->report.increment);
     bar_state_free(s);
 
     scene.g[0] = sin(0.5);

@@ -8,8 +8,8 @@
  *   20b grid, wall, at_wall, axes: unknowns_are_those_of_the_wall; columns: the
  *       same, and with the wall on the right
  *   20c body, step (wall, dt, g, 0 too): newton_agrees_with_the_library;
- *       convex: indefinite_matrices_are_projected; dpk1, small:
- *       newton_ends_as_it_says; report:
+ *       convex: indefinite_matrices_are_projected; dpk1 (none to
+ *       all of the 40 halvings), small: newton_ends_as_it_says; report:
  *       inverted_states_are_avoided
  *   20d step, u, p, s (orders): update_is_g2p; rate: steps_are_the_oracles
  */
@@ -370,6 +370,12 @@ static mat2 much_too_soft(const struct material *material, mat2 F, mat2 dF)
     return mat2_scale(1e-16, material2_dpk1(material, F, dF));
 }
 
+/* 1e10 times: 40 halvings of du are enough, and 30 are not. */
+static mat2 too_soft(const struct material *material, mat2 F, mat2 dF)
+{
+    return mat2_scale(1e-10, material2_dpk1(material, F, dF));
+}
+
 /* A tangent a hundred times too stiff: a step goes a hundredth of the way. */
 static mat2 much_too_stiff(const struct material *material, mat2 F, mat2 dF)
 {
@@ -465,6 +471,12 @@ static void failures_are_named(void)
            "long, so that 40 halvings are not enough: the status must be "
            "STALLED after 0 or 1 iterations, not %s after %d",
            status_name(end.status), end.iterations);
+    soft.of.dpk1 = too_soft;
+    const struct particle_report far =
+        newton(&soft.of, &soft.how, guarded_alloc(soft.n_all));
+    expect(far.iterations > 1 || far.status != STALLED, "du is 1e10 times too "
+           "long, so that some 35 halvings are enough: not STALLED after %d "
+           "iterations; the line search may halve 40 times", far.iterations);
     cloud_free(soft.cloud);
     struct trial_body stiff =
         trial_of(cloud_hanging(2, 8, 2), CUBIC, 0.0, 500.0, 0);

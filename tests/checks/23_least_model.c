@@ -536,9 +536,11 @@ static void what_is_unstable_is_never_enough(void)
         expect(!verdict(model, STANDS, 0, 0.1, part, &sum, &add),
                "%s, K not positive definite: not enough, however small the "
                "estimate", ladder_rung((enum rung)r));
-        expect(r > LINEAR_PLANE || add == GEOMETRY,
-               "%s, K not positive definite: the geometry is to be added",
-               ladder_rung((enum rung)r));
+        const enum part want = r > LINEAR_PLANE ? MESH : GEOMETRY;
+        expect(add == want, "%s, K not positive definite, parts of 1e-4 and a "
+               "mesh and a dimension of 2e-4: to add is %s, not %s",
+               ladder_rung((enum rung)r), ladder_part(want),
+               add < N_PART ? ladder_part(add) : "nothing");
     }
 }
 

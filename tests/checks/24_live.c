@@ -5,7 +5,8 @@
  *   24a from, pointer: the_hand_is_bounded
  *   24b mesh, u: knots_are_counted
  *   24c body (laws, what is held), u0, w, g: lift_solves_the_linear_problem,
- *       lift_refuses_what_cannot_be; dt, tangent: lift_without_a_jump_is_newton
+ *       lift_refuses_what_cannot_be (a leap of g alone, too); dt, tangent:
+ *       lift_without_a_jump_is_newton
  *   24d live (u0, v0, g, law), report: downhill_does_what_it_says; n:
  *       no_frame_is_lost; dt is 1/30 s in all of live.h
  */
@@ -270,6 +271,24 @@ static void lift_refuses_what_cannot_be(void)
     expect(status == NONFINITE, "the body flies with 150 m/s, so that the lift "
            "moves it by more than LIVE_LEAP: got %s, want NONFINITE",
            status_name(status));
+    /* the hand goes farther, and draws the free ones along less */
+    double *rest = guarded_alloc(n), *g = guarded_alloc(n), most = 0.0;
+    for (int r = 0; r < n; r++)
+        g[r] = live->body->equation[r] < 0 && live->mesh->X[r / 2 * 2] > -1.0 &&
+                       r % 2 == 0 ? 1.0 : 0.0;
+    for (int r = 0; r < n; r++) rest[r] = 0.0;
+    Phi.w = rest;
+    status = elastic_lift(live->body, Phi, rest, g, EXACT, u);
+    expect(status == OK, "the hand moves by LIVE_LEAP from a body at rest: got "
+           "%s, want OK", status_name(status));
+    for (int r = 0; r < n; r++)
+        if (live->body->equation[r] >= 0) most = fmax(most, fabs(u[r]));
+    expect(most < 0.995, "a free vertex moves by %g: the check sees nothing",
+           most);
+    for (int r = 0; r < n; r++) g[r] *= 1.004;
+    status = elastic_lift(live->body, Phi, rest, g, EXACT, u);
+    expect(status == NONFINITE, "the hand moves by 1.004 LIVE_LEAP, the free "
+           "ones by less: got %s, want NONFINITE", status_name(status));
     for (int a = 0; a < n / 2; a++) u[2 * a] = -1.5 * live->mesh->X[2 * a];
     for (int a = 0; a < n / 2; a++) u[2 * a + 1] = 0.0;
     double *inverted = guarded_copy(n, u);

@@ -44,13 +44,16 @@ static int coincide(const struct output *mine, const struct output *other)
 }
 
 /* The file NAME.why of a known mistake: on its first line the check that
- * catches it, and then what the student is told, in `text`. */
+ * catches it, and then what the student is told, in `text`.  That of an
+ * equivalent program is empty, and no check catches it. */
 static void read_why(const char *name, char check[64], size_t size, char text[])
 {
     char path[PATH_SIZE];
     snprintf(path, sizeof path, "%s/%s.why", judging.mistakes, name);
     FILE *file = fopen(path, "r");
-    if (!file || fscanf(file, "%63s", check) != 1) quit("cannot read %s", path);
+    *check = '\0';
+    if (!file || fscanf(file, "%63s", check) == 0 || ferror(file))
+        quit("cannot read %s", path);
     text[fread(text, 1, size - 1, file)] = '\0';
     fclose(file);
 }
