@@ -8,7 +8,7 @@
  *     4b   N, b          8 any, 5 to 65; of all sizes, 0, a NaN, both signs
  *     4c   N, b          8 any; 3 to 48 in the runs
  *     4d   A             n = 7 unequal, 4 equal, 2 to 48; -A, which is NOT_SPD
- *     4d   b             compatible, and not
+ *     4d   b             compatible, of two loads, and not
  */
 #include "program.h"
 
@@ -66,21 +66,21 @@ static void with_fluxes(field *f, double qa, double qb, struct matrix *A,
     b[n_elem] += qb;
 }
 
-/* The scene; b made compatible without the program's help. */
-static struct scene compatible_scene(void)
+/* The scene under a load; b made compatible without the program's help. */
+static struct scene compatible_scene(field *load)
 {
     const struct scene s = {matrix_alloc(BANDED, N_node, 1),
                             guarded_alloc(N_node), guarded_alloc(N_node)};
     double sum = 0.0;
-    with_fluxes(wavy_load, flux_a, flux_b, s.A, s.b);
+    with_fluxes(load, flux_a, flux_b, s.A, s.b);
     for (int i = 0; i < N_node; i++) sum += s.b[i];
     for (int i = 0; i < N_node; i++) s.b[i] -= sum / N_node;
     return s;
 }
 
-static struct scene solved_scene(void)
+static struct scene solved_scene(field *load)
 {
-    const struct scene s = compatible_scene();
+    const struct scene s = compatible_scene(load);
     const enum status status = solve_neumann(s.A, s.b, s.u);
     expect(status == OK, "solve_neumann says %s of a system that is solvable",
            status_name(status));
@@ -89,7 +89,7 @@ static struct scene solved_scene(void)
 
 static void quadratic_form_is_vAv(void)
 {
-    const struct scene s = compatible_scene();
+    const struct scene s = compatible_scene(wavy_load);
     const double *x = guarded_copy(N_node, nodes);
     double Av[N_node], want = 0.0;
     matrix_multiply(s.A, values, Av);
@@ -225,7 +225,7 @@ static void every_equation_holds(void)
                      "(A u)[%d], 4 equal elements", i);
     matrix_free(A);
 
-    const struct scene s = solved_scene();
+    const struct scene s = solved_scene(wavy_load);
     double product[N_node];
     matrix_multiply(s.A, s.u, product);
     for (int i = 0; i < N_node; i++)
@@ -236,7 +236,7 @@ static void every_equation_holds(void)
 /* Of the nodal values: on unequal elements that is not int u dx = 0. */
 static void nodal_mean_is_zero(void)
 {
-    const struct scene s = solved_scene();
+    const struct scene s = solved_scene(wavy_load);
     double sum = 0.0, largest = 0.0;
     for (int i = 0; i < N_node; i++) {
         sum += s.u[i];
@@ -249,7 +249,7 @@ static void nodal_mean_is_zero(void)
 /* u = sum_k w_k (w_k . b) / lambda_k over the eigenvalues that are not 0. */
 static void same_as_pseudo_inverse(void)
 {
-    const struct scene s = solved_scene();
+    const struct scene s = solved_scene(constant_load);
     gsl_matrix *M = gsl_matrix_alloc(N_node, N_node);
     gsl_matrix *w = gsl_matrix_alloc(N_node, N_node);
     gsl_vector *lambda = gsl_vector_alloc(N_node);
@@ -280,7 +280,7 @@ static void same_as_pseudo_inverse(void)
 
 static void incompatible_systems_are_refused(void)
 {
-    const struct scene s = compatible_scene();
+    const struct scene s = compatible_scene(wavy_load);
     for (int sign = -1; sign <= 1; sign += 2) {
         for (int i = 0; i < N_node; i++) s.u[i] = values[i];
         s.b[2] += sign * 1e-6;

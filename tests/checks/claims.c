@@ -20,6 +20,11 @@ void wrong(const char *format, ...)
     va_list arguments;
     FILE *file = fopen(work_file("judge.message", path), "w");
     if (!file) quit("cannot write %s", path);
+    if (judging.again)
+        fprintf(file, "slot %s: %s passes in a process of its own, and fails "
+                "where other checks have called the program before: something "
+                "is kept from call to call, as in a static variable. ",
+                judging.again->slot, judging.again->name);
     va_start(arguments, format);
     vfprintf(file, format, arguments);
     va_end(arguments);
@@ -53,8 +58,10 @@ void expect_close(double got, double want, double tolerance, double scale,
              tolerance * scale);
     keep_figures(&figures);
     if (!isfinite(got)) wrong(NOT_FINITE "%s is %g", text, got);
-    wrong("%s: got %.10g, want %.10g (off by %.2g; allowed %.2g)", text, got,
-          want, fabs(got - want), tolerance * scale);
+    /* more digits where ten of them are alike */
+    const int digits = fabs(got - want) < 1e-9 * fabs(want) ? 17 : 10;
+    wrong("%s: got %.*g, want %.*g (off by %.2g; allowed %.2g)", text, digits,
+          got, digits, want, fabs(got - want), tolerance * scale);
 }
 
 /* Stop this check if the program stopped as none should: at a slot that is

@@ -72,6 +72,7 @@ void guards_hold(void)
                       "entry %d has been changed", n - 1, i);
         }
     }
+    guarded.n_array = 0;
 }
 
 /* Bytes on the heap; 0 where nobody counts them. */

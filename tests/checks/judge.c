@@ -126,6 +126,17 @@ static int examine_all(int n, struct finding finding[])
     return over;
 }
 
+/* Where all pass, each in a process of its own: those of the slots in one. */
+static int examine_again(int n, struct finding *finding)
+{
+    *finding = (struct finding){.verdict = PASS};
+    examine(n, finding);
+    if (finding->verdict != PASS)
+        printf("  %-10s %s\n", verdict_name[finding->verdict],
+               claim_at(judging.lesson, n).name);
+    return finding->verdict == PASS;
+}
+
 /* What the student has predicted in this file, if it is given. */
 static void read_predictions(const char *source)
 {
@@ -222,6 +233,8 @@ static const char *what_next(const char *number, int index,
     else if (*options)
         snprintf(text, size, "make hint-%s, make diff-%s%s%s%s", number, number,
                  given, options, end);
+    else if (finding[index].verdict == CRASHED)
+        snprintf(text, size, "make debug-%s, make hint-%s", number, number);
     else
         snprintf(text, size, "make hint-%s", number);
     return text;
@@ -301,8 +314,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     judging.kept = absolute(value_of(argc, argv, "--kept"));
     judging.as = value_of(argc, argv, "--as");
     const char *work = value_of(argc, argv, "--work");
-    if (n > MAX_CLAIMS)
-        quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 1);
+    if (n + 2 > MAX_CLAIMS)
+        quit("%s has more than %d claims", lesson->name, MAX_CLAIMS - 3);
     if (lesson->n_run > MAX_RUNS)
         quit("%s has more than %d runs", lesson->name, MAX_RUNS);
     if (!judging.file || !judging.reference)
@@ -319,6 +332,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     const int over = examine_all(n, finding);
     int first = 0;
     while (first < n && finding[first].verdict == PASS) first++;
+    if (first == n && !examine_again(n + 1, &finding[n + 1])) first = n + 1;
     if (first == n)
         print_ok(number, n, finding);
     else

@@ -8,7 +8,8 @@
  * with int main() returning judge(&lesson, argc, argv).  Every check runs in a
  * child of its own (child.h), with limits on time, memory and output; the last
  * check, added here, compares the output tables with those of the reference
- * solution.
+ * solution.  Where all pass, those that have a slot are run in one process, the
+ * last one first: a check must not rest on being the first to be run.
  *
  * Names.  A student's program may use any name and define any macro, at file
  * scope too, and no check needs to care: tests/tools/names.sh makes a header

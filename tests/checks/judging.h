@@ -28,6 +28,8 @@ struct judging {
     const char *report;    /* file for all that is said; NULL: none */
     const char *kept;      /* folder with what the reference and the known
                             * mistakes have printed; NULL: run them */
+    const struct claim *again; /* the one that is asked after others, in
+                                * one process, or NULL */
     const char *as;        /* the mistake that is judged itself, or NULL */
     char work[PATH_SIZE - 300]; /* folder for captured output */
 };
@@ -106,7 +108,8 @@ void cells_print(const char *mine, const char *reference);
 /* ---- verdict.c */
 
 /* The claim of this index: those of the lesson, the one that every lesson ends
- * with, and behind it what was predicted. */
+ * with, and behind it what was predicted; then those of the slots in one
+ * process, the last one first. */
 struct claim claim_at(const struct lesson *lesson, int index);
 
 /* In the child: the check.  That it came to its end is said by a number, which

@@ -21,7 +21,7 @@ static const char *status_of(enum verdict verdict)
 void write_report(int n, const struct finding finding[], int first,
                   const char *mistakes, const char *next)
 {
-    const struct finding *bad = first < n ? &finding[first] : NULL;
+    const struct finding *bad = first != n ? &finding[first] : NULL;
     if (!judging.report) return;
     FILE *file = fopen(judging.report, "w");
     if (!file) quit("cannot write %s", judging.report);
@@ -33,7 +33,8 @@ void write_report(int n, const struct finding finding[], int first,
     put(file, mistakes, FIELD);
     put(file, next, FIELD);
     put(file, bad ? bad->text : "", RECORD);
-    for (int i = 0; i < n; i++) {
+    for (int k = 0; k < (first > n ? n + 1 : n); k++) {
+        const int i = k < n ? k : first;
         const struct claim claim = claim_at(judging.lesson, i);
         const int run_at_all = finding[i].verdict != NOT_RUN;
         put(file, claim.name, FIELD);
