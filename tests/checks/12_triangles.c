@@ -9,7 +9,7 @@
  *     12b, c   u              turned, sheared, squeezed, inside out
  *     12c      K              dense, banded; not 0 before
  *     12d      held, q, K     left side; right side but for a corner; not SPD
- *     12e      tolerance, cap small_..., the_books_are_right; failures_...
+ *     12e      tolerance, cap 1 to 1e-3 and 1e-10, cap 2 in failures_are_named
  *     12e      s, u           all scenes of scene.h; vertex 0 held, and free
  */
 #include "program.h"
@@ -658,8 +658,39 @@ static void agrees_with_the_fast_solver(void)
     }
 }
 
+/* Of its own history: it is done in the end, and was not before. */
+static void it_stops_where_it_is_told(void)
+{
+    for (int c = 0; c < 24; c++) {
+        const double tolerance = pow(10.0, -0.25 * (c / 2));
+        struct scene_setting set =
+            scene_notes(c % 2 ? COMPRESS : STRETCH, CUBIC, 4);
+        set.reach = 0.5;
+        struct scene *s = scene_alloc(&set);
+        const double weight = material_modulus(&s->body->material);
+        scene_hold(s, 1.0);
+        step_boundary(s->body, s->g, 1, s->u);
+        const struct history report =
+            equilibrium(s, tolerance, HISTORY_CAP, s->u);
+        expect(report.status == OK, "%s, tolerance %.2g: %s",
+               scene_name(set.reading), tolerance, status_name(report.status));
+        for (int k = 1; k <= report.iterations; k++) {
+            const double du = report.increment[k - 1];
+            const double q = report.residual[k] / weight;
+            const int done = du <= tolerance && q <= tolerance;
+            expect(done == (k == report.iterations),
+                   "%s, tolerance %.2g: max|du| is %.2g m and then max|q| %.2g "
+                   "(2 mu + lambda): %s", scene_name(set.reading), tolerance,
+                   du, q, done ? "it is done, and goes on"
+                               : "it is not done, and ends");
+        }
+        scene_free(s);
+    }
+}
+
 static void failures_are_named(void)
 {
+    it_stops_where_it_is_told();
     struct scene_setting set = scene_notes(STRETCH, CUBIC, 4);
     set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
