@@ -81,11 +81,13 @@ const char *ladder_part(enum part part)
     return word[part];
 }
 
-/* The columns of cells on the coarsest mesh, of 4 rows. */
+/* The columns of cells on the coarsest mesh, of 4 rows: as many as make them
+ * about square, and even, for a quadratic triangle is made of two by two. */
 enum { ROWS = 4 };
 static int coarsest(const struct ladder_scene *scene)
 {
-    return (int)fmax(2.0, floor((double)ROWS * scene->slender + 0.5));
+    const double pairs = floor(0.5 * ROWS * scene->slender + 0.5);
+    return 2 * (int)fmax(1.0, pairs);
 }
 
 struct ladder_model ladder_first(const struct ladder_scene *scene)

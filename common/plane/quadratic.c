@@ -43,6 +43,7 @@ void quadratic_nodes(const struct mesh *mesh, int e, int node[NODES])
 
 void quadratic_straighten(struct mesh *mesh)
 {
+    assert(mesh->n % 2 == 0 && mesh->rows % 2 == 0);
     for (int e = 0; e < mesh->n * mesh->rows / 2; e++) {
         int node[NODES];
         quadratic_nodes(mesh, e, node);

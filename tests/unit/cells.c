@@ -106,6 +106,27 @@ static void other_triangles_have_the_same_load(void)
     ladder_free(one);
 }
 
+/* Cells are about square, and quadratic ones, which are two by two, fit, for
+ * every ratio of the sides, at rest and in motion. */
+static void cells_fit_every_ratio(void)
+{
+    for (int k = 0; k <= 310; k++) {
+        const struct ladder_scene scene = {.slender = 0.5 + 0.05 * k,
+            .nu = 0.3, .weight = {0.0, -1e-3}, .time = RISES, .T = 1.0,
+            .dt = 0.1, .end = 0.1};
+        for (int i = 0; i < 4; i++) {
+            struct ladder_state *s = ladder_alloc_of(
+                i < 2 ? LINEAR_TRIANGLE : QUADRATIC_TRIANGLE, 2.0, &scene,
+                (struct ladder_model){CUBIC_PLANE, i % 2, 0});
+            const double ratio = 4.0 * scene.slender / s->mesh->n;
+            ck_assert(s->mesh->n % 2 == 0 && s->mesh->rows == 4);
+            ck_assert(ratio > 0.65 && ratio < 1.5);
+            ck_assert_int_eq(rung_solve(s), OK);
+            ladder_free(s);
+        }
+    }
+}
+
 /* What they say of each mesh's error is what a finer one says. */
 static void cells_say_what_a_finer_mesh_says(void)
 {
@@ -177,6 +198,7 @@ static const struct unit_law laws[] = {
     NAMED(prices_go_with_columns),
     NAMED(a_tenth_of_a_second_is_measured),
     NAMED(other_triangles_have_the_same_load),
+    NAMED(cells_fit_every_ratio),
     NAMED(cells_say_what_a_finer_mesh_says),
     NAMED(a_quadratic_triangle_is_counted),
 };
