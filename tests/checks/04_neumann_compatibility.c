@@ -158,6 +158,11 @@ static void defect_is_the_sum_of_b(void)
     expect(compatibility(N_node, b, &defect) == INCOMPATIBLE,
            "sum b = %.4g is taken for 0", want);
     expect_close(defect, want, SUM, 10.0, "defect for a constant load");
+    for (int i = 0; i < N_node; i++) b[i] = -b[i];
+    compatibility(N_node, b, &defect);
+    expect_close(defect, -want, SUM, 10.0,
+                 "defect for a constant load that pulls the other way");
+    for (int i = 0; i < N_node; i++) b[i] = -b[i];
     for (int i = 0; i < N_node; i++) scale += fabs(b[i]);
 
     /* the scale of the problem and the sign of the defect do not matter */

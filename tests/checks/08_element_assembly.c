@@ -62,7 +62,7 @@ struct local {
 
 static struct local local_system(int e, const struct quadrature *rule)
 {
-    struct local local = {0};
+    struct local local = {{{7.0, 7.0}, {7.0, 7.0}}, {7.0, 7.0}};
     element(grid[e], grid[e + 1], beta_, load_, rule, local.K, local.r);
     return local;
 }

@@ -160,8 +160,13 @@ static void b_is_mass_times_the_guess(void)
             w[r] = u[r] + dt * v[r];
         }
         double *b = guarded_alloc(N_DOF);
-        right_hand_side(s, dt, guarded_copy(N_DOF, u), guarded_copy(N_DOF, v),
-                        b);
+        const double *u0 = guarded_copy(N_DOF, u);
+        const double *v0 = guarded_copy(N_DOF, v);
+        right_hand_side(s, dt, u0, v0, b);
+        for (int r = 0; r < N_DOF; r++)
+            expect(u0[r] == u[r] && v0[r] == v[r], "u0 or v0 of vertex %d has "
+                   "changed: both are the state before the step, and given",
+                   r / 2);
         body_mass(s->body, w, want);
         s->body->mass = CONSISTENT; /* int f N_a, whatever the mass is */
         s->body->rho = 1.0;
