@@ -6,7 +6,7 @@
  *     4a   n, x          7 unequal, from 0 and from elsewhere; 2 to 47 in runs
  *     4a   beta, v       wavy, linear; any values, a line, a hat, a constant
  *     4b   N, b          8 any, 5 to 65; of all sizes, 0, a NaN, both signs
- *     4c   N, b          8 any; 3 to 48 in the runs
+ *     4c   N, b          8 any, of size 1 and 1e-9; 3 to 48 in the runs
  *     4d   A             n = 7 unequal, 4 equal, 2 to 48; -A, which is NOT_SPD
  *     4d   b             compatible, of two loads, and not
  */
@@ -212,6 +212,11 @@ static void projection_is_orthogonal(void)
         expect_close(b[i], values[i] - mean, SUM, 10.0,
                      "b[%d] after a second projection, which changes nothing",
                      i);
+    for (int i = 0; i < N_node; i++) b[i] = 1e-9 * values[i];
+    project(N_node, b);
+    for (int i = 0; i < N_node; i++)
+        expect_close(b[i], 1e-9 * (values[i] - mean), SUM, 1e-8,
+                     "b[%d] after the projection of a b of size 1e-9", i);
 }
 
 /* All N of them, the equation of a pinned node too. */
