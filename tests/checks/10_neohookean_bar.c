@@ -2,7 +2,7 @@
  * 10_neohookean_bar.c - what a right Newton method for the bar satisfies.
  *
  * Arguments: slot, argument: varied by checks
- *     10a      n, h          7 with 7 h = 1.67; 4 to 45 with n h = 1
+ *     10a      n, h          7 and 1, h = 1.67 / 7; 4 to 45 with n h = 1
  *     10a      f_mid, pull   of no formula; uniform, cosine; 0
  *     10b, c   bar           both laws; nu 0.3 here, others in the runs
  *     10b, c   u             shifted, any, inverted; K dense and banded
@@ -54,6 +54,11 @@ static void loads_are_the_integrals(void)
                      "b[%d], half of each element's load and the force on an "
                      "end", i);
     }
+    double *two = guarded_alloc(2); /* one element has both ends */
+    load_vector(1, h_, f_mid_, pull_, two);
+    for (int i = 0; i < 2; i++)
+        expect_close(two[i], 0.5 * h_ * f_mid_[0] + pull_[i], ROUND_OFF, 100.0,
+                     "b[%d] of a bar of one element", i);
 }
 
 static void residual_of_a_shifted_bar_is_minus_b(void)
