@@ -144,21 +144,24 @@ static void say_true(const struct ladder_state *s, struct ladder_state *truth)
     truth->scene = scene;
 }
 
-static void verify(const struct ladder_state *s, enum doubt doubt,
+/* Whether it could be done. */
+static int verify(const struct ladder_state *s, enum doubt doubt,
                    const struct cells *other)
 {
     struct ladder_scene finer = *s->scene;
     finer.finest = s->model.level;
     struct ladder_state *truth = ladder_solve(&finer, ladder_truth(&finer));
+    const int can =
+        truth->status == OK && doubt < GIVES_WAY && ladder_stable(truth);
     if (truth->status != OK)
         printf("Verified: no, the richest model on a finer mesh ends with %s\n",
                status_name(truth->status));
-    else if (doubt == GIVES_WAY || !ladder_stable(truth))
+    else if (!can)
         printf("Verified: no, for a body that gives way may go elsewhere\n");
     else
         say_true(s, truth);
     ladder_free(truth);
-    if (!other || s->model.moving || doubt != NO_DOUBT) return;
+    if (!other || s->model.moving || doubt != NO_DOUBT) return can;
     struct ladder_state *q = solved(s->scene, s->model.rung, other->element,
                                     other->grade, other->level);
     truth = solved(s->scene, LOG_PLANE, QUADRATIC_TRIANGLE, 1.0, CELLS_LEVELS);
@@ -168,6 +171,7 @@ static void verify(const struct ladder_state *s, enum doubt doubt,
                other->level, 100.0 * ladder_error(q, truth));
     ladder_free(q);
     ladder_free(truth);
+    return can;
 }
 
 /* For figures/scene.gp: the parts of the error (%), and the triangles (m). */
@@ -219,10 +223,10 @@ static int end(const struct scene_file *file, const struct asked *asked,
     if (s->model.rung != BAR && t->doubt == NO_DOUBT) say_triangles(s, c);
     chosen_say_error(s, t);
     say_price(s, c, asked->within, choosing);
-    if (asked->check) verify(s, t->doubt, c);
-    if (asked->picture && t->doubt != GIVES_WAY)
+    const int known = !asked->check || verify(s, t->doubt, c);
+    if (asked->picture && t->doubt < GIVES_WAY)
         write_picture(asked->picture, file, s, t, asked->error);
-    return enough || others;
+    return known && (enough || others);
 }
 
 int main(int argc, char *argv[])

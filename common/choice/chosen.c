@@ -24,7 +24,11 @@ static const char *const doubts[] = {
     [LONG_STEPS] = "the steps are too long for a body that swings so fast: "
                    "make 'end' shorter",
     [GIVES_WAY] = "the body gives way under this load: K is not positive "
-                  "definite (lesson 15)"};
+                  "definite (lesson 15)",
+    [BUCKLES] = "it is taken to stay straight beyond the load at which it "
+                "buckles (lesson 23):\n    load it a little sideways, too",
+    [TOO_STIFF] = "quadratic triangles go elsewhere: these are too stiff to "
+                  "buckle so (lesson 25)"};
 
 /* What a part of the error comes from. */
 static const char *const says[N_PART] = {
@@ -43,8 +47,12 @@ void chosen_say_climb(const struct chosen_tried tried[], int n)
         printf("  %s %s, mesh %d: ", ladder_rung(tried[k].model.rung),
                tried[k].model.moving ? "in motion" : "at rest",
                tried[k].model.level);
-        if (tried[k].doubt == GIVES_WAY) {
-            printf("gives way, for K is not positive definite\n");
+        if (tried[k].doubt >= GIVES_WAY) {
+            printf("%s\n", tried[k].doubt == BUCKLES
+                   ? "stays straight where a column buckles"
+                   : tried[k].doubt == TOO_STIFF
+                   ? "is too stiff to buckle as quadratic triangles do"
+                   : "gives way, for K is not positive definite");
             continue;
         }
         if (tried[k].estimate < 1.0)
@@ -61,9 +69,7 @@ void chosen_say_numbers(const struct scene_file *file,
 {
     const struct ladder_scene *scene = s->scene;
     const double strain = estimate_strain(s), turn = largest_turn(s);
-    double N = 0.0;
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2) N += s->f[r];
-    N /= ladder_buckles(scene);
+    const double N = ladder_pressed(scene);
     printf("Scene %s, %g m long, in numbers without dimension\n", file->name,
            2.0 * file->metre);
     printf("  largest strain %.2g: at 0.1 the linear stress is 10 %% off "
@@ -78,7 +84,7 @@ void chosen_say_numbers(const struct scene_file *file,
         printf("  hardly loaded along its axis (lesson 23)\n");
     else if (scene->held == LADDER_LEFT)
         printf("  %s along its axis by %.2g times the load at which it buckles "
-               "(lesson 23)\n", N < 0.0 ? "pressed" : "pulled", fabs(N));
+               "(lesson 23)\n", N > 0.0 ? "pressed" : "pulled", fabs(N));
     if (scene->time != STANDS)
         printf("  1 / (omega T) %.2g: inertia counts where it is not small "
                "(lesson 23)\n", estimate_inertia(s));
@@ -182,7 +188,7 @@ static void say_quantities(struct ladder_state *s)
 /* The parts of the error, and what no part sees. */
 void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t)
 {
-    if (t->doubt != GIVES_WAY) {
+    if (t->doubt < GIVES_WAY) {
         printf("Expected error %.2g %% %s:\nthe root of the sum of the squares "
                "of its parts (lesson 23)\n", 100.0 * t->estimate,
                chosen_quantity(s->scene->quantity));
@@ -192,8 +198,8 @@ void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t)
                        100.0 * t->part[k], says[k]);
         say_quantities(s);
     } else
-        printf("Expected error: not known, for the body gives way "
-               "(lesson 23)\n");
+        printf("Expected error: not known, for the body %s (lesson 23)\n",
+               t->doubt == GIVES_WAY ? "gives way" : "buckles");
     printf("Not sure of\n");
     if (t->doubt == TORN)
         printf("  the answer as a whole:\n    the strain is beyond %g: %s\n",
@@ -208,8 +214,8 @@ void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t)
                "high, and there u\n  differs by %.2g %%\n", 100.0 * s->rival,
                100.0 * s->apart / ladder_size(s, s->u));
     if (s->model.moving)
-        printf("  whether K stays positive definite, which is not asked in "
-               "motion\n");
+        printf("  whether K stays positive definite, which in motion is asked "
+               "at the peak alone\n");
     if (s->scene->quantity == LADDER_HAND)
         printf("  the force in the hand where u is: it is that of a hand which "
                "moves its side as\n  far as the model says\n");

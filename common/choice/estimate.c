@@ -1,6 +1,8 @@
 /* estimate.c - see estimate.h. */
 #include "choice/estimate.h"
 
+#include "choice/rung.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -86,13 +88,53 @@ double estimate_strain(const struct ladder_state *s)
     return most;
 }
 
+/* Whether the axis of the body is moved aside, by more than a tenth of |u|. */
+static int leans(const struct ladder_state *s)
+{
+    double sum = 0.0;
+    for (int a = 0; a < s->mesh->n_vertex; a++) sum += s->u[2 * a + 1];
+    return fabs(sum / s->mesh->n_vertex) > 0.1 * ladder_size(s, s->u);
+}
+
+/* What quadratic triangles on the finest mesh say of the body at rest. */
+static enum doubt doubt_of_finest(const struct ladder_state *s)
+{
+    struct ladder_scene scene = *s->scene;
+    const enum rung rung = s->model.rung == LOG_PLANE ? LOG_PLANE : CUBIC_PLANE;
+    scene.time = STANDS;
+    struct ladder_state *fine = ladder_alloc_of(
+        QUADRATIC_TRIANGLE, 1.0, &scene,
+        (struct ladder_model){rung, 0, scene.finest});
+    fine->status = rung_solve(fine);
+    enum doubt doubt = NO_DOUBT;
+    if (fine->status != OK || !ladder_stable(fine)) doubt = GIVES_WAY;
+    else if (ladder_symmetric(&scene) && leans(fine)) doubt = BUCKLES;
+    else if (!s->model.moving && ladder_error(s, fine) > 0.5)
+        doubt = TOO_STIFF;
+    ladder_free(fine);
+    return doubt;
+}
+
 enum doubt estimate_doubt(const struct ladder_state *s)
 {
+    const struct ladder_scene *scene = s->scene;
+    const int symmetric = ladder_symmetric(scene);
+    const double pressed = ladder_pressed(scene);
     if (!(estimate_strain(s) <= ESTIMATE_STRAIN)) return TORN;
     if (s->model.moving &&
         estimate_frequency(s) * ladder_step(s) > ESTIMATE_ANGLE)
         return LONG_STEPS;
-    return ladder_stable(s) ? NO_DOUBT : GIVES_WAY;
+    if (pressed >= 1.0 && scene->slender >= ESTIMATE_BEAM &&
+        (symmetric || s->model.rung <= LINEAR_PLANE))
+        return BUCKLES;
+    if (s->model.rung != BAR) { /* in motion, too: no part can be told */
+        struct matrix *K = s->model.moving ? relax_factors(s) : NULL;
+        const int sure = s->model.moving ? K != NULL : ladder_stable(s);
+        matrix_free(K);
+        if (!sure) return GIVES_WAY;
+    }
+    return pressed > 0.5 && (symmetric || !s->model.moving)
+               ? doubt_of_finest(s) : NO_DOUBT;
 }
 
 void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
@@ -138,6 +180,10 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[DIMENSION] = estimate_dimension(s);
     part[INERTIA] = estimate_inertia(s);
     relax_parts(s, estimate_mesh, estimate_stress, part);
+    const double pressed = ladder_pressed(s->scene);
+    if (pressed > 0.0) /* [eq:left-inertia] */
+        part[INERTIA] = pressed < 1.0 ? fmin(1.0, part[INERTIA] /
+                                                      (1.0 - pressed)) : 1.0;
 }
 
 int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,

@@ -68,6 +68,33 @@ double ladder_buckles(const struct ladder_scene *scene)
     return pow(acos(-1.0) / length, 2) * ladder_modulus(&m) * I / 4.0;
 }
 
+double ladder_pressed(const struct ladder_scene *scene)
+{
+    const struct material m = material_make(CUBIC, 1000.0, scene->nu);
+    const double length = 2.0, height = length / scene->slender;
+    const double pi2 = pow(acos(-1.0), 2), buckles = ladder_buckles(scene);
+    /* -N = end + along (1 - s) */
+    const double end = -scene->pull[0] * height;
+    const double along =
+        -(scene->weight[0] * height + scene->push[0]) * length;
+    const double first = (end + along * (0.5 - 2.0 / pi2)) / buckles;
+    const double third = (end + along * (0.5 - 2.0 / (9.0 * pi2))) /
+                         (9.0 * buckles);
+    const double both = along * 2.0 / (3.0 * pi2 * buckles);
+    const double most = 0.5 * (first + third) +
+                        hypot(0.5 * (first - third), both);
+    if (scene->held == LADDER_ENDS) return 0.0;
+    if (!(most > 0.0 && first > 0.0)) return first;
+    return most + first * buckles * 1.2 / (m.mu * height);
+}
+
+int ladder_symmetric(const struct ladder_scene *scene)
+{
+    return scene->weight[1] == 0.0 && scene->pull[1] == 0.0 &&
+           scene->couple == 0.0 && scene->push[0] == 0.0 &&
+           scene->push[1] == 0.0;
+}
+
 const char *ladder_rung(enum rung rung)
 {
     static const char *const word[] = {"bar", "linear", "cubic", "log"};

@@ -73,6 +73,18 @@ double ladder_modulus(const struct material *material);
  * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
 double ladder_buckles(const struct ladder_scene *scene);
 
+/* The load over that under which the straight body buckles; negative: it is
+ * pulled; 0 where both ends are held.  The beam of ladder_buckles() under all
+ * that acts along its axis, deflected by w' = a sin(pi s / 2) +
+ * b sin(3 pi s / 2), s = x / length: the larger eigenvalue of
+ * int (-N) w'^2 over E' I int w''^2 (Timoshenko and Gere, Theory of Elastic
+ * Stability, 2.9 and 2.11; a weight is right to four digits), and for the
+ * shear 1.2 / (mu height) times the mean of -N in the first of these (2.17). */
+double ladder_pressed(const struct ladder_scene *scene);
+
+/* Whether no part of the load says to which side the body goes. */
+int ladder_symmetric(const struct ladder_scene *scene);
+
 enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
 struct ladder_model {
     enum rung rung;

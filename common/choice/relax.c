@@ -364,17 +364,15 @@ double relax_dimension(const struct ladder_state *s)
 
 /* Where the body is pressed along its axis by P < P_cr, P / P_cr of what bends:
  * of `dimension` without what a held end keeps wide [eq:left-dimension].  For
- * more no beam has a share to name, and ladder_stable() must tell. */
+ * more there is nothing that it is near to: 1. */
 static double pressed(const struct ladder_state *s, double dimension)
 {
     const struct material *m = &s->body->material;
     const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
     const double missed = lateral * lateral / (2.0 * s->scene->slender);
-    double N = 0.0;
-    if (s->scene->held == LADDER_ENDS) return 0.0;
-    for (int r = 0; r < 2 * s->mesh->n_vertex; r += 2) N += s->f[r];
-    const double share = -N / ladder_buckles(s->scene);
-    if (!(share > 0.0 && share < 1.0)) return 0.0;
+    const double share = ladder_pressed(s->scene);
+    if (share >= 1.0) return 1.0;
+    if (!(share > 0.0) || ladder_symmetric(s->scene)) return 0.0;
     return share * fmax(0.0, (dimension - missed) / (1.0 - missed));
 }
 

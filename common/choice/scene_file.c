@@ -208,7 +208,8 @@ static void scene_of(const char *program, const char *path, int finest,
         .quantity = (enum ladder_quantity)said->value[QUANTITY][0]};
     if (!(scene->slender >= 0.5 && scene->slender <= 16.0))
         refuse(program, path, said->at[HEIGHT], "width over height is %g: must "
-               "be from 0.5 to 16", scene->slender);
+               "be from 0.5 to 16%s", scene->slender, scene->slender < 0.5
+               ? " (a body that stands has its axis as width)" : "");
     int loaded = 0;
     for (int i = 0; i < 2; i++) {
         scene->weight[i] = said->value[GRAVITY][i] * said->value[DENSITY][0] *

@@ -20,7 +20,8 @@
  * A line is a word and its values; from a # on it is a comment.  width, height,
  * E, nu, rho and held must be there, end where the load does not stand, time
  * where it rises, period where it swings, and only there, and a load; the rest
- * is 0.  Plane strain, per metre of depth.
+ * is 0.  Plane strain, per metre of depth.  What is pulled or pushed is so by a
+ * dead load, per area at rest: it does not turn with the body.
  *
  * The quantity is what the error is one of: the displacement, at its largest or
  * in the root mean square, or the force in the hand that pulls or pushes.  Such

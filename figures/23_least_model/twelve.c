@@ -64,7 +64,7 @@ int main(void)
     int n[LADDER_SCENES], within = 0, met = 0, all = 0;
     const char *const columns = "scene model state mesh estimate error ratio "
                                 "stable flops verdict";
-    double lowest = INFINITY, highest = 0.0, blind = INFINITY;
+    double lowest = INFINITY, highest = 0.0, warned = INFINITY;
     gsl_set_error_handler_off();
     table_begin_note("rungs", columns, "estimate and error in %%");
     for (int k = 0; k < LADDER_SCENES; k++) {
@@ -74,7 +74,7 @@ int main(void)
             const double ratio = r->estimate / r->error;
             print(ladder_scene[k].name, r,
                   i + 1 < n[k] ? ladder_part(r->add) : "nothing");
-            if (!r->stable) blind = fmin(blind, ratio); /* least: linear */
+            if (!r->stable) warned = fmin(warned, ratio); /* least: linear */
             if (!r->stable) continue;
             lowest = fmin(lowest, ratio);
             highest = fmax(highest, ratio);
@@ -96,14 +96,14 @@ int main(void)
     table_end();
     table_begin("least", "rungs lowest highest unstable within met");
     table_row(all, cell_rounded(3, lowest), cell_rounded(3, highest),
-              cell_rounded(3, blind), within, met);
+              cell_rounded(3, warned), within, met);
     table_end();
 
     claim(within == LADDER_SCENES && lowest > 0.5 && highest < 3.5,
           "estimate over error is between 0.5 and 3.5 on all stable rungs: %g "
           "to %g", lowest, highest);
-    claim(blind < 0.1, "where K is not positive definite the estimate of a "
-          "linear body is blind: %g", blind);
+    claim(warned > 1.0, "beyond the buckling load the estimate of a linear "
+          "body is no less than its error: %g", warned);
     claim(met == LADDER_SCENES, "%d scenes meet the tolerance", met);
     return table_finish();
 }
