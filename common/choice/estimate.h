@@ -62,15 +62,15 @@ double estimate_strain(const struct ladder_state *state);
 
 /*
  * What no part sees, and what nobody may rely on.  A strain beyond 4: of the
- * cubic law a body that is torn so far may rest in more than one place.  Steps
- * of omega dt > 1: what swings so fast is not followed.  K that is not positive
- * definite, at the peak of a motion as well; from half of the load on that
- * ladder_pressed() names this is asked of quadratic triangles on the finest
- * mesh as well, which hardly lock.  From the whole of it on a slender body BUCKLES if it is taken
- * to stay straight: its model is linear, or nothing says to which side it goes;
- * so does a short one if those triangles go aside.  TOO_STIFF is an answer
- * from which they differ by more than half.  From GIVES_WAY on the parts mean
- * nothing.
+ * cubic law a body that is torn so far may rest in more than one place.
+ * Steps of omega dt > 1: what swings so fast is not followed.  K that is not
+ * positive definite, at the peak of a motion as well; from half of the load
+ * on that ladder_pressed() names this is asked of quadratic triangles on the
+ * finest mesh as well, which hardly lock.  From the whole of it on a slender
+ * body BUCKLES if it is taken to stay straight: its model is linear, or
+ * nothing says to which side it goes; so does a short one if those triangles
+ * go aside.  TOO_STIFF is an answer from which they differ by more than half.
+ * From GIVES_WAY on the parts mean nothing.
  */
 #define ESTIMATE_STRAIN 4.0
 #define ESTIMATE_ANGLE 1.0 /* omega dt */
