@@ -1,6 +1,7 @@
 /* diagnose.c - which of the known mistakes has the program under test? */
 #include "judging.h"
 
+#include <ctype.h>
 #include <dirent.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +23,9 @@ void print_wrapped(const char *indent, const char *text)
             at = printf("%s", indent);
         else
             at += printf(" ");
-        at += printf("%.*s", n, text);
+        for (int k = 0; k < n; k++) /* a terminal gets nothing but text */
+            putchar(iscntrl((unsigned char)text[k]) ? '?' : text[k]);
+        at += n;
         text += n;
         if (*text == '\n') {
             putchar('\n');

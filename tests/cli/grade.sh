@@ -7,7 +7,7 @@ export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
 slug=03_dirichlet_correction
 result() { # result STATUS WHAT WHY
-    if [ "$1" = 0 ]; then echo "ok cli: $2"; else echo "FAIL cli: $2: $3"; fi
+    if [ "$1" = 0 ]; then printf 'ok cli: %s\n' "$2"; else printf 'FAIL cli: %s: %s\n' "$2" "$3"; fi
 }
 copy=$BUILD/test/copy.grade
 BUILD="$BUILD" sh tests/tools/copy.sh "$copy" $slug || exit 1
@@ -63,10 +63,26 @@ echo text >class/a.txt
 mkdir "class/$(printf 'a\nb')"
 cp "solutions/$slug.c" "class/$(printf 'a\nb')"
 
+# a name whose backslashes are none, with eve's text; a formula as a name, whose
+# program prints an escape character and the teacher's variables; and two dots
+mkdir "class/w\\t(log)" class/=1+1 class/..dots
+cp "class/eve/$slug-2.c" "class/w\\t(log)/$slug.c"
+awk '{ print }
+    /\/\* SLOT / { comment = !done++ }
+    comment && /\*\// {
+        comment = 0
+        print "fprintf(stderr, \"\\033[2J%s\\n\", getenv(\"SECRET\") ? \"known\" : \"hidden\"), exit(2);"
+    }' "solutions/$slug.c" | sed '1i\
+#include <stdio.h>\
+#include <stdlib.h>' >"class/=1+1/$slug.c"
+printf 'int main(void) { return x; }\n' >"class/..dots/$slug.c"
+
 # ---- the table ----------------------------------------------------------------
 cat >wanted <<END
 student,lesson,verdict,check,slot,mistake
--dash,$slug,UNFINISHED,known_values_move_to_the_right,3a,-
+'-dash,$slug,UNFINISHED,known_values_move_to_the_right,3a,-
+..dots,$slug,WRONG,compile,-,-
+'=1+1,$slug,CRASHED,known_values_move_to_the_right,3a,-
 "Mallory ",$slug,CRASHED,known_values_move_to_the_right,3a,-
 "O'Neill, ""Sean""",$slug,WRONG,known_values_move_to_the_right,3a,lift_sign
 Zo$(printf '\303\253'),$slug,OK,-,-,-
@@ -77,11 +93,31 @@ fay,$slug,WRONG,compile,-,-
 gil,$slug,OK,-,-,-
 ivy,$slug,WRONG,reactions_balance_the_loads,3c,reaction_sign
 two twice,$slug,two files,-,-,-
+w\\t(log),$slug,WRONG,compile,-,-
+END
+cat >marked <<END
+student,$slug (of 4),missing
+ann,0,"03: slot 3a, slot 3b, slot 3c, the whole"
+gil,4,
+ivy,2,"03: slot 3c, the whole"
+nobody,,03: no file
+two twice,,03: two files
+'=1+1,0,"03: slot 3a, slot 3b, slot 3c, the whole"
 END
 "$MAKE" "mistakes-${slug%%_*}" >said 2>&1 # their judges are not copied
 state >before
-said=$("$MAKE" grade BUILD=build DIR=class 2>&1)
+said=$(SECRET=1 "$MAKE" grade BUILD=build DIR=class 2>&1)
 result $? 'grade judges a class' "$said"
+grep -Fxf marked build/grade/marks.csv | sort >found
+sort marked | cmp -s - found && [ "$(wc -l <build/grade/marks.csv)" = 16 ]
+result $? 'grade writes the marks of a class' "$(cat build/grade/marks.csv)"
+grep -q 'hidden' build/grade/verdicts.txt
+result $? "a submission does not see the teacher's variables" \
+    "$(cat build/grade/verdicts.txt)"
+! grep -q "$(printf '\033')" build/grade/verdicts.txt
+result $? 'no escape character of a submission is kept' "$said"
+[ -z "$(ls | grep same)" ]
+result $? 'no file has the name that a submission means' "$(ls)"
 cmp -s wanted build/grade/grades.csv
 result $? 'grade writes the table of a class' "$(diff wanted build/grade/grades.csv)"
 for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; do
@@ -97,11 +133,12 @@ done
 for text in '99_nothing.c: no lesson' 'twice/link: a link' 'everyone: a link' \
     "a.txt: in no student's folder" 'a?b: a name with control' \
     'nobody: nothing to judge' 'another file of this lesson' '3  03 lift sign' \
+    "  eve/$slug-2.c, w\\t(log)/$slug.c" \
     "  O'Neill, \"Sean\"/handed in/$slug.c, ann/$slug (1).c, bob/$slug.c"; do
-    echo "$said" | grep -qF "$text"
+    printf '%s\n' "$said" | grep -qF "$text"
     result $? "grade says: $text" "$said"
 done
-[ "$(ls build/grade | tr '\n' ' ')" = 'grades.csv grades.svg verdicts.json verdicts.txt ' ]
+[ "$(ls build/grade | tr '\n' ' ')" = 'grades.csv grades.svg marks.csv verdicts.json verdicts.txt ' ]
 result $? 'grade leaves its tables and no folder' "$(ls build/grade)"
 left=$(state | diff before -)
 result $? 'a submission changes nothing' "$left"
@@ -118,7 +155,7 @@ follows() { # follows SCHEMA FILE
   cat tests/cli/verdict.schema.json
   echo '}'; } >list
 follows list build/grade/verdicts.json
-[ "$(grep -c '"student"' build/grade/verdicts.json)" = 11 ]
+[ "$(grep -c '"student"' build/grade/verdicts.json)" = 14 ]
 result $? 'verdicts.json has all files' "$(cat build/grade/verdicts.json)"
 score() { # score STUDENT POINTS: each of 3 slots and the whole gives one
     file=build/grade/gradescope/$1/results.json

@@ -18,7 +18,7 @@ note() { # note NAME WHAT
     printf '%s: %s' "$1" "$2" | tr '\001-\037\177' '?' >>"$work/notes"
     echo >>"$work/notes"
 }
-fail() { echo "grade: $*" >&2; exit 2; }
+fail() { printf 'grade: %s\n' "$*" >&2; exit 2; }
 
 # ---- collecting -------------------------------------------------------------
 
@@ -61,7 +61,7 @@ take() {
 
 collect() {
     number=0
-    for student in "$DIR"/* "$DIR"/.[!.]*; do
+    for student in "$DIR"/* "$DIR"/.[!.]* "$DIR"/..?*; do
         name=${student##*/}
         number=$((number + 1))
         id=$(printf '%04d' $number)
@@ -72,6 +72,7 @@ collect() {
             *[[:cntrl:]]*) note "$name" "a name with control characters"; continue ;;
             esac
             export work student id
+            printf '%s\t%s\n' "$id" "$name" >>"$work/students"
             find "$student" ! -type d -exec sh tests/tools/grade.sh take {} + \
                 2>"$work/errors" || note "$name" "$(cat "$work/errors")"
             set -- "$work/$id".*
@@ -100,7 +101,8 @@ text() {
 same() {
     for folder in "$work"/[0-9]*/; do
         slug=${folder##*/*.} slug=${slug%/}
-        echo "$slug $(text "$folder$slug.c")$tab$(cat "$folder/name")$tab$folder"
+        printf '%s\t%s\t%s\n' "$slug $(text "$folder$slug.c")" \
+            "$(cat "$folder/name")" "$folder"
     done >"$work/texts"
     for slug in $(sed 's/ .*//' "$work/texts" | sort -u); do
         awk -f tests/tools/starter.awk "solutions/$slug.c" >"$work/starter"
@@ -121,7 +123,8 @@ same() {
         }' "$work/texts" >"$work/groups"
     sed -n "s/^$tab//p" "$work/groups" | sort >"$work/same"
     grep -v "^$tab" "$work/groups" | while IFS=$tab read -r folder names; do
-        echo "The same text, blanks and comments aside: $names" >"${folder}same"
+        printf 'The same text, blanks and comments aside: %s\n' "$names" \
+            >"${folder}same"
     done
 }
 
@@ -179,16 +182,65 @@ judge_all() {
 
 # ---- the tables ---------------------------------------------------------------
 
-csv() {
-    awk -F '\t' -v OFS=, '
-        function cell(s) {
+# cell(s) for awk: a cell of CSV; none is a formula to a spreadsheet
+cell='function cell(s) {
+            if (s ~ /^ *[-=+@]/ && s != "-") s = "\047" s
             if (s ~ /[",]/ || s ~ /^ | $/) { gsub(/"/, "\"\"", s); s = "\"" s "\"" }
             return s
-        }
+        }'
+csv() {
+    awk -F '\t' -v OFS=, "$cell"'
         BEGIN { print "student,lesson,verdict,check,slot,mistake" }
         { gsub(/,/, ";", $6)
           for (c = 1; c <= 6; c++) $c = cell($c)
           print }' "$1"
+}
+
+# A row per student: the points of each lesson, as Gradescope has them, and what
+# is missing to all of them.
+marks() {
+    for folder in "$work"/[0-9]*/; do
+        at=${folder%/} at=${at##*/}
+        awk -f tests/tools/json.awk -f tests/tools/gradescope.awk \
+            "${folder}report" | sed -n 's/^    {"name": "[^"]*, \([^"]*\)", "score": \([01]\),.*/\1'"$tab"'\2/p' |
+            sed "s/^/${at%%.*}$tab${at#*.}$tab$(cut -f 3 "${folder}row")$tab/"
+    done >"$work/points"
+    awk -F '\t' "$cell"'
+        FILENAME ~ /students$/ { id[++n] = $1; name[$1] = $2; next }
+        !($2 in most) { lesson[++m] = $2; most[$2] = 0 }
+        $2 != last || $1 != whose { count = 0; last = $2; whose = $1 }
+        {
+            if (++count > most[$2]) most[$2] = count
+            points[$1, $2] += $5
+            if ($3 == "two files" || $3 == "not judged") open[$1, $2] = $3
+            else if (!$5) lost[$1, $2] = lost[$1, $2] ", " $4
+        }
+        END {
+            for (k = 2; k <= m; k++) # by number
+                for (j = k; j > 1 && lesson[j] < lesson[j - 1]; j--) {
+                    l = lesson[j]
+                    lesson[j] = lesson[j - 1]
+                    lesson[j - 1] = l
+                }
+            line = "student"
+            for (k = 1; k <= m; k++)
+                line = line "," lesson[k] " (of " most[lesson[k]] ")"
+            print line ",missing"
+            for (i = 1; i <= n; i++) {
+                line = cell(name[id[i]])
+                gone = ""
+                for (k = 1; k <= m; k++) {
+                    at = id[i] SUBSEP lesson[k]
+                    why = open[at]
+                    if (!(at in points)) why = "no file"
+                    line = line "," (why == "" ? points[at] : "")
+                    if (why == "") why = substr(lost[at], 3)
+                    if (why != "")
+                        gone = gone "; " substr(lesson[k], 1, 2) ": " why
+                }
+                print line "," cell(substr(gone, 3))
+            }
+        }' "$work/students" "$work/points"
 }
 
 # Per mistake: how many files have it; else per end: label, count, colour.
@@ -330,6 +382,7 @@ class() {
     same
     cat "$work"/*/row | sort -t "$tab" -k 1,1 -k 2,2 >"$work/rows"
     csv "$work/rows" >"$work/csv" && mv "$work/csv" "$out/grades.csv" || exit 2
+    marks >"$work/marks" && mv "$work/marks" "$out/marks.csv" || exit 2
     for folder in "$work"/[0-9]*/; do
         sed "s/^/$(basename "$folder")$tab/" "$folder/row" |
             awk -F '\t' '{ print $2 "\t" $3 "\t" $1 }'
@@ -345,7 +398,8 @@ class() {
     [ -z "$FORMAT" ] || gradescope
     draw
     summary
-    echo "  $out/grades.csv is the table, $out/verdicts.txt has what was said,"
+    echo "  $out/marks.csv has a row per student, grades.csv one per file,"
+    echo "  $out/verdicts.txt has what was said,"
     echo "  $out/grades.svg shows the mistakes; verdicts.json is for machines"
     [ -z "$FORMAT" ] || echo "  $out/gradescope/ has a results.json per student"
     ! grep -q "${tab}not judged$tab" "$work/rows"

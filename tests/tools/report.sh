@@ -8,11 +8,14 @@ report() {
     printf '%s\036' "$(tr -d '\000\036\037')"
 }
 
+# Nothing that a program said reaches a terminal but text.
+harmless() { tr '\000-\010\013-\037\177' '[?*]'; }
+
 # Of the file that is called $shown, in $folder, when the judge is not asked:
 # verdict SHOWN RESULT NEXT: what $folder/why says, and the closing line, which is
 # remembered for hint and status.
 verdict() {
-    cat "$folder/why"
+    harmless <"$folder/why"
     echo "$2" >"$folder/result"
     echo "VERDICT $nn: $1    next: $3"
     failed=${2#* } failed=${failed%% *}
@@ -21,7 +24,7 @@ verdict() {
 }
 # no_verdict NEXT: there is none; $folder/why says it, on stderr.
 no_verdict() {
-    cat "$folder/why" >&2
+    harmless <"$folder/why" >&2
     rm -f "$folder/result"
     report "$slug" "$shown" 'not judged' '' "$1" <"$folder/why" >"$folder/report"
     return 2

@@ -118,7 +118,10 @@ explain_compile() {
     if ! compile "$1" alone; then
         grep -F "$1:" "$folder/log" | grep -E ':[0-9]+: (fatal )?error' \
             >"$folder/errors" || errors "$folder/log" >"$folder/errors"
-        head -n 5 "$folder/errors" | sed "s|^.*$1|  $2|"
+        head -n 5 "$folder/errors" | file=$1 shown=$2 awk '
+            { at = index($0, ENVIRON["file"])
+              print at ? "  " ENVIRON["shown"] \
+                  substr($0, at + length(ENVIRON["file"])) : $0 }'
         declared_elsewhere
         return
     fi
@@ -156,24 +159,24 @@ fingerprint() {
 judge() {
     shown=$2
     if [ -e "$1" ] && [ ! -f "$1" ]; then
-        echo "$2 is not a plain file." >"$folder/why"
+        printf '%s is not a plain file.\n' "$2" >"$folder/why"
         verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     if [ ! -f "$1" ]; then
-        echo "$2 is not there." >"$folder/why"
+        printf '%s is not there.\n' "$2" >"$folder/why"
         verdict "UNFINISHED (no file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     if ! grep -q '[^[:space:]]' "$1"; then
-        echo "$2 is empty." >"$folder/why"
+        printf '%s is empty.\n' "$2" >"$folder/why"
         verdict "UNFINISHED (empty file)" "UNFINISHED - - -" "make reset-$nn"
         return 1
     fi
     case $(od -An -tx1 -N2 "$1") in
     *ff*fe* | *fe*ff* | *00*)
-        echo "$2 is in UTF-16. Save it as UTF-8, which compilers read." \
-            >"$folder/why"
+        printf '%s is in UTF-16. Save it as UTF-8, which compilers read.\n' \
+            "$2" >"$folder/why"
         verdict "WRONG (UTF-16)" "WRONG compile - -" "make check-$nn"
         return 1 ;;
     esac
@@ -182,7 +185,7 @@ judge() {
             { no_build; return 2; }
         why=$(sed -n 's/^refused: //p' "$folder/log")
         if [ -n "$why" ]; then
-            echo "  $2 is not judged: $why." >"$folder/why"
+            printf '  %s is not judged: %s.\n' "$2" "$why" >"$folder/why"
             verdict "WRONG (refused)" "WRONG compile - -" "make check-$nn"
             return 1
         fi
@@ -198,18 +201,24 @@ judge() {
     sums=$(fingerprint)
     # the judge and the checks free nothing
     [ -z "$SANITIZED" ] || export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0}"
-    patiently "$built/solutions/$slug.judge" --file "$2" \
-        --source "$1" --subject "$folder/judge" --work "$folder/work" \
+    # of a class's submissions none sees the teacher's variables
+    set -- "$1" "$2" "${3:-}" "$built/solutions/$slug.judge"
+    [ "$command" != grade ] || set -- "$1" "$2" "$3" env -i PATH="$PATH" \
+        LC_ALL=C SANITIZED="$SANITIZED" ASAN_OPTIONS="${ASAN_OPTIONS:-}" "$4"
+    file=$1 prepare=$3
+    shift 3
+    patiently "$@" --file "$shown" \
+        --source "$file" --subject "$folder/judge" --work "$folder/work" \
         --reference "$BUILD/solutions/$slug" \
-        --mistakes "$BUILD/mistakes/$slug" ${3:+--prepare "$3"} \
+        --mistakes "$BUILD/mistakes/$slug" ${prepare:+--prepare "$prepare"} \
         --result "$folder/result" --report "$folder/report" 2>"$folder/why"
     status=$?
     [ -d "$folder" ] || mkdir -p "$folder" # a program may have removed it
     [ $status -gt 1 ] && [ $status -lt 128 ] || [ ! -s "$folder/why" ] ||
-        cat "$folder/why" >&2
+        harmless <"$folder/why" >&2
     if [ "$(fingerprint)" != "$sums" ]; then
         {
-            echo "While $2 was judged, files of the workbook changed"
+            printf 'While %s was judged, files of the workbook changed\n' "$shown"
             echo "(their text, mode or time):"
             { echo "$sums"; fingerprint; } | sort | uniq -u |
                 awk '{ print "  " $NF }' | sort -u | head -n 9
@@ -265,7 +274,8 @@ grade() { # grade FILE NAME INTO
     log=
     folder=$3/judging
     mkdir "$folder" || return 2
-    judge "$1" "$2" >"$3/said" 2>&1
+    judge "$1" "$2" >"$3/raw" 2>&1
+    harmless <"$3/raw" >"$3/said"
     mv "$folder/report" "$3/report"
     [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }
