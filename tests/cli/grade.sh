@@ -125,7 +125,7 @@ for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; 
     result $? "grade draws: $text" "$(ls build/grade)"
 done
 for text in "known mistake (lift_sign)" "== two twice, $slug" 'is in UTF-16' \
-    'not judged: it includes a solution' \
+    'not judged: it includes another program' \
     "aside: gil/$slug.c, two twice/$slug.c, solutions/$slug.c"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"

@@ -71,6 +71,8 @@ an entry of .init_array | file | static void early(void) { _exit(0); } static vo
 a line of assembler | file | __asm__(".section .init_array"); | WRONG (refused)
 a string with a constructor | file | static const char *const what = "constructor"; | OK
 the solution, included | file | #include "../solutions/03_dirichlet_correction.c" | WRONG (refused)
+the solution, included by another path | file | #include "solutions/.//03_dirichlet_correction.c" | WRONG (refused)
+the solution, included by way of /proc | file | #include "/proc/self/cwd/solutions/./03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by a macro | file | #define ALL "solutions/03_dirichlet_correction.c" @@ #include ALL | WRONG (refused)
 includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)|WRONG (does not compile)
 macros of ten to the ten | file | #define A(x) x x x x x x x x x x @@ #define B(x) A(A(A(A(A(A(A(A(A(A(x)))))))))) @@ static const int many = B(+1); | WRONG (refused)

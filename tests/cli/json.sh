@@ -65,7 +65,7 @@ says 'is not there' 2 'is not there.'
 printf '\377\376/\000*\000' >$mine
 says 'is in UTF-16' 2 'is in UTF-16.'
 echo "#include \"solutions/$slug.c\"" >$mine
-says 'includes a solution' 2 'it includes a solution'
+says 'includes a solution' 2 'it includes another program'
 sed '/SLOT 3a/i\
     raise(SIGKILL);
 1i\

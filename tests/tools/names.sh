@@ -11,7 +11,7 @@
 #     the lesson;
 #   - gives what is declared by the checks names that no program has.
 # A program is refused, with a line "refused: WHY", that runs before its main()
-# or includes a solution.  CPP is the compiler with its flags.
+# or includes another program.  CPP is the compiler with its flags.
 set -u
 LC_ALL=C
 export LC_ALL

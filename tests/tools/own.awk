@@ -18,8 +18,8 @@
 
 /^# / {
     if (/ 1( 3| 4)*$/) {
-        if (match($0, /(^|[\/"])solutions\/[^\/"]*"/))
-            refused["it includes a solution"]
+        if (/\.c" 1( 3| 4)*$/ && index($0, "\"" ENVIRON["PROGRAM"] "\"") == 0)
+            refused["it includes another program"]
         depth++
         # one that is found by "..." is the workbook's, or the student's
         system_[depth] = / 3( 4)?$/ || $0 !~ /"common\//
