@@ -18,8 +18,8 @@ of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate"
 set style textbox opaque noborder margins 0.2, 0.2
 set label 1 "3 times" at 0.125, 0.5 rotate by 38 textcolor rgb "#555555"
 set label 2 "a third" at 0.40, 0.107 rotate by 38 textcolor rgb "#555555"
-set label 3 "a straight column above\nits buckling load: triangles\nestimate little, but K is\nnot positive definite" \
-    at 180, 0.62 right textcolor rgb "#C00000" boxed
+set label 3 "a straight column\nabove its buckling load" \
+    at 180, 12 right textcolor rgb "#C00000" boxed
 set label 4 "10 %" at 0.0135, 12.8 textcolor rgb "#555555"
 set arrow 1 from 0.012, 10 to 200, 10 nohead ls 9
 set style fill transparent solid 0.12 noborder
