@@ -52,6 +52,8 @@ void chosen_say_climb(const struct chosen_tried tried[], int n)
                    ? "stays straight where a column buckles"
                    : tried[k].doubt == TOO_STIFF
                    ? "is too stiff to buckle as quadratic triangles do"
+                   : tried[k].model.moving
+                   ? "not known, for at the peak K is not positive definite"
                    : "gives way, for K is not positive definite");
             continue;
         }
@@ -199,13 +201,17 @@ void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t)
         say_quantities(s);
     } else
         printf("Expected error: not known, for the body %s (lesson 23)\n",
-               t->doubt == GIVES_WAY ? "gives way" : "buckles");
+               t->doubt != GIVES_WAY ? "buckles" : s->model.moving
+               ? "swings far" : "gives way");
     printf("Not sure of\n");
     if (t->doubt == TORN)
         printf("  the answer as a whole:\n    the strain is beyond %g: %s\n",
                ESTIMATE_STRAIN, doubts[TORN]);
     else if (t->doubt != NO_DOUBT)
-        printf("  the answer as a whole:\n    %s\n", doubts[t->doubt]);
+        printf("  the answer as a whole:\n    %s\n",
+               t->doubt == GIVES_WAY && s->model.moving
+               ? "at the peak K is not positive definite, so that no part of "
+                 "the error is known (lesson 15)" : doubts[t->doubt]);
     printf("  the estimate: the error was up to 1.9 times as large in "
            "the twelve scenes of\n  lesson 23, and seldom far more in random "
            "ones\n");

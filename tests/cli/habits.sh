@@ -214,7 +214,7 @@ says 'NOT SURE' 'make choose says what it cannot do' \
 says "line 2: 'heigth' is no word" 'make choose names a bad line' \
     sh -c 'printf "width 1\nheigth 2\n" >bad.scene; "$0" choose SCENE=bad.scene' \
     "$MAKE"
-says 'gives way, for K' 'make choose says that a column buckles' \
+says 'stays straight where a column buckles' 'make choose knows a column' \
     "$MAKE" choose SCENE=lessons/scenes/straight.scene
 says 'Verified: no' 'and verifies nothing of it' \
     "$MAKE" choose SCENE=lessons/scenes/straight.scene VERIFIED=yes

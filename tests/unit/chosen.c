@@ -168,8 +168,8 @@ static void a_climb_is_told_step_by_step(void)
         "Tried, from the least model on (lesson 23)\n"
         "  bar at rest, mesh 0: expected error 50 %,\n"
         "    most of all since a bar neither bends nor is held wide\n"
-        "  cubic in motion, mesh 2: gives way, for K is not positive "
-        "definite\n");
+        "  cubic in motion, mesh 2: not known, for at the peak K is not "
+        "positive definite\n");
 }
 
 /* Each rung has its own words, and those of a plane their factors' flops. */
