@@ -89,9 +89,9 @@ enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
 struct ladder_model {
     enum rung rung;
     int moving;
-    int level; /* of the mesh: 4 rows of cells at 0, as square as their whole
-                * number lets them be, and each level halves them; the
-                * estimates of a BAR are made on level 0 */
+    int level; /* of the mesh: 4 rows of cells at 0, as square as an even
+                * number of columns lets them be, and each level halves them;
+                * the estimates of a BAR are made on level 0 */
 };
 
 /* The first rung: a BAR, or linear triangles where both ends are held, for

@@ -120,9 +120,10 @@ double relax_inertia(const struct ladder_state *state,
  * relax_geometry(), where that is less, or for the force in the hand, which
  * feels by how much a turn shortens a body; of a bar part[DIMENSION] becomes
  * relax_dimension() where that is less, and the others 0.  A coarse mesh may be
- * so stiff that it hides how near the load is to buckling: pressed by P < P_cr
- * of ladder_buckles() a body has a STRESS of at least P / P_cr of what bends in
- * part[DIMENSION], but for the force in the hand.  These two parts are read.
+ * so stiff that it hides how near the load is to buckling: a body that is
+ * pressed has a STRESS of at least the share ladder_pressed() of what bends in
+ * part[DIMENSION], and of 1 from its buckling load on, but for the force in the
+ * hand.  These two parts are read.
  */
 void relax_parts(const struct ladder_state *state, relax_forces *mesh,
                  relax_forces *stress, double part[N_PART]);
