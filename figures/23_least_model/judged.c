@@ -3,6 +3,8 @@
 
 #include "choice/estimate.h"
 
+#include <math.h>
+
 const double judged_wanted[JUDGED_WANTED] = {0.1, 0.03, 0.01};
 
 void judged_add(struct judged *to, struct judged more)
@@ -24,8 +26,8 @@ static int climb(const struct ladder_state *truth,
             rung[n] = (struct judged_rung){.model = model,
                                            .how = {"-", "-", "-"},
                                            .error = ladder_error(s, truth)};
-            estimate_state(s, 0.0, &rung[n].estimate, &add);
-            rung[n++].sure = estimate_doubt(s) == NO_DOUBT;
+            rung[n].sure = estimate_state(s, INFINITY, &rung[n].estimate, &add);
+            n++;
         }
         more = s->status == OK && ladder_add(scene, add, &model);
         ladder_free(s);
