@@ -607,8 +607,8 @@ static const struct lesson lesson = {
     rules,
     COUNT(rules),
     "The cubic r changes tension too, not only compression: +10 % at "
-    "F = 1.976, +273 % at F = 3 (figures/02_constitutive/log_or_cubic.svg); "
-    "in simple shear the laws agree.",
+    "F = 1.976, +273 % at F = 3 if nu = 0.3, sooner if it is 0.45 (figures/"
+    "02_constitutive/log_or_cubic.svg); in simple shear the laws agree.",
     "Run with --nu 0.02 and look at curve_cubic: P falls from F = 2.04 to "
     "4.12. What does a bar under a growing end load do at that maximum?",
     what_was_predicted};
