@@ -9,9 +9,7 @@
 # clock counts how often it is asked, so that no second need be excepted.
 # tests/tools/same.sh compares their tables, and what becomes of them.
 #
-# DEAR studies compute for seconds, some three quarters of all that studies do, with
-# functions that other studies of their folders run, too: `make same` runs them as
-# well, as .ci/run does.
+# `make test` runs the solutions so; `make same`, as .ci/run does, the studies, too.
 
 ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o \
             %/lanes.o, \
@@ -24,14 +22,10 @@ anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call 
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O2
 
-DEAR := 23_least_model/chart 23_least_model/choose 23_least_model/held_out \
-        23_least_model/random 23_least_model/twelve 24_live/budget 24_live/kept \
-        24_live/pull 24_live/rare 25_elements/gains 25_elements/soft \
-        robustness/map robustness/push work_precision/front work_precision/split
+STUDIED := $(if $(filter same,$(MAKECMDGOALS)),$(COUNTED))
 # the longest first
-RUNS := $(filter-out $(if $(filter same,$(MAKECMDGOALS)),,$(DEAR)), \
-            $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
-                $(COUNTED)) $(LESSONS) $(EXAMPLES:=/example) $(COUNTED))
+RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
+            $(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(STUDIED)
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
@@ -85,7 +79,8 @@ $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
 	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
 # What clang says of these it need not be asked for again.
 SEEN_clang = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
-                 $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE) $(PARTS:=.o))))
+                 $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE)) \
+                 $(LESSONS:%=solutions/%) $(STUDIED:%=figures/%)))
 SAID_clang = $(SEEN_clang:%=$(T)/clang/%.o.said)
 $(T)/build-clang.result: $$(basename $$(SAID_clang))
 -include $(wildcard $(T)/*/common/*/*.d $(T)/*/solutions/*.d $(T)/*/figures/*/*.d)

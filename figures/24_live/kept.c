@@ -3,7 +3,7 @@
  *
  * The first rung alone, with 40 systems, from the last state, as in pull.c:
  * with kept factors, which is what it has, and with new ones for every system.
- * Tables: log (a side in the hand, LOG: how many of 15 pulls, at 0.5 to 7.5
+ * Tables: log (a side in the hand, LOG: how many of 8 pulls, at 0.5 to 7.5
  * m/s, lose one of the first three frames, the most systems that frame 1 needs
  * with new factors, and the frames lost of 10 at 7.5 m/s), cubic (the least
  * speed, in steps of 0.1 m/s, that loses one of the first three frames), patch
@@ -90,7 +90,7 @@ static void print_log(void)
     table_begin("log", "n kept new systems kept_lost new_lost");
     for (int k = 0; k < COUNT(n); k++) {
         int kept = 0, fresh = 0, most = 0;
-        for (double speed = 0.5; speed <= 7.5; speed += 0.5) {
+        for (double speed = 0.5; speed <= 7.5; speed += 1.0) {
             const struct pulled one = pull(n[k], LOG, SIDE, with_new, speed, 3);
             kept += pull(n[k], LOG, SIDE, with_kept, speed, 3).lost > 0;
             fresh += one.lost > 0;
@@ -102,7 +102,7 @@ static void print_log(void)
         claim(fresh == 0 && new_10 == 0 && most <= 8 &&
                   (kept > 0) == (n[k] > 40) && kept_10 == (n[k] > 42 ? 10 : 0),
               "LOG: kept factors lose frames from n = 42 on, new ones none "
-              "(n = %d: %d and %d of 15 pulls, %d and %d of 10 frames), in %d "
+              "(n = %d: %d and %d of 8 pulls, %d and %d of 10 frames), in %d "
               "systems at most", n[k], kept, fresh, kept_10, new_10, most);
     }
     table_end();

@@ -3,7 +3,7 @@
  *
  * A corner of the square, n = 8, is grabbed and dragged about at random for two
  * seconds, then let go; eight seconds later, or when it has been still for one,
- * the body is looked at.  60 times, the same for both laws.  Tables: after (how
+ * the body is looked at.  40 times, the same for both laws.  Tables: after (how
  * many are at rest, knotted, or neither; knotted in per cent with the standard
  * error), kept (of all bodies with so many knots the range of their energy, J,
  * and of their least J), body (the triangles of the first body that is knotted,
@@ -18,7 +18,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { TIMES = 60, HELD = 60, FRAMES = 300, MOST_KNOTS = 8 };
+enum { TIMES = 40, HELD = 60, FRAMES = 300, MOST_KNOTS = 8 };
 
 struct remains {
     int bodies;

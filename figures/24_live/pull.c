@@ -65,7 +65,7 @@ static struct limit limit(int n, enum law law)
         if ((least += 5) > FASTEST) return (struct limit){NAN, NAN, 0};
     while (pull(n, law, LAST_STATE, 0, 0.1 * (least - 1), 3).lost) least--;
     while (!pull(n, law, LAST_STATE, 0, 0.1 * largest, 3).lost) largest--;
-    for (int speed = least; speed <= largest; speed += 5) /* 0.5 m/s */
+    for (int speed = least; speed <= largest; speed += 10) /* 1 m/s */
         spared += !pull(n, law, LAST_STATE, 0, 0.1 * speed, 3).lost;
     return (struct limit){0.1 * least, 0.1 * largest, spared};
 }
