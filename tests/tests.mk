@@ -273,7 +273,7 @@ FIRST = $(patsubst %,$(T)/%.result,build-valgrind hostile build-sanitize limits 
             web-live habits new update grade wide) $(SAME_RESULTS) \
         $(patsubst %,$(T)/%.result,cli diff json pictures book lint)
 test: $(FIRST) $(RESULTS)
-	@sh tests/tools/sizes.sh table
+	@sh tests/tools/budget.sh table
 	@cat $^ | sh tests/tools/count.sh
 
 # all that computes for long, too

@@ -163,10 +163,6 @@ said=$(sh tests/tools/workbook.sh check lessons/ERRATA.md stale.md 2>&1)
 [ $? = 1 ] && echo "$said" | grep -q '^stale.md is stale' &&
     ! echo "$said" | grep -q '^lessons/ERRATA.md is stale'
 result $? 'a stale number in the book is noticed' "$said"
-sed 's/\$J\$/$\\tilde J$/' "lessons/$slug.md" >01_own.md
-said=$(awk -f tests/tools/symbols.awk workbook.md "lessons/$slug.md" 01_own.md)
-[ "$said" = '01_own.md: \tildeJ' ]
-result $? 'a symbol that the notation does not have is noticed' "$said"
 printf '%s\n' '# words' 'name	value' 'NOT_SPD	1.25' 'stretch	-' '' '' \
     >build/data/words.tsv
 printf '%s\n' '<!-- table words words; name %d; value %.1f; value %s -->' \

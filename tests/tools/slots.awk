@@ -1,4 +1,4 @@
-# slots.awk - does a solution begin with its slots, and explain what is in them?
+# slots.awk - does a solution begin with its slots?
 #
 #     awk -v rule=RULE -f tests/tools/slots.awk solutions/*.c
 #
@@ -7,14 +7,11 @@
 #   order     slots stand in the order of their letters
 #   declared  no function with a slot is declared before it is defined, which
 #             would let pages of output stand before it
-#   comments  one comment for every 15 lines inside the slots, where these are more
 
 function judge(    name) {
     if (file == "") return
     if (rule == "first" && first >= 70) print file ": line " first
     if (rule == "order" && disorder != "") print file ":" disorder
-    if (rule == "comments" && lines > 15 && 15 * comments < lines)
-        print file ": " comments + 0 " for " lines " lines"
     if (rule == "declared")
         for (name in declared) if (name in taught) print file ": " name
 }
@@ -22,7 +19,7 @@ function judge(    name) {
 FNR == 1 {
     judge()
     file = FILENAME
-    first = lines = comments = inside = in_head = naming = 0
+    first = naming = 0
     disorder = before = current = ""
     split("", declared)
     split("", taught)
@@ -50,9 +47,5 @@ naming {
     if (slot < before) disorder = disorder " " before " before " slot
     before = slot
     taught[current] = 1
-    inside = in_head = 1
 }
-/\/\* END [0-9]+[a-z] \*\// { inside = 0 }
-inside && !in_head { lines++; comments += gsub(/\/\*/, "/*") }
-in_head && /\*\// { in_head = 0 }
 END { judge() }

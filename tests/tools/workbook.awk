@@ -18,9 +18,8 @@
 #   <!-- end -->                 every [eq:name] in it, to its row in the file
 #                                `table`, "" for this one, which has an anchor
 #
-# The line "Previous: ..." of a chapter is replaced by `leading`, if there is one,
-# and the number in "About 90 minutes" of its head by `minutes`.  In TEACHING.md
-# `minutes` is "01 115 02 140 ...", and the sums of lessons are filled in as hours:
+# The line "Previous: ..." of a chapter is replaced by `leading`, if there is one.
+# `minutes` is "01 115 02 140 ...", and sums of lessons are filled in as hours:
 #
 #   <!-- hours 1-2 9 11-13 -->12 1/2<!-- /hours -->
 #
@@ -176,13 +175,8 @@ function hours(lessons,    n, k, i, part, range, each, sum, half) {
     return int(half / 2) (half % 2 ? " 1/2" : "")
 }
 
-# the line that leads to the neighbours, and minutes; with only=lead the rest stays
+# the line that leads to the neighbours, and hours; with only=lead the rest stays
 leading != "" && /\| next: |^Previous: / && !/^ *</ { print leading; next }
-/^## / { headed = 1 }
-minutes ~ /^[0-9]+$/ && !headed && /About [0-9]+( minutes|$)/ {
-    match($0, /About [0-9]+/)
-    $0 = substr($0, 1, RSTART + 5) minutes substr($0, RSTART + RLENGTH)
-}
 minutes != "" && /<!-- hours [^>]*-->/ {
     spec = $0
     sub(/.*<!-- hours /, "", spec)

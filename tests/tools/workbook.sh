@@ -3,8 +3,8 @@
 # files, or say which of them are stale (exit status 1, with the lines that
 # differ).  Without FILE all files of the book.
 # workbook.sh lead - fill nothing but what needs no data: the lines that lead from
-# each chapter to its neighbours, the minutes in its head, and their sums in
-# TEACHING.md.  workbook.sh led - say where that is stale.
+# each chapter to its neighbours, and the sums of minutes in TEACHING.md.
+# workbook.sh led - say where that is stale.
 # workbook.sh chapters - the chapters, in the order of the book.
 set -u
 LC_ALL=C
@@ -45,21 +45,15 @@ leading() {
     else before="[C${contents#c}"; fi
     echo "$before${behind:+ | next: $behind}"
 }
-# minutes CHAPTER: by the rule of minutes.awk
+# minutes: "01 115 02 140 ...", from the heads of the lessons
 minutes() {
-    code=solutions/$(basename "$1" .md).c
-    [ -f "$code" ] || code=
-    words=$(awk -f tests/tools/words.awk "$1")
-    awk -v words="${words%% *}" -f tests/tools/minutes.awk "$1" ${code:+"$code"}
-}
-of_chapter() { # of a chapter its minutes; of TEACHING.md those of all lessons
-    case $1 in
-    lessons/TEACHING.md)
-        for chapter in lessons/[0-9]*.md; do
-            echo "$(basename "$chapter" | cut -c 1-2) $(minutes "$chapter")"
-        done | tr '\n' ' ' ;;
-    *) if echo "$chapters" | grep -qxF "$1"; then minutes "$1"; fi ;;
-    esac
+    awk 'FNR == 1 { head = 1 }
+        /^## / { head = 0 }
+        head && match($0, /About [0-9]+( minutes|$)/) {
+            split(substr($0, RSTART), word, " ")
+            printf "%s %s ", substr(FILENAME, 9, 2), word[2]
+            head = 0
+        }' lessons/[0-9]*.md
 }
 if [ $# = 0 ]; then
     for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
@@ -72,6 +66,7 @@ part=
 trap 'rm -f "$new" "$part"' EXIT
 trap 'exit 130' HUP INT TERM
 said=0
+minutes=$(minutes)
 for file; do
     part=$file.$$.part
     table=
@@ -79,7 +74,7 @@ for file; do
         table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
     awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" \
         -v table="$table" -v leading="$(leading "$file")" \
-        -v minutes="$(of_chapter "$file")" -v only="$command" "$file" >"$new" || { said=2; continue; }
+        -v minutes="$minutes" -v only="$command" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
     if [ "$command" != check ] && [ "$command" != led ]; then
         cp "$new" "$part" && mv "$part" "$file" || exit 2
