@@ -97,9 +97,9 @@ rule 'the first slot of a solution begins before line 70' "$(slots first)"
 rule 'slots stand in the order of their letters' "$(slots order)"
 rule 'no function with a slot is declared before it is defined' "$(slots declared)"
 rule 'a study ends in its claim, and takes no options' \
-    "$(for f in $studies; do
-        case $f in figures/speed/* | */fronts.c | */seconds.c) ;; *) grep -q ' claim(' "$f" || echo "$f: no claim" ;; esac
-        grep -q 'int main(void)' "$f" || echo "$f: options"; done)"
+    "$(grep -L ' claim(' $(echo "$studies" |
+        grep -v '^figures/speed/\|/fronts\.c$\|/seconds\.c$')
+    grep -L 'int main(void)' $studies)"
 
 rule "every word of the judge's is in tests/checks/names.h" \
     "$(for f in judge judging output child confine predict; do
@@ -123,9 +123,12 @@ rule 'nothing is left to write (TODO)' \
         sed '1s/^/\
 /')"
 rule 'every header of common/ is once on the map of the library, with its room' \
-    "$(for f in common/*/*.h $(ls figures/*/*.h | grep -v '^figures/many/'); do
-        [ "$(awk '/^## /{ on = /Map of the library/ } on' workbook.md |
-            grep -c "](${f})")" = 1 ] || echo "$f"; done)"
+    "$({ ls common/*/*.h figures/*/*.h
+        awk '/^## /{ on = /Map of the library/ } on' workbook.md |
+            grep -oE '\]\([a-z0-9_/]+\.h\)' | sed 's/^](\(.*\))$/\1/' | sort -u
+        awk '/^## /{ on = /Map of the library/ } on' workbook.md |
+            grep -oE '\]\([a-z0-9_/]+\.h\)' | sort | uniq -d; } |
+        grep -v '^figures/many/' | sort | uniq -u)"
 
 # ---- the book -----------------------------------------------------------------
 book="workbook.md $(ls lessons/*.md solutions/*.md figures/*/README.md 2>/dev/null)"
@@ -150,16 +153,23 @@ rule 'every link into a page finds its place (tests/tools/anchors.awk)' \
     "$(awk -f tests/tools/anchors.awk README.md $book README.md $book)"
 
 # What the text links to, as FILE:TARGET from the top of the tree.
-links=$(for f in README.md $book; do
-    awk '/^ *```/ { fence = !fence; next } !fence' "$f" |
-        grep -oE '\]\([^)]*\)|<img src="[^"]*"' |
-        sed -n 's/^](\([^#)][^#)]*\).*/\1/p; s/^<img src="\(.*\)"/\1/p' |
-        grep -v '^https*:' |
-        sed "s|^|$(dirname "$f")/|; s|^\./||
-             :up
-             s|[^/.][^/]*/\.\./||; t up
-             s|^|$f:|"
-done)
+links=$(awk '
+    FNR == 1 { fence = 0; dir = FILENAME; if (!sub(/[^\/]*$/, "", dir)) dir = "" }
+    /^ *```/ { fence = !fence; next }
+    fence { next }
+    { line = $0
+      while (match(line, /\]\([^)#][^)]*\)|<img src="[^"]*"/)) {
+          to = substr(line, RSTART, RLENGTH)
+          line = substr(line, RSTART + RLENGTH)
+          sub(/^\]\(|^<img src="/, "", to)
+          sub(/[)"]$/, "", to)
+          sub(/#.*/, "", to)
+          if (to ~ /^https*:/) continue
+          to = dir to
+          while (sub(/[^\/.][^\/]*\/\.\.\//, "", to)) { }
+          sub(/^\.\//, "", to)
+          print FILENAME ":" to
+      } }' README.md $book)
 rule 'every picture and file that the text names is there' \
     "$(echo "$links" | while IFS=: read -r f target; do
         [ -s "$target" ] || echo "$f: $target"; done)"
@@ -194,56 +204,17 @@ for slug in $lessons; do
         [ -f "$file" ] || missing="$missing $file"
     done
     ls figures/"$slug"/*.gp >/dev/null 2>&1 || missing="$missing figure"
-    head -n 1 "lessons/$slug.md" | grep -q "^# Lesson $nn: " ||
-        missing="$missing chapter's-title"
-    grep -q '^ \* Plot: ' "solutions/$slug.c" || missing="$missing Plot:line"
-    grep -q '^ \* Run .*ARGS=-h' "solutions/$slug.c" || missing="$missing ARGS-in-Run"
-    list=tests/mistakes/$slug.txt
-    [ "$(grep -c '^mistake: ' "$list")" -ge 5 ] || missing="$missing five-mistakes"
-    grep -q '^verdict: NONFINITE' "$list" || missing="$missing NONFINITE-mistake"
-    grep -q '^equivalent: ' "$list" || missing="$missing equivalent-program"
-    hints=solutions/$slug.md there=$(grep -o '<summary>Hint.*' "$hints")
-    for slot in $(sed -n 's|.*/\* SLOT \([0-9]*[a-z]\)(.*|\1|p' "solutions/$slug.c"); do
-        for level in 1 2 3; do
-            case $there in
-            *"<summary>Hint $level: slot $slot"*) ;;
-            *) missing="$missing hint-$level-for-$slot" ;;
-            esac
-        done
-    done
-    grep -qF "tests/checks/$slug.c}" .clangd || missing="$missing line-of-.clangd"
-    rule "lesson $nn is whole" "$missing"
-    # two to four numbers to predict, dots in the solution too; the checks and
-    # the chapter know them by their keys
-    asked=$(sed -n 's/^ \* PREDICT \([0-9a-z]*\) [^:]*: \.\.\.$/\1/p' "solutions/$slug.c")
-    known=$(awk '/^static void what_was_predicted/, /^}/' "tests/checks/$slug.c" |
-        grep -oE '"[0-9][a-z]?"' | tr -d '"' | sort -u)
-    rule "lesson $nn has its predictions" \
-        "$([ "$(grep -c 'PREDICT' "solutions/$slug.c")" -eq "$(echo "$asked" | wc -l)" ] ||
-            echo 'a line is malformed'
-        [ "$(echo "$asked" | sort)" = "$known" ] || echo "checks measure $known"
-        [ "$(echo "$asked" | wc -l)" -ge 2 ] || echo 'too few'
-        for key in $asked; do
-            awk '/^## /{ in_ = /^## Predict/ } in_' "lessons/$slug.md" |
-                grep -q "^${key%[a-z]}\. " || echo "no $key in the chapter"
-        done)"
+    said=$(awk -v nn="$nn" -f tests/tools/whole.awk "solutions/$slug.c" \
+        "lessons/$slug.md" "tests/checks/$slug.c" "tests/mistakes/$slug.txt" \
+        "solutions/$slug.md" .clangd)
+    of() { echo "$said" | sed -n "s/^$1 //p"; }
+    rule "lesson $nn is whole" "$missing$(of whole)"
+    rule "lesson $nn has its predictions" "$(of predictions)"
     rule "answers of lesson $nn have a fold each, with a name" \
-        "$(awk -f tests/tools/answers.awk "lessons/$slug.md" "solutions/$slug.c" "$hints")"
-    rule "hints of lesson $nn name checks or slots that exist" \
-        "$(sed -n 's/.*<summary>Hint [123]: \([^<]*\)<.*/\1/p' "$hints" |
-            while read -r what; do
-                case $what in
-                slot*) grep -q "SLOT ${what#slot }(" "solutions/$slug.c" || echo "$what" ;;
-                same_numbers_as_reference) ;;
-                *) grep -q "\"$what\"" "tests/checks/$slug.c" || echo "$what" ;;
-                esac
-            done)"
-    rule "mistakes of lesson $nn name checks that exist" \
-        "$(sed -n 's/^caught-by: //p; s/^also-by: //p' "$list" | while read -r check; do
-            [ "$check" = same_numbers_as_reference ] ||
-                [ "$check" = same_in_another_order ] ||
-                grep -q "\"$check\"" "tests/checks/$slug.c" || echo "$check"
-        done)"
+        "$(awk -f tests/tools/answers.awk "lessons/$slug.md" "solutions/$slug.c" \
+            "solutions/$slug.md")"
+    rule "hints of lesson $nn name checks or slots that exist" "$(of hints)"
+    rule "mistakes of lesson $nn name checks that exist" "$(of mistakes)"
 done
 
 # Every deliberate mistake fits its file; a line for each that does not.

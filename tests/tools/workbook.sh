@@ -18,32 +18,29 @@ figures/work_precision/README.md
 figures/many/README.md"
 if [ "$command" = chapters ]; then echo "$chapters"; exit; fi
 case $command in lead | led) set -- $chapters lessons/TEACHING.md ;; esac
-# link FROM TO: a link to a chapter, as FROM's folder has it
-link() {
-    [ -n "$2" ] || return 0
-    case $1:$2 in
-    lessons/*:lessons/*) to=${2##*/} ;;
-    figures/*:figures/*) to=../${2#figures/} ;;
-    *) to=$up$2 ;;
-    esac
-    case $2 in
-    lessons/*) name=${2##*/}; name="lesson ${name%%_*}" ;;
-    *) name=$(sed -n '1s/^# \([^:]*\).*/\1/p' "$2") ;;
-    esac
-    echo "[$name]($to)"
-}
-# leading FILE: its line to the chapters before and behind; nothing for others
-leading() {
-    echo "$chapters" | grep -qxF "$1" || return 0
-    case $1 in lessons/*) up=../ ;; *) up=../../ ;; esac
-    before=$(link "$1" "$(echo "$chapters" |
-        awk -v f="$1" '$0 == f { print before } { before = $0 }')")
-    behind=$(link "$1" "$(echo "$chapters" |
-        awk -v f="$1" 'before == f { print } { before = $0 }')")
-    contents='contents, notation and equations]('$up'workbook.md)'
-    if [ -n "$before" ]; then before="Previous: $before | [$contents"
-    else before="[C${contents#c}"; fi
-    echo "$before${behind:+ | next: $behind}"
+# leads: of each chapter its line to those before and behind, as FILE|LINE
+leads() {
+    awk -v chapters="$(echo $chapters)" '
+        function link(from, to,    name) {
+            name = to ~ /^lessons/ ? "lesson " substr(to, 9, 2) : title[to]
+            if (from ~ /^lessons/ && to ~ /^lessons/) sub(/.*\//, "", to)
+            else if (from ~ /^figures/ && to ~ /^figures/) sub(/^figures/, "..", to)
+            else to = up to
+            return "[" name "](" to ")"
+        }
+        FNR == 1 { title[FILENAME] = $0; sub(/^# /, "", title[FILENAME])
+                   sub(/:.*/, "", title[FILENAME]) }
+        END {
+            n = split(chapters, file, " ")
+            for (k = 1; k <= n; k++) {
+                up = file[k] ~ /^lessons/ ? "../" : "../../"
+                line = "ontents, notation and equations](" up "workbook.md)"
+                if (k == 1) line = "[C" line
+                else line = "Previous: " link(file[k], file[k - 1]) " | [c" line
+                if (k < n) line = line " | next: " link(file[k], file[k + 1])
+                print file[k] "|" line
+            }
+        }' $chapters
 }
 # minutes: "01 115 02 140 ...", from the heads of the lessons
 minutes() {
@@ -67,6 +64,15 @@ trap 'rm -f "$new" "$part"' EXIT
 trap 'exit 130' HUP INT TERM
 said=0
 minutes=$(minutes)
+leads=$(leads)
+leading() { # leading FILE: its line; nothing for others
+    case "
+$leads" in *"
+$1|"*) line=${leads#*"$1|"}
+        echo "${line%%
+*}" ;;
+    esac
+}
 for file; do
     part=$file.$$.part
     table=
