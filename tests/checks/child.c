@@ -1,4 +1,7 @@
 /* child.c - see child.h. */
+#if defined(__linux__)
+#define _DEFAULT_SOURCE /* syscall */
+#endif
 #include "confine.h"
 
 #include "output.h" /* quit */
@@ -15,27 +18,23 @@
 #include <time.h>
 #include <unistd.h>
 #if defined(__linux__)
+#include <linux/sched.h>
 #include <sched.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 
 static struct {
     int inside;         /* this process is a child already */
     const char *folder; /* where children work, or NULL */
     int handed;         /* a descriptor for the next child, or 0 */
-    time_t began;       /* when children began to work in the folder */
     double spent;       /* CPU seconds before the clock was restarted */
     double idle;        /* wall seconds since then in which none computed */
     volatile sig_atomic_t signal; /* the judge was told to end */
     void (*interrupted)(void);
 } running;
 
-void child_work_in(const char *folder)
-{
-    running.folder = folder;
-    running.began = time(NULL);
-}
-
+void child_work_in(const char *folder) { running.folder = folder; }
 void child_am_inside(void) { running.inside = 1; }
 void child_hand_over(int descriptor) { running.handed = descriptor; }
 
@@ -65,6 +64,9 @@ _Noreturn static void be_the_child(void (*body)(void *), void *context,
     const int new_file = O_WRONLY | O_CREAT | O_EXCL;
     sigset_t none;
     die_with_parent();
+#if defined(__linux__)
+    if (running.inside) setpgid(0, 0); /* dies with its parent all the same */
+#endif
     for (size_t s = 0; s < sizeof reset / sizeof *reset; s++)
         signal(reset[s], SIG_DFL);
     sigemptyset(&none);
@@ -149,36 +151,17 @@ static void hurry(int first)
 #endif
 }
 
-/* Kill all that is left of a child: its group at once, and then all else of it
- * that the system shows us.  What is killed makes room for what forks: so all
- * is stopped first, and killed when nothing runs any more. */
-static void kill_all(pid_t child)
-{
-    enum { STOPPING = 500, ROUNDS = 2000 };
-    struct sight sight;
-    int stopped = 0;
-    if (!running.inside) kill(-child, SIGKILL);
-    for (int round = 0; round < ROUNDS; round++) {
-        pid_t ended;
-        while ((ended = waitpid(-1, NULL, WNOHANG)) > 0) continue;
-        if (ended < 0) break; /* there is none */
-        if (!child_look_around(stopped ? SIGKILL : SIGSTOP, &sight)) break;
-        if (stopped || sight.processes > sight.stopped) doze(500);
-        stopped |= sight.processes == sight.stopped || round > STOPPING;
-    }
-}
-
 /* The judge is to end: the children first, in good order if they can. */
 static void stop_if_told(pid_t child)
 {
-    struct sight sight;
     if (!running.signal || running.inside) return;
     kill(-child, SIGTERM);
     for (int round = 0; round < 100; round++) {
-        if (!child_look_around(0, &sight) || sight.processes == 0) break;
+        if (waitpid(child, NULL, WNOHANG) != 0) break;
         doze(10000);
     }
-    kill_all(child);
+    kill(-child, SIGKILL);
+    waitpid(child, NULL, 0);
     if (running.interrupted) running.interrupted();
     signal(running.signal, SIG_DFL);
     raise(running.signal);
@@ -208,12 +191,12 @@ static double waited_since(double *last)
 static enum limit limit_seen(double interval, double *seconds)
 {
     struct sight sight;
-    if (!child_look_around(0, &sight)) return NO_LIMIT;
+    if (!child_look_around(&sight)) return NO_LIMIT;
     /* a thread may compute while its process is said to sleep */
     if (sight.computing == 0 && sight.seconds == *seconds)
         running.idle += interval;
     *seconds = sight.seconds;
-    if (sight.processes > MOST_PROCESSES) return LIMIT_PROCESSES;
+    if (sight.threads > MOST_PROCESSES) return LIMIT_PROCESSES;
     if (count_files(running.folder) > MOST_FILES) return LIMIT_FILES;
     if (sight.seconds + child_seconds() > SECONDS_JUDGING) return LIMIT_CPU;
     if (running.idle > SECONDS_IDLE) return LIMIT_IDLE;
@@ -255,6 +238,21 @@ _Noreturn static void be_the_parent(void (*body)(void *), void *context,
     _exit(1);
 }
 
+/* Fork; where the system allows it the child is the first process of a
+ * namespace, and all that it has started and shared is gone when it ends. */
+static pid_t fork_apart(void)
+{
+#if defined(__linux__)
+    const unsigned long apart = CLONE_NEWPID | CLONE_NEWIPC | SIGCHLD;
+    pid_t child = (pid_t)syscall(SYS_clone, apart, NULL, NULL, NULL, 0);
+    if (child < 0) /* who is not root is so in a namespace of users */
+        child = (pid_t)syscall(SYS_clone, apart | CLONE_NEWUSER, NULL, NULL,
+                               NULL, 0);
+    if (child >= 0) return child;
+#endif
+    return fork();
+}
+
 struct ending child_run(void (*body)(void *), void *context, const char *out,
                         const char *err)
 {
@@ -262,13 +260,10 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     int status = 0;
 
     fflush(NULL);
-#if defined(__linux__)
-    prctl(PR_SET_CHILD_SUBREAPER, 1);
-#endif
     const double before = all_seconds();
     int report[2];
     if (pipe(report) < 0) quit("cannot make a pipe: %s", strerror(errno));
-    const pid_t child = fork();
+    const pid_t child = running.inside ? fork() : fork_apart();
     if (child < 0) quit("cannot fork: %s", strerror(errno));
     if (child == 0 && running.inside) be_the_child(body, context, out, err);
     if (child == 0) be_the_parent(body, context, out, err, report[1]);
@@ -294,11 +289,8 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     }
     struct ending ending = ending_of(status, all_seconds() - before, limit);
     struct ending reported;
-    kill_all(child);
-    if (!running.inside) {
-        hurry(0);
-        child_remove_shared_memory(running.began);
-    }
+    kill(-child, SIGKILL); /* what is left of its group */
+    if (!running.inside) hurry(0);
     if (read(report[0], &reported, sizeof reported) == sizeof reported &&
         limit == NO_LIMIT)
         ending = reported;

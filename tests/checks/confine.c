@@ -4,18 +4,14 @@
 #endif
 #include "confine.h"
 
-#include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
-#include <sys/time.h>
 #include <unistd.h>
 #if defined(__linux__)
 #include <sys/prctl.h>
-#include <sys/shm.h>
 #include <sys/syscall.h>
 #endif
 
@@ -96,25 +92,3 @@ void child_confine(const char *folder)
 #else
 void child_confine(const char *folder) { (void)folder; }
 #endif
-
-void child_remove_shared_memory(time_t began)
-{
-#if defined(__linux__)
-    FILE *file = fopen("/proc/sysvipc/shm", "r");
-    char line[512];
-    int id, maker, uses;
-    unsigned long user;
-    long long made;
-    while (file && fgets(line, sizeof line, file)) {
-        if (sscanf(line, "%*d %d %*o %*u %d %*d %d %*u %*u %lu %*u %*u %*u "
-                         "%lld", &id, &maker, &uses, &user, &made) == 5 &&
-            user == (unsigned long)getuid() && uses == 0 &&
-            made >= (long long)began &&
-            kill((pid_t)maker, 0) < 0 && errno == ESRCH)
-            shmctl(id, IPC_RMID, NULL);
-    }
-    if (file) fclose(file);
-#else
-    (void)began;
-#endif
-}

@@ -1,13 +1,11 @@
 /*
  * confine.h - what child.c asks of the system, most of it Linux's: limits of a
- * child, a look at all that it has started, and what it leaves behind.
+ * child, and a look at all that it has started.
  */
 #ifndef TESTS_CHECKS_CONFINE_H
 #define TESTS_CHECKS_CONFINE_H
 
 #include "child.h"
-
-#include <time.h>
 
 /* This process, and all that it starts, has the limits of child.h. */
 void child_set_limits(void);
@@ -21,17 +19,12 @@ void child_confine(const char *folder);
 
 /* What can be seen of the processes below this one. */
 struct sight {
-    int processes, stopped, computing; /* or could, if the machine were free */
+    int threads, computing; /* or could, if the machine were free */
     double seconds; /* CPU time, that of their ended children too */
 };
 
-/* Look at all that descends from this process: what loses its parent is handed
- * to us (on Linux), whatever its session is.  Send it a signal, if any.
- * Returns 0 where nothing can be seen. */
-int child_look_around(int signal, struct sight *sight);
-
-/* Remove the System V shared memory that children have left: made since they
- * `began`, by a process that is no more, and attached to none. */
-void child_remove_shared_memory(time_t began);
+/* Look at all that descends from this process; in a namespace what loses its
+ * parent stays there.  Returns 0 where nothing can be seen. */
+int child_look_around(struct sight *sight);
 
 #endif

@@ -2,7 +2,6 @@
 #include "confine.h"
 
 #include <dirent.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +9,7 @@
 
 #if defined(__linux__)
 struct process {
-    int id, parent;
+    int id, parent, threads;
     char state;
     unsigned long ticks;
 };
@@ -35,8 +34,8 @@ static int all_processes(int most, struct process process[])
         const char *name_end = read ? strrchr(line, ')') : NULL;
         if (!name_end ||
             sscanf(name_end + 1, " %c %d %*d %*d %*d %*d %*u %*u %*u %*u %*u "
-                                 "%lu %lu %lu %lu", &p->state, &p->parent,
-                   &t[0], &t[1], &t[2], &t[3]) != 6)
+                                 "%lu %lu %lu %lu %*d %*d %d", &p->state,
+                   &p->parent, &t[0], &t[1], &t[2], &t[3], &p->threads) != 7)
             continue;
         p->id = atoi(d->d_name);
         p->ticks = t[0] + t[1] + t[2] + t[3];
@@ -47,9 +46,9 @@ static int all_processes(int most, struct process process[])
 }
 #endif
 
-int child_look_around(int signal, struct sight *sight)
+int child_look_around(struct sight *sight)
 {
-    const struct sight nothing = {0, 0, 0, 0.0};
+    const struct sight nothing = {0, 0, 0.0};
     *sight = nothing;
 #if defined(__linux__)
     enum { MOST = 1 << 15, MOST_ID = 1 << 22 };
@@ -69,18 +68,15 @@ int child_look_around(int signal, struct sight *sight)
         const struct process *p = &process[k];
         if (p->id == me || !ours[p->id]) continue;
         ours[p->id] = 0;
-        if (p->state == 'Z' && p->parent == me) continue; /* ended */
-        sight->processes++;
-        sight->stopped += strchr("TtZX", p->state) != NULL;
-        sight->computing += p->state == 'R' || p->state == 'D';
         ticks += p->ticks;
-        if (signal) kill((pid_t)p->id, signal);
+        if (p->state == 'Z') continue; /* ended */
+        sight->threads += p->threads;
+        sight->computing += p->state == 'R' || p->state == 'D';
     }
     ours[me] = 0;
     sight->seconds = (double)ticks / (double)sysconf(_SC_CLK_TCK);
     return 1;
 #else
-    (void)signal;
     return 0;
 #endif
 }
