@@ -92,10 +92,10 @@ static void print_passed(char names[])
     *names = '\0';
 }
 
-/* Run the claims, one after another, and print a line for each, or, where they
- * are many, for those that fail.  After one that took all its time, or when
- * time is up, the others are not run. */
-static int examine_all(int n, struct finding finding[])
+/* Run the claims, one after another, but those that have passed `together`, and
+ * print a line for each, or, where they are many, for those that fail.  After
+ * one that took all its time, or when time is up, the others are not run. */
+static int examine_each(int n, struct finding finding[], int together)
 {
     const int most_lines = predicted.n_answer ? 9 : 13; /* leave them room */
     char passed[MAX_CLAIMS * 64] = "";
@@ -110,7 +110,7 @@ static int examine_all(int n, struct finding finding[])
             snprintf(finding[i].text, sizeof finding[i].text,
                      "the checks before it have taken more than %d seconds of "
                      "computing", SECONDS_JUDGING);
-        } else {
+        } else if (!together || !claim.slot) {
             examine(i, &finding[i]);
             over = finding[i].costly || child_seconds() > SECONDS_JUDGING;
         }
@@ -126,15 +126,23 @@ static int examine_all(int n, struct finding finding[])
     return over;
 }
 
-/* Where all pass, each in a process of its own: those of the slots in one. */
-static int examine_again(int n, struct finding *finding)
+/* The claims of the slots in one process, for nearly always all pass, and then
+ * what is left, each in its own.  Put into *first the index of the first that
+ * fails, n if none does; return whether time was up. */
+static int examine_all(int n, struct finding finding[], int *first)
 {
-    *finding = (struct finding){.verdict = PASS};
-    examine(n, finding);
-    if (finding->verdict != PASS)
-        printf("  %-10s %s\n", verdict_name[finding->verdict],
-               claim_at(judging.lesson, n).name);
-    return finding->verdict == PASS;
+    const struct finding *together = &finding[n + 1];
+    examine(n + 1, &finding[n + 1]);
+    const int pass = together->verdict == PASS;
+    if (!pass) child_restart_clock();
+    const int over = examine_each(n, finding, pass);
+    *first = 0;
+    while (*first < n && finding[*first].verdict == PASS) ++*first;
+    if (*first < n || pass || together->verdict == NOT_RUN) return over;
+    *first = n + 1;
+    printf("  %-10s %s\n", verdict_name[together->verdict],
+           claim_at(judging.lesson, n + 1).name);
+    return over;
 }
 
 /* What the student has predicted in this file, if it is given. */
@@ -329,10 +337,8 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
 
     setvbuf(stdout, NULL, _IOLBF, 0);
     printf("%s\n", judging.file);
-    const int over = examine_all(n, finding);
-    int first = 0;
-    while (first < n && finding[first].verdict == PASS) first++;
-    if (first == n && !examine_again(n + 1, &finding[n + 1])) first = n + 1;
+    int first;
+    const int over = examine_all(n, finding, &first);
     if (first == n)
         print_ok(number, n, finding);
     else

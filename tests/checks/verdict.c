@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -73,7 +74,8 @@ static void explain_end(struct ending ending, struct finding *finding)
         snprintf(text, size, "the program has written more than %d files",
                  MOST_FILES);
     } else if (ending.limit == LIMIT_PROCESSES) {
-        snprintf(text, size, "the program has started more than %d processes",
+        snprintf(text, size,
+                 "the program has started more than %d processes or threads",
                  MOST_PROCESSES);
     } else if (ending.limit == LIMIT_STOPPED) {
         snprintf(text, size, "the program stopped itself with a signal");
@@ -119,10 +121,13 @@ static uint64_t any_number(void)
     return number;
 }
 
-/* The checks of the slots; what a slot keeps from call to call meets other
- * arguments here. */
-static void check_all_again(void)
+/* The checks of the slots, the last first: what a slot keeps from call to call
+ * meets other arguments here.  They have half the time, for what does not end
+ * is asked for in processes of their own as well. */
+static void check_all_together(void)
 {
+    const rlim_t seconds = (SECONDS_COMPUTING + 1) / 2;
+    setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1});
     for (int i = judging.lesson->n_claim - 1; i >= 0; i--) {
         if (!judging.lesson->claims[i].slot) continue;
         judging.again = &judging.lesson->claims[i];
@@ -135,7 +140,7 @@ struct claim claim_at(const struct lesson *lesson, int i)
 {
     if (i < lesson->n_claim) return lesson->claims[i];
     if (i == lesson->n_claim + 2)
-        return (struct claim){"same_in_another_order", check_all_again, NULL};
+        return (struct claim){"same_in_another_order", check_all_together, 0};
     if (i > lesson->n_claim)
         return (struct claim){"predictions", lesson->predicted, NULL};
     return (struct claim){"same_numbers_as_reference",
@@ -191,6 +196,7 @@ void examine(int index, struct finding *finding)
     if (ending.limit == NO_LIMIT && ending.status == 0 && finished) return;
     /* limits are those of a single check, and 2 is the judge's own trouble: it
      * may have no files left in a process that the program has changed */
+    finding->verdict = NOT_RUN;
     if (index > judging.lesson->n_claim + 1 &&
         (ending.limit != NO_LIMIT || ending.status == 2))
         return;
