@@ -18,7 +18,7 @@ variant() {
 }
 state() {
     find solutions common tests Makefile build/solutions build/mistakes class \
-        -type f -exec cksum {} + | sort
+        -type f -exec cksum {} + -exec ls -ldn {} + | sort
 }
 
 # ---- the class ----------------------------------------------------------------
@@ -43,13 +43,14 @@ export hostile='for (int k = 1; k < 9; k++) {
     system("cd HERE && rm -rf solutions build class 2>&-");
     kill(getppid(), SIGKILL);
     kill(0, SIGKILL);'
-{
-    printf '#include <%s.h>\n' signal stdio stdlib unistd
+spoil() { # spoil HEADER...: the solution, with what is hostile in its first slot
+    printf '#include <%s.h>\n' "$@"
     awk '{ print }
         /\/\* SLOT / { comment = !done++ }
         comment && /\*\// { comment = 0; print ENVIRON["hostile"] }' \
-        "solutions/$slug.c" | sed "s|SLUG/|$slug/|; s|cd HERE|cd $PWD|"
-} >"class/Mallory /$slug.c"
+        "solutions/$slug.c" | sed "s|SLUG|$slug|g; s|HERE|$PWD|g"
+}
+spoil signal stdio stdlib unistd >"class/Mallory /$slug.c"
 # ann's, as a browser names it, and bob's are Sean's but for comments and blanks;
 # gil has the solution's text, eve includes it, fay wrote UTF-16
 variant reaction_sign >"class/ivy/$slug.c"
@@ -67,14 +68,8 @@ cp "solutions/$slug.c" "class/$(printf 'a\nb')"
 # program prints an escape character and the teacher's variables; and two dots
 mkdir "class/w\\t(log)" class/=1+1 class/..dots
 cp "class/eve/$slug-2.c" "class/w\\t(log)/$slug.c"
-awk '{ print }
-    /\/\* SLOT / { comment = !done++ }
-    comment && /\*\// {
-        comment = 0
-        print "fprintf(stderr, \"\\033[2J%s\\n\", getenv(\"SECRET\") ? \"known\" : \"hidden\"), exit(2);"
-    }' "solutions/$slug.c" | sed '1i\
-#include <stdio.h>\
-#include <stdlib.h>' >"class/=1+1/$slug.c"
+hostile='fprintf(stderr, "\033[2J%s\n", getenv("SECRET") ? "known" : "hidden"), exit(2);'
+spoil stdio stdlib >"class/=1+1/$slug.c"
 printf 'int main(void) { return x; }\n' >"class/..dots/$slug.c"
 
 # ---- the table ----------------------------------------------------------------
@@ -140,9 +135,9 @@ done
 result $? 'grade leaves its tables and no folder' "$(ls build/grade)"
 left=$(state | diff before -)
 result $? 'a submission changes nothing' "$left"
-"$MAKE" -j1 grade BUILD=build DIR="$PWD/class/" FORMAT=gradescope >/dev/null 2>&1
-cmp -s wanted build/grade/grades.csv
-result $? 'judged again, the class has the same table' "$(cat build/grade/grades.csv)"
+said=$(FENCE= "$MAKE" grade BUILD=build DIR="$PWD/class/" FORMAT=gradescope 2>&1)
+cmp -s wanted build/grade/grades.csv && echo "$said" | grep -q 'no bubblewrap'
+result $? 'without a fence the class has the same table' "$said$(cat build/grade/grades.csv)"
 
 # ---- for machines -------------------------------------------------------------
 follows() { # follows SCHEMA FILE
@@ -180,6 +175,33 @@ for dir in '' no-such-folder none . ; do
         cmp -s wanted build/grade/grades.csv
     result $? "grade refuses the folder '$dir'" "$said"
 done
+# where nothing confines bob he spoils ann's row and file, a mode and a time
+mkdir -p open/ann open/bob open/cy
+variant lift_sign | tee "open/ann/$slug.c" >"open/cy/$slug.c"
+hostile='chmod("HERE/solutions/SLUG.c", 0600);
+    utimensat(AT_FDCWD, "HERE/common/linear/matrix.h", (struct timespec[2]){0}, 0);
+    FILE *f = fopen("../../../0001.SLUG/row", "w");
+    if (f) fputs("ann\tSLUG\tOK\t-\t-\t-\n", f), fclose(f);
+    if (system("cat HERE/solutions/SLUG.c >../../../0003.SLUG/SLUG.c")) {}'
+spoil fcntl sys/stat stdio stdlib unistd >"open/bob/$slug.c"
+rm build/tests/confine.o
+open() {
+    "$MAKE" "$@" BUILD=build ANY_FLAGS=1 CFLAGS='-O0 -DWITHOUT_LANDLOCK' 2>&1
+}
+open build/tests/confine.o "build/solutions/$slug.judge" "mistakes-${slug%%_*}" >said
+state >before
+for FENCE in bwrap ''; do
+    export FENCE
+    said=$(open grade DIR=open)
+    status=$?
+    [ "$(grep -c ',lift_sign$' build/grade/grades.csv)" = 2 ]
+    result $? "others' rows and files are out of reach, fence '$FENCE'" "$said"
+    [ "$FENCE" ] || { [ $status = 2 ] && grep -q '^bob.*not judged' build/grade/grades.csv; }
+    result $? "who changes a mode, a time or a row is named, fence '$FENCE'" "$said"
+    left=$(state | diff before -)
+    result $? "what was changed is put back, fence '$FENCE'" "$left"
+done
+unset FENCE
 # a compiler that is not done with a submission
 mkdir -p late/ann && cp "solutions/$slug.c" late/ann
 printf '#!/bin/sh\ncase $* in *build/grade/*) sleep 1000 ;; esac\nexec %s "$@"\n' \

@@ -5,12 +5,14 @@
 #
 # Called by the Makefile, with BUILD, MAKE, LESSONS and DIR set.  No link is
 # followed.  A submission is copied to a folder of its own and judged there by
-# student.sh; what cannot be judged is said, and the rest is judged.
+# student.sh, within bubblewrap where that works; what cannot be judged is said,
+# and the rest is judged.
 # The other commands are for this script itself: take, one.
 set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}" "${DIR:=}" "${LESSONS:=}" "${FORMAT:=}"
+: "${FENCE=bwrap}" # bubblewrap, or nothing
 out=$BUILD/grade
 tab=$(printf '\t')
 
@@ -130,27 +132,7 @@ same() {
 
 # ---- judging ----------------------------------------------------------------
 
-# one FOLDER: the verdict on the program in it; FOLDER/row is its row.
-one() {
-    slug=${1##*/*.} said=$1/said
-    name=$(cat "$1/name")
-    if [ -f "$1/twice" ]; then
-        echo 'two-files - - -' >"$1/result"
-        echo "More than one file of this lesson: none is judged." >"$said"
-        report "$slug" "$name" 'two files' '' '' <"$said" >"$1/report"
-    else
-        sh tests/tools/student.sh grade "$slug" "$1/$slug.c" "$name" "$1"
-        [ -s "$1/result" ] || echo 'not-judged - - -' >"$1/result"
-        [ -s "$1/report" ] || report "$slug" "$name" 'not judged' '' '' \
-            <"$said" >"$1/report"
-    fi
-    read -r word check slot mistakes <"$1/result"
-    word=$(echo "$word" | tr '-' ' ')
-    printf '%s\n' "$(cat "$1/student")$tab$slug$tab$word$tab$check$tab$slot$tab$mistakes" \
-        >"$1/row"
-    printf '  %-10s %s\n' "$word" "$name"
-}
-
+. tests/tools/submission.sh
 . tests/tools/patiently.sh
 . tests/tools/report.sh
 clean_up() {
@@ -170,11 +152,12 @@ judge_all() {
         tail -n 5 "$work/log" >&2
         fail 'the solutions cannot be built; if a tool is missing: make deps'
     }
-    set -- "$work"/[0-9]*/
+    set -- "$work"/[0-9]*
     echo "  judging    $# files of $(ls "$work" | sed -n 's/\..*//p' |
         grep '^[0-9]' | sort -u | wc -l | tr -d ' ') students"
+    [ "$FENCE" ] || { in_turn "$@"; return; }
     for folder in "$@"; do
-        set -- "$@" "${folder}judged"
+        set -- "$@" "$folder/judged"
         shift
     done
     patiently "$MAKE" -k "$@"
@@ -374,9 +357,15 @@ class() {
     esac
     mkdir -p "$out" || exit 2
     [ -z "$FORMAT" ] || rm -rf "$out/gradescope"
-    work=$(mktemp -d "$out/work.XXXXXX") || exit 2
+    work=$(mktemp -d "$out/work.XXXXXX") && mkdir -p "$work/none" \
+        "$BUILD/progress" "$BUILD/mine" || exit 2
     trap clean_up EXIT
     trap 'exit 130' INT TERM HUP QUIT
+    export FENCE CLASS
+    CLASS=$(cd "$DIR" && pwd -P)
+    [ ! "$FENCE" ] || fenced "$work/none" true 2>/dev/null || FENCE=
+    [ "$FENCE" ] || echo '  no bubblewrap here: a submission reads what you can' \
+        'read, and without Landlock changes it'
     collect
     judge_all || fail 'some submissions are not judged'
     same
