@@ -58,7 +58,7 @@ static int dissect(int i0, int i1, int j0, int j1, int leaf, int width,
 static void analyse(const struct csr *K, int parent[], int count[])
 {
     int *mark = allocate((size_t)K->n, sizeof *mark);
-    /* SLOT 21b(K, parent, count, mark): row by row.  K_ki != 0, i < k: where
+    /* SLOT 21b(K, parent, count, mark): row by row.  K has K_ki, i < k: where
      * does row k of L have entries?  mark is room for K->n numbers. */
     todo("21b", K, parent, count, mark);
     /* END 21b */

@@ -336,7 +336,8 @@ static void tangent_is_the_derivative_and_symmetric(void)
             const double AB = mat2_dot(A, two(&m, state[i], B).dP);
             const double BA = mat2_dot(B, two(&m, state[i], A).dP);
             expect_close(AB, BA, ROUND_OFF, 100.0 * modulus_of(&m),
-                         "%s law: A : dP(B) against B : dP(A), J = %.2g",
+                         "%s law: A : dP(B) against B : dP(A), J = %.2g; "
+                         "a difference quotient is not exact enough",
                          name_of(law), mat2_det(state[i]));
         }
 }

@@ -3,10 +3,11 @@
  * satisfies.
  *
  * Arguments: slot, argument: varied by checks
- *     4a   n, x          7 unequal, from 0 and from elsewhere; 2 to 47 in runs
+ *     4a   n, x          7 and 3 unequal, from 0 and from elsewhere; 2 to 47 in
+ *                        runs
  *     4a   beta, v       wavy, linear; any values, a line, a hat, a constant
  *     4b   N, b          8 any, 5 to 65; of all sizes, 0, a NaN, both signs
- *     4c   N, b          8 any, of size 1 and 1e-9; 3 to 48 in the runs
+ *     4c   N, b          8 any, of size 1 and 1e-9, 2; 3 to 48 in the runs
  *     4d   A             n = 7 unequal, 4 equal, 2 to 48; -A, which is NOT_SPD
  *     4d   b             compatible, of two loads, and not
  */
@@ -120,14 +121,18 @@ static void quadratic_form_is_vAv(void)
 /* The midpoint rule is exact for linear beta, u_h for linear v. */
 static void quadratic_form_of_linear_v_is_exact(void)
 {
-    const double slope = -0.731, L = nodes[n_elem];
-    const double want = slope * slope * (2.385 * L + 0.5 * 3.714 * L * L);
+    const double slope = -0.731;
     double v[N_node];
-    for (int i = 0; i < N_node; i++) v[i] = 2.385 + slope * nodes[i];
-    expect_close(quadratic_form(n_elem, nodes, linear_beta, v), want, ROUND_OFF,
-                 want, "v'Av for v = 2.385 - 0.731 x, against int beta v'^2");
+    for (int n = n_elem; n > 0; n -= 4) {
+        const double L = nodes[n];
+        const double want = slope * slope * (2.385 * L + 0.5 * 3.714 * L * L);
+        for (int i = 0; i <= n; i++) v[i] = 2.385 + slope * nodes[i];
+        expect_close(quadratic_form(n, nodes, linear_beta, v), want, ROUND_OFF,
+                     want, "v'Av for v = 2.385 - 0.731 x on %d elements, "
+                     "against int beta v'^2", n);
+    }
     for (int i = 0; i < N_node; i++) v[i] = 2.385;
-    expect_close(quadratic_form(n_elem, nodes, linear_beta, v), 0.0, SUM, want,
+    expect_close(quadratic_form(n_elem, nodes, linear_beta, v), 0.0, SUM, 10.0,
                  "v'Av for the constant 2.385");
 }
 
@@ -217,6 +222,13 @@ static void projection_is_orthogonal(void)
     for (int i = 0; i < N_node; i++)
         expect_close(b[i], 1e-9 * (values[i] - mean), SUM, 1e-8,
                      "b[%d] after the projection of a b of size 1e-9", i);
+    b[0] = 3.714;
+    b[1] = b[2] = b[3] = 0.613;
+    project(2, b);
+    expect(b[2] == 0.613 && b[3] == 0.613, "project() of two numbers changes "
+           "those behind them");
+    expect_close(b[0], 0.5 * (3.714 - 0.613), SUM, 10.0,
+                 "b[0] of two, after the projection");
 }
 
 /* All N of them, the equation of a pinned node too. */

@@ -356,31 +356,33 @@ static void hanging_bar_is_the_oracles(void)
 }
 
 /* Of any u: P of each element, and (K u - b) of an end that is held. */
-static void stresses_of_any_displacement(void)
+static void stresses_of_any_displacement(int n)
 {
     const double any[n_elem + 1] = {0.371, -0.2385, 0.613, 0.0,
                                     0.512, 0.731,   -0.1, 0.247};
     const double loads[n_elem + 1] = {3.714, 1, -2, 0.5, 7.13, 0, -1, -61.3};
-    const struct bar_scene s = scene_of(HELD, 0.371, HELD, 0.247);
+    struct bar_scene s = scene_of(HELD, 0.371, HELD, any[n]);
     const double modulus = 2.5 * modulus_;
-    double *P = guarded_alloc(n_elem), *r = guarded_alloc(2);
-    stress_and_reactions(&s, modulus, guarded_copy(n_elem + 1, loads),
-                         guarded_copy(n_elem + 1, any), P, r);
-    for (int e = 1; e <= n_elem; e++)
-        expect_close(P[e - 1], modulus * (any[e] - any[e - 1]) * n_elem, 1e-13,
-                     1e4, "P of element %d, modulus %g", e, modulus);
+    double *P = guarded_alloc(n), *r = guarded_alloc(2);
+    s.n = n;
+    stress_and_reactions(&s, modulus, guarded_copy(n + 1, loads),
+                         guarded_copy(n + 1, any), P, r);
+    for (int e = 1; e <= n; e++)
+        expect_close(P[e - 1], modulus * (any[e] - any[e - 1]) * n, 1e-13, 1e4,
+                     "P of element %d of %d, modulus %g", e, n, modulus);
     for (int end = 0; end < 2; end++) {
-        const int e = end ? n_elem : 1;
-        const double K_u = modulus * (any[e] - any[e - 1]) * n_elem;
-        expect_close(r[end], (end ? K_u : -K_u) - loads[end * n_elem], 1e-13,
-                     1e4, "reaction at the %s end, modulus %g",
-                     end ? "right" : "left", modulus);
+        const int e = end ? n : 1;
+        const double K_u = modulus * (any[e] - any[e - 1]) * n;
+        expect_close(r[end], (end ? K_u : -K_u) - loads[end * n], 1e-13, 1e4,
+                     "reaction at the %s end, %d elements, modulus %g",
+                     end ? "right" : "left", n, modulus);
     }
 }
 
 static void stresses_and_reactions_balance(void)
 {
-    stresses_of_any_displacement();
+    stresses_of_any_displacement(n_elem);
+    stresses_of_any_displacement(3);
     const struct bar_scene scenes[] = {
         scene_of(HELD, 0.613, FREE, 71.9), scene_of(FREE, -31.7, HELD, -0.2385),
         scene_of(HELD, 0.137, HELD, -0.2385)};

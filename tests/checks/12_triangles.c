@@ -714,6 +714,9 @@ static void failures_are_named(void)
     expect(report.status == NONFINITE,
            "du is not finite: the method ends with %s, not NONFINITE",
            status_name(report.status));
+    for (int r = 0; r < s->n_dof; r++)
+        expect(isfinite(s->u[r]), "du is not finite: u[%d] has taken it; the "
+               "last state reached is the one before", r);
     scene_free(s);
 
     struct output *out = run_unsolved("--scene gravity --force 500", "NOT_SPD");

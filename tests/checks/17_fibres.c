@@ -115,6 +115,13 @@ static void tension_has_its_landmarks(void)
                          0.25 * oracle_tension[k].active,
                      ROUND_OFF, 300.0, "T at l = %g, activation 1/4", l);
     }
+    const double x = 0.25 / muscle.width; /* of other k, sigma and w */
+    expect_close(tension(&muscle, 1.25).T,
+                 muscle.k / 16.0 +
+                     muscle.activation * muscle.sigma * (1.0 - x * x),
+                 ROUND_OFF, 300.0, "T of a MUSCLE of k = %g, sigma = %g, w = "
+                 "%g, activation %g at l = 1.25", muscle.k, muscle.sigma,
+                 muscle.width, muscle.activation);
     const struct tension rest = tension(&cord, 1.0);
     const struct tension pulled = tension(&cord, 1.25);
     const double active = cord.activation * cord.sigma;

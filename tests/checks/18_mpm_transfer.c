@@ -7,7 +7,7 @@
  *        x         sums_are_those_of_the_derivation: on both sides of 0, on,
  *                  beside and between nodes
  *        w, dw     guarded in sums_are_those_of_the_derivation
- *   18b  p         p2g_keeps_mass_and_momentum (B or not),
+ *   18b  p         p2g_keeps_mass_and_momentum (B or not, 2000),
  *                  p2g_does_every_node_and_no_other (two, equal masses)
  *        grid      the same (order, used before, full, h = 1), table `filter`
  *                  (a bar, periodic), leaving_the_grid_is_named
@@ -195,22 +195,38 @@ static void weights_are_the_oracles(void)
 
 /* ---- 18b ----------------------------------------------------------------- */
 
+/* As seven(), but two thousand of them. */
+static struct pair two_thousand(int order)
+{
+    struct pair pair = seven(order, 0);
+    particles_free(pair.p);
+    pair.p = particles_alloc(2000);
+    for (int r = 0; r < 4000; r++) {
+        pair.p->x[r] = oracle_h * (1.0 + 5.0 * fmod(0.6180339887 * r, 1.0));
+        pair.p->v[r] = 1.0 + r / 4000.0;
+        pair.p->mass[r / 2] = 1.0 / 2000.0;
+    }
+    return pair;
+}
+
 /* Twice: what the grid has from before must be gone. */
 static void p2g_keeps_mass_and_momentum(void)
 {
     for (int order = 1; order <= 3; order++)
-        for (int with_B = 0; with_B < 2; with_B++) {
-            struct pair s = seven(order, with_B);
+        for (int with_B = 0; with_B < 3; with_B++) {
+            struct pair s =
+                with_B < 2 ? seven(order, with_B) : two_thousand(order);
             const struct moments want = particles_moments(s.p);
             p2g(s.p, s.grid);
             expect(p2g(s.p, s.grid) == OK, "P2G must return OK");
             const struct moments got = grid_moments(s.grid, s.grid->v);
             expect_close(got.mass, want.mass, SUMS, 1.0,
-                         "order %d: mass of all nodes", order);
+                         "order %d: mass of all nodes, of %d particles", order,
+                         s.p->n);
             for (int k = 0; k < 2; k++)
                 expect_close(got.momentum[k], want.momentum[k], SUMS, 1.0,
                              "order %d, B %s: momentum of all nodes, component "
-                             "%d", order, with_B ? "set" : "= 0", k);
+                             "%d", order, with_B == 1 ? "set" : "= 0", k);
             pair_free(s);
         }
 }

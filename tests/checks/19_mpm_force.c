@@ -339,7 +339,8 @@ static void symmetric_one(struct shaken s, const char *what)
 {
     expect_close(times(s.u, product_of(&s, s.w)),
                  times(s.w, product_of(&s, s.u)), ROUND_OFF, STIFFNESS,
-                 "%s: u.K w, against w.K u", what);
+                 "%s: u.K w, against w.K u, which are equal where dP is a "
+                 "derivative, not a difference quotient", what);
 }
 static void tangent_is_symmetric(void)
 {

@@ -148,8 +148,22 @@ static void every_vertex_has_a_number(void)
         }
 }
 
+/* A mesh of another width: 2 x 2 vertices in rows of five. */
+static void rows_are_a_width_apart(void)
+{
+    int place[10];
+    for (int v = 0; v < 10; v++) place[v] = NO_PLACE;
+    dissect(1, 3, 0, 2, 4, 5, 0, place);
+    for (int v = 0; v < 10; v++) {
+        const int in = v % 5 == 1 || v % 5 == 2;
+        expect(place[v] == (in ? 2 * (v / 5) + v % 5 - 1 : NO_PLACE),
+               "width 5, columns 1 and 2: place[%d] is %d", v, place[v]);
+    }
+}
+
 static void lines_are_numbered_last(void)
 {
+    rows_are_a_width_apart();
     int place[WIDTH * HEIGHT];
     for (int k = 0; k < COUNT(rectangles); k++)
         for (int l = 0; l < COUNT(leaves); l++) {
