@@ -1,5 +1,5 @@
 /*
- * price.h - how long a model of ladder.h takes on this machine.
+ * price.h - how long a processor of this machine works for a model of ladder.h.
  *
  * Nothing of the scene is timed.  A body four times as long as high, bent by
  * its weight, is solved by a model of the same rung, at rest or in motion, on

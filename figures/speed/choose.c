@@ -4,7 +4,8 @@
  * The least model for 10 % of each scene of lessons/scenes, or the last one
  * where none is enough: milliseconds per frame as price.h expects them, from
  * the linear systems that the scene has and a calibration on another body,
- * against those measured, the least of what a fifth of a second has time for.
+ * against those measured, the least of what a fifth of a second has time for;
+ * both are seconds of the processor.
  * Run from the top of the tree.  Tables: choose, within (a factor of 1.5).
  */
 #include "choice/estimate.h"
@@ -31,14 +32,14 @@ static double measured(const struct ladder_scene *scene,
                        struct ladder_model model)
 {
     double best = INFINITY;
-    const double start = clock_seconds();
+    const double start = clock_processor();
     do {
         struct ladder_state *s = ladder_alloc(scene, model);
-        const double before = clock_seconds();
+        const double before = clock_processor();
         rung_solve(s);
-        best = fmin(best, clock_seconds() - before);
+        best = fmin(best, clock_processor() - before);
         ladder_free(s);
-    } while (clock_seconds() - start < 0.2);
+    } while (clock_processor() - start < 0.2);
     return best;
 }
 
