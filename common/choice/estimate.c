@@ -30,7 +30,7 @@ double estimate_law(const struct ladder_state *s)
         J[0] = fmin(J[0], here);
         J[1] = fmax(J[1], here);
     }
-    if (!(J[0] > 0.0)) return 1.0;
+    if (!(J[0] > 0.0 && J[1] <= RELAX_SERIES)) return 1.0;
     for (int k = 0; k < 2; k++) {
         const double P = material1_pk1(&logarithm, J[k]);
         const double off = material1_pk1(&cubic, J[k]) - P;

@@ -29,7 +29,7 @@
 double estimate_geometry(const struct ladder_state *state);
 
 /* The larger |P_cubic - P_log| / |P_log| in uniaxial strain at the least and at
- * the largest J, at most 1; 1 where some J <= 0. */
+ * the largest J, at most 1; 1 where relax_law() is. */
 double estimate_law(const struct ladder_state *state);
 
 /* What a bar of this length and height has no unknowns for, under f, of what

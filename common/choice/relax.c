@@ -203,8 +203,8 @@ double relax_part(const struct ladder_state *s, const struct matrix *factors,
     return part;
 }
 
-/* g += int (P_a - P_b) grad N of two laws at w, 0 at what is held.  false: one
- * of them has no stress there. */
+/* g += int (P_a - P_b) grad N of two laws at w, 0 at what is held.  false: b is
+ * the logarithm, of which J says nothing there. */
 static int push_laws(const struct ladder_state *s, enum law a, enum law b,
                      const double w[], double g[])
 {
@@ -213,7 +213,8 @@ static int push_laws(const struct ladder_state *s, enum law a, enum law b,
     material[1].law = b;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, w, e);
-        if ((a == LOG || b == LOG) && !(mat2_det(F) > 0.0)) return 0;
+        const double J = mat2_det(F);
+        if (b == LOG && !(J > 0.0 && J <= RELAX_SERIES)) return 0;
         relax_push(s, e, mat2_subtract(material2_pk1(&material[0], F),
                                        material2_pk1(&material[1], F)), g);
     }

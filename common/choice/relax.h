@@ -69,10 +69,14 @@ double relax_part(const struct ladder_state *state,
 /*
  * The same of forces that are not linear in u, by one step of Newton's method.
  * What the stress of the cubic law less that of the logarithm would move; 1
- * where a J <= 0.  And what the squares of H would, after the stress has turned
- * with the body: at w = u + e the cubic law leaves N(w) - D w of the forces
- * N(w) = int (P_linear - P_cubic) grad N.
+ * where a J <= 0 or beyond RELAX_SERIES: r of the cubic law has the first terms
+ * of the series of ln J in J - 1, which has no sum there, so that both may be
+ * near each other by chance, and the cubic law has a second state.  And what
+ * the squares of H would, after the stress has turned with the body: at
+ * w = u + e the cubic law leaves N(w) - D w of the forces N(w) =
+ * int (P_linear - P_cubic) grad N.
  */
+#define RELAX_SERIES 2.0
 double relax_law(const struct ladder_state *state,
                  const struct matrix *factors);
 double relax_geometry(const struct ladder_state *state,
