@@ -20,15 +20,16 @@
 
 enum { FINEST = 2 };
 
-/* The scene at rest with other triangles. */
-static struct ladder_state *solved(const struct ladder_scene *scene,
-                                   enum rung rung, enum element element,
-                                   double grade, int level)
+/* The model of s with these triangles. */
+static struct ladder_state *solved(const struct ladder_state *s,
+                                   const struct cells *c)
 {
-    struct ladder_state *s = ladder_alloc_of(
-        element, grade, scene, (struct ladder_model){rung, 0, level});
-    s->status = rung_solve(s);
-    return s;
+    struct ladder_model model = s->model;
+    model.level = c->level;
+    struct ladder_state *q =
+        ladder_alloc_of(c->element, c->grade, s->scene, model);
+    q->status = rung_solve(q);
+    return q;
 }
 
 /* Of a frame. */
@@ -54,7 +55,6 @@ static int others_at_rest(const struct ladder_state *s, const struct cells *c)
 static void say_price(const struct ladder_state *s, const struct cells *c,
                       double within, double choosing)
 {
-    const struct ladder_scene *scene = s->scene;
     const double frames = price_frames(s);
     struct price price[FINEST + 1];
     for (int k = 0; k <= FINEST; k++) {
@@ -64,7 +64,7 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
     }
     double run = price_seconds(s, price[s->model.level]), flops = s->flops;
     struct ladder_state *richest = ladder_alloc(
-        scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
+        s->scene, (struct ladder_model){LOG_PLANE, s->model.moving, FINEST});
     const int p = richest->body->K->p, n = richest->body->n_equation;
     ladder_free(richest);
     printf("Price, by a calibration of this machine on another body\n");
@@ -74,8 +74,7 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
         printf("  about %d cells along the body would fit into %g ms\n",
                price_columns(s, price, FINEST + 1, within), 1e3 * within);
     if (others_at_rest(s, c)) {
-        struct ladder_state *q = solved(scene, s->model.rung, c->element,
-                                        c->grade, c->level);
+        struct ladder_state *q = solved(s, c);
         run = price_seconds(q, price_calibrate_of(c->element, c->grade,
                                                   q->model));
         flops = q->flops;
@@ -96,44 +95,64 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
                "does not pay here\n");
 }
 
-/* The triangles that need the fewest flops for what is left of the tolerance
- * beside the other parts; NULL: none, or nobody knows. */
-static const struct cells *other_triangles(const struct ladder_state *s,
-                                           const struct chosen_tried *t,
-                                           double tolerance)
+/* The triangles of cells.h beside those of an answer. */
+enum { CELLS = CELLS_KINDS * CELLS_LEVELS };
+struct compared {
+    struct cells cells[CELLS];
+    double room; /* what the other parts leave of the tolerance */
+    const struct cells *best; /* the fewest flops for the room; NULL: none, or
+                               * nobody knows */
+    double own; /* how far those of the answer, at rest, are from the best mesh;
+                 * 0: nobody knows */
+};
+
+static void compare(const struct ladder_state *s, const struct chosen_tried *t,
+                    double tolerance, struct compared *c)
 {
-    static struct cells cells[CELLS_KINDS * CELLS_LEVELS];
-    const double others =
-        sqrt(fmax(0.0, pow(t->estimate, 2) - pow(t->part[MESH], 2)));
-    if (s->model.rung == BAR || t->doubt != NO_DOUBT || others >= tolerance ||
-        !cells_compare(s->scene, s->model.rung, cells))
-        return NULL;
-    return cells_cheapest(cells, sqrt(pow(tolerance, 2) - pow(others, 2)));
+    const double rest = pow(t->estimate, 2) - pow(t->part[MESH], 2);
+    c->best = NULL;
+    c->own = 0.0;
+    c->room = sqrt(fmax(0.0, pow(tolerance, 2) - fmax(0.0, rest)));
+    if (s->model.rung == BAR || t->doubt != NO_DOUBT || !(c->room > 0.0) ||
+        !cells_compare(s->scene, s->model.rung, c->cells))
+        return;
+    c->best = cells_cheapest(c->cells, c->room);
+    if (!s->model.moving) /* even linear ones come first, by level */
+        c->own = c->cells[s->model.level].error - c->cells[CELLS - 1].error;
 }
 
-static void say_triangles(const struct ladder_state *s, const struct cells *c)
+static void say_triangles(const struct ladder_state *s,
+                          const struct compared *c)
 {
+    const struct cells *best = c->best;
     printf("Element%s (lesson 25)\n",
            s->model.moving ? ", judged at rest under the full load" : "");
-    if (!c) {
+    if (c->own > 0.0)
+        printf("  of linear triangles, mesh %d, the mesh's part is %.2g %%, "
+               "measured from quadratic\n  ones%s\n", s->model.level,
+               100.0 * c->own, c->own > c->room ? ": too much" : "");
+    if (best)
+        printf("  the cheapest that are fine enough: %s triangles, mesh %d, "
+               "%s:\n  the mesh's part is %.2g %%, for %.2g flops at rest\n",
+               cells_name(best->element), best->level, best->grade > 1.0 ?
+               "graded to the corners" : "even", 100.0 * best->error,
+               best->flops);
+    else
         printf("  no triangles here are known to be fine enough\n");
-        return;
-    }
-    printf("  the cheapest that are fine enough: %s triangles, mesh %d, %s:\n"
-           "  the mesh's part is %.2g %%, for %.2g flops at rest\n",
-           cells_name(c->element), c->level, c->grade > 1.0 ?
-           "graded to the corners" : "even", 100.0 * c->error, c->flops);
 }
 
-static void say_true(const struct ladder_state *s, struct ladder_state *truth)
+static void say_true(const struct ladder_state *s, struct ladder_state *truth,
+                     double tolerance)
 {
     const struct ladder_scene *scene = truth->scene;
     struct ladder_scene other = *scene;
     const int n = ladder_has_hand(scene) ? LADDER_HAND : LADDER_RMS;
-    printf("Verified: from that of the logarithmic law%s on one mesh finer the "
-           "answer differs\nby %.2g %% %s\n",
-           truth->model.moving ? " in motion" : "",
-           100.0 * ladder_error(s, truth), chosen_quantity(scene->quantity));
+    const double error = ladder_error(s, truth);
+    printf("Verified: the answer differs by %.2g %% %s%s\n  from that of "
+           "quadratic triangles, logarithmic law, %s, mesh %d\n",
+           100.0 * error, chosen_quantity(scene->quantity),
+           error > tolerance ? ", too much," : "",
+           truth->model.moving ? "in motion" : "at rest", truth->model.level);
     truth->scene = &other;
     for (int k = 0; k <= n; k++) {
         other.quantity = (enum ladder_quantity)k;
@@ -144,13 +163,18 @@ static void say_true(const struct ladder_state *s, struct ladder_state *truth)
     truth->scene = scene;
 }
 
-/* Whether it could be done. */
+/* The answer, with linear triangles or with `others`, beside that of the
+ * richest model, with quadratic ones, which are richer than as many linear
+ * ones.  Whether it could be done. */
 static int verify(const struct ladder_state *s, enum doubt doubt,
-                   const struct cells *other)
+                  const struct cells *others, double tolerance)
 {
     struct ladder_scene finer = *s->scene;
-    finer.finest = s->model.level;
-    struct ladder_state *truth = ladder_solve(&finer, ladder_truth(&finer));
+    if (s->model.moving) finer.finest = s->model.level;
+    const struct ladder_model richest = ladder_truth(&finer);
+    struct ladder_state *truth =
+        ladder_alloc_of(QUADRATIC_TRIANGLE, 1.0, &finer, richest);
+    truth->status = rung_solve(truth);
     const int can =
         truth->status == OK && doubt < GIVES_WAY && ladder_stable(truth);
     if (truth->status != OK)
@@ -158,18 +182,12 @@ static int verify(const struct ladder_state *s, enum doubt doubt,
                status_name(truth->status));
     else if (!can)
         printf("Verified: no, for a body that gives way may go elsewhere\n");
-    else
-        say_true(s, truth);
-    ladder_free(truth);
-    if (!other || s->model.moving || doubt != NO_DOUBT) return can;
-    struct ladder_state *q = solved(s->scene, s->model.rung, other->element,
-                                    other->grade, other->level);
-    truth = solved(s->scene, LOG_PLANE, QUADRATIC_TRIANGLE, 1.0, CELLS_LEVELS);
-    if (truth->status == OK && ladder_stable(truth))
-        printf("  the %s triangles of mesh %d by %.2g %%, from quadratic ones "
-               "on one finer still\n", cells_name(other->element),
-               other->level, 100.0 * ladder_error(q, truth));
-    ladder_free(q);
+    else if (others) {
+        struct ladder_state *q = solved(s, others);
+        say_true(q, truth, tolerance);
+        ladder_free(q);
+    } else
+        say_true(s, truth, tolerance);
     ladder_free(truth);
     return can;
 }
@@ -206,26 +224,38 @@ struct asked {
     const char *picture;
 };
 
-/* The climb has ended with s, tried[n - 1], and everything is said.  Whether it
- * is enough, or the same law with other triangles. */
+/* The answer has cells of this error. */
+static void put_mesh(struct chosen_tried *t, double error)
+{
+    const double rest = pow(t->estimate, 2) - pow(t->part[MESH], 2);
+    t->part[MESH] = error;
+    t->estimate = sqrt(fmax(0.0, rest) + pow(error, 2));
+}
+
+/* The climb has ended with s, tried[n - 1], and everything is said, the answer
+ * first.  Whether it is enough, or the same law with other triangles. */
 static int end(const struct scene_file *file, const struct asked *asked,
                struct ladder_state *s, const struct chosen_tried tried[], int n,
                int enough, double start)
 {
-    const struct chosen_tried *t = &tried[n - 1];
-    const struct cells *c = other_triangles(s, t, asked->error);
-    const double choosing = clock_seconds() - start;
-    const int others = !enough && c && !s->model.moving;
-    chosen_say_numbers(file, s);
+    struct chosen_tried t = tried[n - 1];
+    struct compared c;
+    compare(s, &t, asked->error, &c);
+    const double choosing = clock_processor() - start;
+    if (c.own > c.room) enough = 0;
+    const struct cells *others = enough || s->model.moving ? NULL : c.best;
+    put_mesh(&t, others ? others->error : fmax(t.part[MESH], c.own));
+    chosen_say_answer(s, &t, asked->error, others);
     chosen_say_climb(tried, n);
-    chosen_say_model(file, s, asked->error, enough ? CHOSEN_LAST : others
-                     ? CHOSEN_WITH_OTHERS : CHOSEN_NOTHING);
-    if (s->model.rung != BAR && t->doubt == NO_DOUBT) say_triangles(s, c);
-    chosen_say_error(s, t);
-    say_price(s, c, asked->within, choosing);
-    const int known = !asked->check || verify(s, t->doubt, c);
-    if (asked->picture && t->doubt < GIVES_WAY)
-        write_picture(asked->picture, file, s, t, asked->error);
+    chosen_say_numbers(file, s);
+    if (t.doubt == NO_DOUBT) chosen_say_model(file, s, others);
+    if (t.doubt == NO_DOUBT && s->model.rung != BAR) say_triangles(s, &c);
+    chosen_say_error(s, &t, others);
+    if (t.doubt == NO_DOUBT) say_price(s, c.best, asked->within, choosing);
+    const int known =
+        !asked->check || verify(s, t.doubt, others, asked->error);
+    if (asked->picture && t.doubt < GIVES_WAY)
+        write_picture(asked->picture, file, s, &t, asked->error);
     return known && (enough || others);
 }
 
@@ -255,7 +285,7 @@ int main(int argc, char *argv[])
     const struct ladder_scene *scene = &file.scene;
     struct ladder_model model = ladder_first(scene);
     asked = (struct asked){error / 100.0, within / 1e3, check, picture};
-    const double start = clock_seconds();
+    const double start = clock_processor();
     int enough = 0, n = 0;
     struct chosen_tried tried[16]; /* each adds a rung, motion or a level */
     for (int more = 1; more;) {

@@ -19,16 +19,24 @@ static double largest_turn(const struct ladder_state *s)
 }
 
 /* Why nobody may rely on what the parts say. */
-static const char *const doubts[] = {
-    [TORN] = "the load is more than a body of this E can bear",
-    [LONG_STEPS] = "the steps are too long for a body that swings so fast: "
-                   "make 'end' shorter",
-    [GIVES_WAY] = "the body gives way under this load: K is not positive "
-                  "definite (lesson 15)",
-    [BUCKLES] = "it is taken to stay straight beyond the load at which it "
-                "buckles (lesson 23):\n    load it a little sideways, too",
-    [TOO_STIFF] = "quadratic triangles go elsewhere: these are too stiff to "
-                  "buckle so (lesson 25)"};
+static const char *doubt_of(const struct chosen_tried *t)
+{
+    static const char *const doubts[] = {
+        [TORN] = "the strain is so large that no body of this E bears the "
+                 "load",
+        [LONG_STEPS] = "the steps are too long for a body that swings so fast: "
+                       "make 'end' shorter",
+        [GIVES_WAY] = "the body gives way under this load: K is not positive "
+                      "definite (lesson 15)",
+        [BUCKLES] = "it is taken to stay straight beyond the load at which it "
+                    "buckles (lesson 23):\n  load it a little sideways, too",
+        [TOO_STIFF] = "quadratic triangles go elsewhere: these are too stiff "
+                      "to buckle so (lesson 25)"};
+    if (t->doubt == GIVES_WAY && t->model.moving)
+        return "at the peak K is not positive definite, so that no part of the "
+               "error is known\n  (lesson 15)";
+    return doubts[t->doubt];
+}
 
 /* What a part of the error comes from. */
 static const char *const says[N_PART] = {
@@ -39,30 +47,92 @@ static const char *const says[N_PART] = {
     [MESH] = "the cells have a size",
     [STRESS] = "in the linear law stress does not turn with the body"};
 
+/* Where most of the error comes from. */
+static const char *why_of(const struct chosen_tried *t)
+{
+    return t->add == LAW && t->part[LAW] >= 1.0
+               ? "J is so far from 1 that the cubic law says nothing of the "
+                 "logarithm" : says[t->add];
+}
+
+/* "7.7 %", in text. */
+static const char *percent(double estimate, char text[20])
+{
+    if (!(estimate < 1.0)) return "100 % or more";
+    snprintf(text, 20, "%.2g %%", 100.0 * estimate);
+    return text;
+}
+
+/* The triangles of the answer. */
+static struct cells cells_of(const struct ladder_state *s,
+                             const struct cells *others)
+{
+    return others ? *others : (struct cells){.element = LINEAR_TRIANGLE,
+                                             .grade = 1.0,
+                                             .level = s->model.level};
+}
+
+static void say_what(const struct ladder_state *s, const struct cells *others)
+{
+    static const char *const law[] = {"", "linear", "cubic", "logarithmic"};
+    const char *when = s->model.moving ? "in motion" : "at rest";
+    const struct cells c = cells_of(s, others);
+    const int per = c.element == QUADRATIC_TRIANGLE ? 2 : 1; /* edge */
+    if (s->model.rung == BAR)
+        printf("a bar %s", when);
+    else
+        printf("%s triangles%s, %s law, %s, mesh %d of %d x %d cells",
+               cells_name(c.element),
+               c.grade > 1.0 ? " graded to the corners" : "",
+               law[s->model.rung], when, c.level,
+               (s->mesh->n >> s->model.level << c.level) / per,
+               (s->mesh->rows >> s->model.level << c.level) / per);
+}
+
+void chosen_say_answer(const struct ladder_state *s,
+                       const struct chosen_tried *t, double tolerance,
+                       const struct cells *others)
+{
+    const char *quantity = chosen_quantity(s->scene->quantity);
+    const int enough = t->doubt == NO_DOUBT && t->estimate <= tolerance;
+    char text[20];
+    printf(enough ? "Enough for %g %%: " :
+           "NOT SURE: nothing here is known to be enough for %g %%.\n"
+           "Last tried: ", 100.0 * tolerance);
+    say_what(s, others);
+    if (t->doubt >= GIVES_WAY)
+        printf("; its error is not known.\n");
+    else
+        printf("%s error %s %s.\n", enough ? ".\nExpected" : "; expected",
+               percent(t->estimate, text), quantity);
+    if (t->doubt != NO_DOUBT)
+        printf("  %s\n", doubt_of(t));
+    else if (!enough)
+        printf("  most of all since %s (lesson 23)\n", why_of(t));
+    printf("\n");
+}
+
 void chosen_say_climb(const struct chosen_tried tried[], int n)
 {
     printf("Tried, from the least model on (lesson 23)\n");
     for (int k = 0; k < n; k++) {
-        const char *end = k < n - 1 ? "," : "";
-        printf("  %s %s, mesh %d: ", ladder_rung(tried[k].model.rung),
-               tried[k].model.moving ? "in motion" : "at rest",
-               tried[k].model.level);
-        if (tried[k].doubt >= GIVES_WAY) {
-            printf("%s\n", tried[k].doubt == BUCKLES
+        const struct chosen_tried *t = &tried[k];
+        char text[20];
+        printf("  %s %s, mesh %d: ", ladder_rung(t->model.rung),
+               t->model.moving ? "in motion" : "at rest", t->model.level);
+        if (t->doubt >= GIVES_WAY) {
+            printf("%s\n", t->doubt == BUCKLES
                    ? "stays straight where a column buckles"
-                   : tried[k].doubt == TOO_STIFF
+                   : t->doubt == TOO_STIFF
                    ? "is too stiff to buckle as quadratic triangles do"
-                   : tried[k].model.moving
+                   : t->model.moving
                    ? "not known, for at the peak K is not positive definite"
                    : "gives way, for K is not positive definite");
             continue;
         }
-        if (tried[k].estimate < 1.0)
-            printf("expected error %.2g %%%s\n", 100.0 * tried[k].estimate,
-                   end);
-        else
-            printf("expected error 100 %% or more%s\n", end);
-        if (k < n - 1) printf("    most of all since %s\n", says[tried[k].add]);
+        printf("expected error %s%s\n", percent(t->estimate, text),
+               k < n - 1 ? "," : "");
+        if (k < n - 1) printf("    most of all since %s\n", why_of(t));
     }
 }
 
@@ -100,59 +170,52 @@ void chosen_say_numbers(const struct scene_file *file,
 }
 
 /* What one factorisation costs by each solver, and which one to take. */
-static void say_solver(const struct ladder_state *s)
+static void say_solver(const struct ladder_state *s, const struct cells *others)
 {
     if (s->model.rung == BAR) {
         printf("  solver: a sum along the bar, %d unknowns (lesson 9)\n",
                s->mesh->n);
         return;
     }
-    struct ladder_state *other = ladder_alloc(s->scene, s->model);
-    const int n = other->body->n_equation, p = other->body->K->p;
-    const int by_dissection = s->mesh->rows >= BODY_SPARSE_FROM;
-    body_store(other->body, SPARSE);
+    const struct cells c = cells_of(s, others);
+    struct ladder_model model = s->model;
+    model.level = c.level;
+    struct ladder_state *same =
+        ladder_alloc_of(c.element, c.grade, s->scene, model);
+    const int n = same->body->n_equation, p = same->body->K->p;
+    const int from = c.element == QUADRATIC_TRIANGLE
+                         ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
+    body_store(same->body, SPARSE);
     printf("  solver: Cholesky factors %s, %d unknowns (lesson 21):\n    a "
            "factorisation has %.2g flops in a band, %.2g by dissection, %.2g "
            "dense;\n    the band is the faster one below %d cells across\n",
-           by_dissection ? "by dissection" : "of a band", n,
-           matrix_cost(BANDED, n, p).flops, other->body->pattern->flops,
-           matrix_cost(DENSE, n, 0).flops, BODY_SPARSE_FROM);
-    ladder_free(other);
+           same->mesh->rows >= from ? "by dissection" : "of a band", n,
+           matrix_cost(BANDED, n, p).flops, same->body->pattern->flops,
+           matrix_cost(DENSE, n, 0).flops, from);
+    ladder_free(same);
 }
 
 void chosen_say_model(const struct scene_file *file,
-                      const struct ladder_state *s, double tolerance,
-                      enum chosen_how how)
+                      const struct ladder_state *s, const struct cells *others)
 {
-    static const char *const model[] = {
-        "a bar (lesson 9)", "linear triangles, linear law (lesson 12)",
-        "linear triangles, cubic Neo-Hookean law (lesson 12)",
-        "linear triangles, logarithmic Neo-Hookean law (lesson 12)"};
     static const char *const why[] = {
-        "it hardly bends", "turn, strain and stress are small enough",
-        ("it turns or strains too much for the linear law, or is under stress "
-         "that turns"),
-        "J is far from 1, where the cubic law departs from it"};
+        "a bar: it hardly bends (lesson 9)",
+        "the linear law: turn, strain and stress are small enough (lesson 12)",
+        "the cubic Neo-Hookean law: it turns or strains too much for the "
+        "linear one, or\n    is under stress that turns (lesson 12)",
+        "the logarithmic Neo-Hookean law: J is far from 1, where the cubic one "
+        "departs\n    from it (lesson 12)"};
     const struct ladder_scene *scene = s->scene;
-    if (how != CHOSEN_NOTHING)
-        printf("The least model for an error of %g %%\n", 100.0 * tolerance);
-    else
-        printf("NOT SURE: no model here is known to be enough for an error of "
-               "%g %%.\nThe last one tried is\n", 100.0 * tolerance);
-    printf("  %s:\n    %s\n", model[s->model.rung], why[s->model.rung]);
+    printf("The model, and how to solve it\n  %s\n", why[s->model.rung]);
     printf("  %s\n", s->model.moving ?
            "in motion: the load is too fast for an answer at rest (lesson 14)" :
            scene->time == STANDS ? "at rest: the load stands (lesson 12)"
                                  : "at rest: the load is slow (lesson 14)");
-    printf("  mesh %d, of %d x %d cells (lesson 12)%s\n", s->model.level,
-           s->mesh->n, s->mesh->rows, how == CHOSEN_WITH_OTHERS ?
-           ", which is not fine enough;\n  but other triangles are (below)"
-           : "");
     if (s->model.moving)
         printf("  implicit midpoint rule, %.0f steps of %.3g s, omega dt %.2g "
                "(lesson 14)\n", scene->end / scene->dt,
                scene->dt * file->second, estimate_frequency(s) * scene->dt);
-    say_solver(s);
+    say_solver(s, others);
     if (s->model.rung > LINEAR_PLANE)
         printf("  cures to switch on: line search (lesson 11), projection on "
                "demand (lesson 15)\n");
@@ -187,32 +250,19 @@ static void say_quantities(struct ladder_state *s)
     s->scene = scene;
 }
 
-/* The parts of the error, and what no part sees. */
-void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t)
+void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t,
+                      const struct cells *others)
 {
-    if (t->doubt < GIVES_WAY) {
-        printf("Expected error %.2g %% %s:\nthe root of the sum of the squares "
-               "of its parts (lesson 23)\n", 100.0 * t->estimate,
-               chosen_quantity(s->scene->quantity));
-        for (int k = 0; k < N_PART; k++)
-            if (t->part[k] > 0.0)
-                printf("  %-9s %8.2g %%  %s\n", ladder_part((enum part)k),
-                       100.0 * t->part[k], says[k]);
-        say_quantities(s);
-    } else
-        printf("Expected error: not known, for the body %s (lesson 23)\n",
-               t->doubt != GIVES_WAY ? "buckles" : s->model.moving
-               ? "swings far" : "gives way");
-    printf("Not sure of\n");
-    if (t->doubt == TORN)
-        printf("  the answer as a whole:\n    the strain is beyond %g: %s\n",
-               ESTIMATE_STRAIN, doubts[TORN]);
-    else if (t->doubt != NO_DOUBT)
-        printf("  the answer as a whole:\n    %s\n",
-               t->doubt == GIVES_WAY && s->model.moving
-               ? "at the peak K is not positive definite, so that no part of "
-                 "the error is known (lesson 15)" : doubts[t->doubt]);
-    printf("  the estimate: the error was up to 1.9 times as large in "
+    if (t->doubt >= GIVES_WAY) return;
+    printf("Parts of the expected error, the root of the sum of their squares "
+           "(lesson 23)\n");
+    for (int k = 0; k < N_PART; k++)
+        if (t->part[k] > 0.0)
+            printf("  %-9s %8.2g %%  %s\n", ladder_part((enum part)k),
+                   100.0 * t->part[k], says[k]);
+    if (!others) say_quantities(s);
+    printf("Not sure of\n"
+           "  the estimate: the error was up to 1.9 times as large in "
            "the twelve scenes of\n  lesson 23, and seldom far more in random "
            "ones\n");
     if (s->model.moving && s->rival > 0.9)

@@ -5,6 +5,7 @@
 #ifndef COMMON_CHOSEN_H
 #define COMMON_CHOSEN_H
 
+#include "choice/cells.h"
 #include "choice/estimate.h"
 #include "choice/scene_file.h"
 
@@ -16,23 +17,26 @@ struct chosen_tried {
     enum doubt doubt;
 };
 
-/* Nothing is enough; the last model is; or is so with the triangles of
- * cells.h. */
-enum chosen_how { CHOSEN_NOTHING, CHOSEN_LAST, CHOSEN_WITH_OTHERS };
-
 /* "of the largest displacement" and so on. */
 const char *chosen_quantity(enum ladder_quantity quantity);
 
+/* The answer in two lines, with these triangles as below, and below them why it
+ * is in doubt. */
+void chosen_say_answer(const struct ladder_state *state,
+                       const struct chosen_tried *tried, double tolerance,
+                       const struct cells *others);
 void chosen_say_numbers(const struct scene_file *file,
                         const struct ladder_state *state);
 void chosen_say_climb(const struct chosen_tried tried[], int n);
-void chosen_say_model(const struct scene_file *file,
-                      const struct ladder_state *state, double tolerance,
-                      enum chosen_how how);
 
-/* The parts of the error, and what no part sees; the state comes back as it
- * was. */
+/* Of `others`, triangles of cells.h, or if it is NULL of linear ones as those
+ * of the state: the solver, and the parts of the error with what no part sees;
+ * the state comes back as it was. */
+void chosen_say_model(const struct scene_file *file,
+                      const struct ladder_state *state,
+                      const struct cells *others);
 void chosen_say_error(struct ladder_state *state,
-                      const struct chosen_tried *tried);
+                      const struct chosen_tried *tried,
+                      const struct cells *others);
 
 #endif
