@@ -100,44 +100,9 @@ function written() {
     return { at, text: lines.join('\n') + '\n' };
 }
 
-/* ---- the program, in a worker, so that it can be stopped ---- */
-function inWorker(program) {
-    self.onmessage = ({ data }) => {
-        const out = [], err = [];
-        const read = name => {
-            if (!Module.FS.analyzePath(name).exists) return '';
-            return Module.FS.readFile(name, { encoding: 'utf8' });
-        };
-        const ends = status => self.postMessage({ status, out: out.join('\n'),
-            err: err.join('\n'), picture: read('picture') });
-        const Module = {
-            arguments: data.args, thisProgram: 'choose',
-            wasmBinary: data.code, print: line => out.push(line),
-            printErr: line => err.push(line), onExit: ends, onAbort: () => ends(-1),
-            preRun: [() => Module.FS.writeFile(data.name, data.text)]
-        };
-        program(Module);
-    };
-}
-let worker = null, clock = 0;
-async function run(name, text, args) {
-    const { script, code } = await self.loadProgram(box.dataset.program);
-    const source = `(${inWorker})(function (Module) { ${script}\n })`;
-    const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-    worker = new Worker(url);
-    URL.revokeObjectURL(url);
-    return new Promise((done, failed) => {
-        run.stop = why => failed(new Error(why));
-        clock = setTimeout(run.stop, 1000 * LIMIT, 'stopped after ' + LIMIT + ' seconds');
-        worker.onmessage = ({ data }) => done(data);
-        worker.onerror = event => failed(new Error(event.message));
-        worker.postMessage({ name, text, args, code });
-    }).finally(() => {
-        clearTimeout(clock);
-        worker.terminate();
-    });
-}
-stop.addEventListener('click', () => run.stop('stopped'));
+/* ---- running ---- */
+let running = null;
+stop.addEventListener('click', () => running?.stop());
 
 form.addEventListener('submit', async event => {
     event.preventDefault();
@@ -153,23 +118,26 @@ form.addEventListener('submit', async event => {
     choose.disabled = true;
     stop.disabled = false;
     box.said = null;
+    let said;
     try {
-        const said = await run(name, scene.text, args);
-        state.textContent = '';
+        const program = await loadProgram(box.dataset.program);
+        running = runProgram(program, 'choose', args, LIMIT, { [name]: scene.text, picture: '' });
+        said = await running.finished;
+        state.textContent = said.end === 'exit' ? '' : endWords(said, LIMIT);
         if (said.status === 0 || (said.status === 1 && said.out)) {
             showAnswer(answer, said, name, scene.text, 'ERROR=' + args[3] + '% WITHIN=' + args[5] + 'ms' +
                 (verify.checked ? ' VERIFIED=yes' : ''));
             answer.focus({ preventScroll: true });
             answer.scrollIntoView({ block: 'start' });
-        } else {
-            wrong.textContent = said.err || 'The program has ended with status ' + said.status;
+        } else if (said.end === 'exit') {
+            wrong.textContent = said.err.trim() || 'The program has ended with status ' + said.status;
             mark(said.err, scene.at);
         }
-        box.said = said;
     } catch (failure) {
         state.textContent = failure.message;
-        box.said = { status: -1, out: '', err: failure.message };
+        said = { status: null, out: '', err: failure.message };
     }
+    box.said = said;
     choose.disabled = false;
     stop.disabled = true;
 });

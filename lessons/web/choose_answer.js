@@ -1,19 +1,21 @@
 /*
- * choose_answer.js - the answer of choose.html: what the program prints, the least
- * model first, lessons as links; and what it draws.
+ * choose_answer.js - the answer of choose.html: what the program prints, its
+ * answer in a frame, lessons as links; and what it draws.
  */
 'use strict';
 (() => {
-const LEAST = /^(The least model|NOT SURE)/;
 /* The lines without a blank at the front are heads, those that follow their text.
- * A head goes on where the next line begins with a small letter. */
+ * A head goes on where the next line begins with a small letter, and the first, the
+ * answer, until there is text or an empty line; its text is why it is in doubt. */
 function sections(out) {
     const all = [];
+    let answer = true;
     for (const line of out.split('\n')) {
         const head = line && line[0] !== ' ', now = all[all.length - 1];
+        answer = answer && line !== '';
         if (!line) continue;
         if (!head) now.text.push(line);
-        else if (now && !now.text.length && (/^[a-z]/.test(line) || LEAST.test(now.head)))
+        else if (now && !now.text.length && (answer || /^[a-z]/.test(line)))
             now.head += ' ' + line;
         else all.push({ head: line, text: [] });
     }
@@ -32,16 +34,16 @@ function linked(text, parent) {
 }
 self.showAnswer = (answer, said, name, scene, options) => {
     const all = sections(said.out);
-    all.sort((a, b) => LEAST.test(b.head) - LEAST.test(a.head));
     all.forEach((part, k) => {
-        const section = made('section', answer, { class: LEAST.test(part.head) ? 'least' : '' });
+        const section = made('section', answer, { class: k ? '' :
+            /^NOT SURE/.test(part.head) ? 'least doubt' : 'least' });
         linked(part.head, made('h2', section, {}));
         if (part.text.length) linked(part.text.map(line => line.slice(2)).join('\n'),
                                      made('pre', section, {}));
         if (/^Price/.test(part.head)) made('p', section, { class: 'says', text: 'The ' +
             'milliseconds were measured just now, in this browser, which compiled the program ' +
             'while it was choosing; make choose measures those of your machine.' });
-        if (k === 0 && said.picture) picture(said.picture, section);
+        if (k === 0 && said.files.picture) picture(said.files.picture, section);
     });
     const file = made('details', made('section', answer, {}), {});
     made('summary', file, { text: 'The scene as a file' });

@@ -7,8 +7,9 @@
 "use strict";
 
 /* What the worker does: lines are sent in heaps, each at the end of a table at the
- * latest, and all before the status.  A program that cannot go on has no status. */
-function work(program, name, args, code) {
+ * latest, and all before the status.  A program that cannot go on has no status.
+ * The files, texts by name, are there before, and come back with the status. */
+function work(program, name, args, code, files) {
     let out = [], err = [];
     const send = (more) => {
         postMessage({out: out.join(""), err: err.join(""), ...more});
@@ -22,30 +23,34 @@ function work(program, name, args, code) {
     self.addEventListener("error", crashed);
     self.addEventListener("unhandledrejection", crashed);
     const begin = performance.now();
-    program({
+    const names = Object.keys(files);
+    const Module = {
         thisProgram: name,
         arguments: args,
         wasmBinary: code,
         print: (line) => { out.push(line + "\n"); if (line === "" || out.length > 999) send({}); },
         printErr: (line) => { err.push(line + "\n"); if (err.length > 99) send({}); },
-        onExit: (status) => send({status, ms: performance.now() - begin}),
-    });
+        preRun: [() => names.forEach((file) => Module.FS.writeFile(file, files[file]))],
+        onExit: (status) => send({status, ms: performance.now() - begin, files: Object.fromEntries(
+            names.map((file) => [file, Module.FS.readFile(file, {encoding: "utf8"})]))}),
+    };
+    program(Module);
 }
 
 /*
  * Run the program of this name: {finished, stop, result}.  finished is a promise of the result, which is
- * {status, out, err, ms, end}:
+ * {status, out, err, ms, files, end}:
  * end is "exit" with a status, or "stopped" by stop(), "limit" after so many
  * seconds, "flood" when it has printed more than 16 MB, "crash" with its reason in
  * err.  What it had printed till then is in out.
  */
-function runProgram({script, code}, name, args, seconds) {
+function runProgram({script, code}, name, args, seconds, files = {}) {
     const text = `onmessage = ({data}) =>
         (${work})(function (Module) { ${script}\n }, ...data);`;
     const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
     const worker = new Worker(url);
-    worker.postMessage([name, args, code]);
-    const result = {status: null, out: "", err: "", ms: null, end: null};
+    worker.postMessage([name, args, code, files]);
+    const result = {status: null, out: "", err: "", ms: null, files, end: null};
     let stop;
     const finished = new Promise((resolve) => {
         const end = (how) => {
@@ -66,11 +71,21 @@ function runProgram({script, code}, name, args, seconds) {
             if (data.crash) { result.err += data.crash; end("crash"); }
             if (data.status === undefined) return;
             Object.assign(result, {status: data.status, ms: data.ms});
+            if (data.files) result.files = data.files;
             end("exit");
         };
     });
     return {finished, stop, result};
 }
+
+/* Why it has no status. */
+function endWords({end, err}, seconds) {
+    return {stopped: "You have stopped it.",
+            limit: `Stopped: it has taken more than ${seconds} seconds.`,
+            flood: "Stopped: it has printed more than 16 MB.",
+            crash: `It has crashed: ${lastLine(err)}`}[end];
+}
+const lastLine = (text) => text.trim().split("\n").at(-1);
 
 /* The tables of an output: {name, notes, columns, rows}; cells are text.  A table
  * that was cut off is there as far as it goes. */

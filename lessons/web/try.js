@@ -176,12 +176,9 @@ function showResult(result) {
 
 /* ---- running ---------------------------------------------------------------- */
 
-const lastLine = (text) => text.trim().split("\n").at(-1);
-function sentence({end, status, ms, err}) {
-    if (end === "stopped") return "You have stopped it.";
-    if (end === "limit") return `Stopped: it has taken more than ${here.seconds} seconds.`;
-    if (end === "flood") return "Stopped: it has printed more than 16 MB.";
-    if (end === "crash") return `It has crashed: ${lastLine(err)}`;
+function sentence(result) {
+    const {end, status, ms, err} = result;
+    if (end !== "exit") return endWords(result, here.seconds);
     const took = `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
     if (status === 0) return `Solved in ${took}.`;
     if (status === 1) return `Not solved, after ${took}: ${lastLine(err)}` +

@@ -64,7 +64,7 @@ async function answer(example, fields, error = '10', verify = false) {
 }
 
 try {
-    let same = 0, pictures = 0, why = '';
+    let same = 0, pictures = 0, frames = 0, why = '';
     for (const file of SCENES) {
         const text = readFileSync(join('lessons/scenes', file), 'utf8');
         writeFileSync(join(folder, file), text);
@@ -73,18 +73,24 @@ try {
                            verify ? 'yes' : 'no'], folder);
         const here = await answer(file.replace('.scene', ''), {}, '10', verify);
         const good = here && here.status === there.status &&
-            timeless(here.out) === there.out && here.err === there.err;
+            timeless(here.out) === there.out && here.err.trim() === there.err;
         same += good;
         if (!good) why += ` ${file}: ` + (here ? `${here.status} ${there.status} ` +
             differs(timeless(here.out) + here.err, there.out + there.err) : 'no answer');
         if (!there.out) continue;
         const bars = await page.evaluate("document.querySelectorAll('.answer rect').length");
         const links = await page.evaluate("document.querySelectorAll('.answer a').length");
-        pictures += here && (!here.picture || bars === 7) && links > 3;
+        pictures += here && (!here.files.picture || bars === 7) && links > 3;
+        const framed = await page.evaluate("document.querySelector('.least').textContent");
+        const doubt = there.out.match(/^NOT SURE[^]*?\n  (.*)/);
+        frames += here && framed.startsWith(there.out.split('\n')[0]) &&
+            (doubt ? framed.includes(doubt[1]) : /Expected error/.test(framed));
     }
     say((only || SCENES.length >= 16) && same === SCENES.length,
         `the answers to ${SCENES.length} scenes are those of the program`, why);
     say(pictures >= SCENES.length - 1, 'an answer has its picture and its links', pictures);
+
+    say(frames === SCENES.length, 'the frame has the answer, and why it is in doubt', frames);
 
     /* the words of the form are those of the program */
     const wrong = [
@@ -111,8 +117,22 @@ try {
     }
     say(refused === wrong.length, 'bad fields are refused in the words of the program', why);
     const error = await answer('flap', {}, '0');
-    say(error && error.status === 2 && error.err === run(['--scene', 'flap.scene', '--error', '0'],
+    say(error && error.status === 2 && error.err.trim() === run(['--scene', 'flap.scene', '--error', '0'],
         folder).err, 'a bad error is refused', error && error.err);
+
+    /* a program that traps: no status, and nobody waits for the limit */
+    await page.evaluate(`(() => { /* (module (func (export "f") unreachable)) */
+        const trap = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 102,
+                      0, 0, 10, 5, 1, 3, 0, 0, 11];
+        self.whole = programs.lessons;
+        programs.lessons = { code: null, script: 'WebAssembly.instantiate(new Uint8Array([' + trap +
+            '])).then(({ instance }) => instance.exports.f());' };
+    })()`);
+    const crashed = await answer('flap', {});
+    const words = await page.evaluate("document.querySelector('[role=status]').textContent");
+    say(crashed && crashed.end === 'crash' && /crashed: .*unreachable/.test(words), 'a crash is said',
+        words);
+    await page.evaluate("programs.lessons = self.whole");
 
     await answer('flap', {});
     const heard = await page.evaluate("document.activeElement.className === 'answer' && " +
