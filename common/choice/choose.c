@@ -242,10 +242,10 @@ static int end(const struct scene_file *file, const struct asked *asked,
     struct compared c;
     compare(s, &t, asked->error, &c);
     const double choosing = clock_processor() - start;
-    if (c.own > c.room) enough = 0;
-    const struct cells *others = enough || s->model.moving ? NULL : c.best;
+    const int others_needed = !s->model.moving && (!enough || c.own > c.room);
+    const struct cells *others = others_needed ? c.best : NULL;
     put_mesh(&t, others ? others->error : fmax(t.part[MESH], c.own));
-    chosen_say_answer(s, &t, asked->error, others);
+    enough = chosen_say_answer(s, &t, asked->error, others);
     chosen_say_climb(tried, n);
     chosen_say_numbers(file, s);
     if (t.doubt == NO_DOUBT) chosen_say_model(file, s, others);
@@ -256,7 +256,7 @@ static int end(const struct scene_file *file, const struct asked *asked,
         !asked->check || verify(s, t.doubt, others, asked->error);
     if (asked->picture && t.doubt < GIVES_WAY)
         write_picture(asked->picture, file, s, &t, asked->error);
-    return known && (enough || others);
+    return known && enough;
 }
 
 int main(int argc, char *argv[])

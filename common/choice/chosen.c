@@ -89,9 +89,9 @@ static void say_what(const struct ladder_state *s, const struct cells *others)
                (s->mesh->rows >> s->model.level << c.level) / per);
 }
 
-void chosen_say_answer(const struct ladder_state *s,
-                       const struct chosen_tried *t, double tolerance,
-                       const struct cells *others)
+int chosen_say_answer(const struct ladder_state *s,
+                      const struct chosen_tried *t, double tolerance,
+                      const struct cells *others)
 {
     const char *quantity = chosen_quantity(s->scene->quantity);
     const int enough = t->doubt == NO_DOUBT && t->estimate <= tolerance;
@@ -110,6 +110,7 @@ void chosen_say_answer(const struct ladder_state *s,
     else if (!enough)
         printf("  most of all since %s (lesson 23)\n", why_of(t));
     printf("\n");
+    return enough;
 }
 
 void chosen_say_climb(const struct chosen_tried tried[], int n)

@@ -21,10 +21,10 @@ struct chosen_tried {
 const char *chosen_quantity(enum ladder_quantity quantity);
 
 /* The answer in two lines, with these triangles as below, and below them why it
- * is in doubt. */
-void chosen_say_answer(const struct ladder_state *state,
-                       const struct chosen_tried *tried, double tolerance,
-                       const struct cells *others);
+ * is in doubt.  Whether it is enough. */
+int chosen_say_answer(const struct ladder_state *state,
+                      const struct chosen_tried *tried, double tolerance,
+                      const struct cells *others);
 void chosen_say_numbers(const struct scene_file *file,
                         const struct ladder_state *state);
 void chosen_say_climb(const struct chosen_tried tried[], int n);
