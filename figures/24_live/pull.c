@@ -10,7 +10,9 @@
  * frames from the last state, and the jump in one frame over h; under LOG also
  * the largest such speed, and the frames lost of 10 at the fastest hand, 7.5
  * m/s, and then with the second rung and from the elastic lift), slope (G' of
- * both laws over J: dP/dF of a triangle has the eigenvalue mu - G').
+ * both laws over J: dP/dF of a triangle has the eigenvalue mu - G'), poisson
+ * (over nu, n = 24: the jump over h of the least speed that loses a frame, and
+ * the J at which G' passes mu; an empty cell says that there is none).
  */
 #include "motion/live.h"
 #include "base/options.h"
@@ -29,7 +31,8 @@ struct losses {
 
 /* What is lost of the first `frames` of a pull. */
 static struct losses pull(int n, enum law law, enum start start,
-                          int second_rung, double speed, int frames)
+                          int second_rung, double nu, double speed,
+                          int frames)
 {
     const struct live_setting set = {n, law, BACKWARD_EULER, SIDE, start,
                                      second_rung, LINEAR_TRIANGLE};
@@ -40,6 +43,7 @@ static struct losses pull(int n, enum law law, enum start start,
         if (frames < 5 && sum.lost) break; /* for limit() one is enough */
         double to[2];
         live_input(live, &script.frame[k]);
+        live->body->material = material_make(law, 1000.0, nu);
         live_hand(live->hand, &script.frame[k], to);
         live_carry(live, to);
         const struct live_report report = live_frame(live, to);
@@ -57,16 +61,16 @@ struct limit {
     double least, largest;
     int spared;
 };
-static struct limit limit(int n, enum law law)
+static struct limit limit(int n, enum law law, double nu)
 {
     enum { FASTEST = 75 }; /* the hand is bounded to 7.5 m/s */
     int least = 5, largest = FASTEST, spared = 0;
-    while (!pull(n, law, LAST_STATE, 0, 0.1 * least, 3).lost)
+    while (!pull(n, law, LAST_STATE, 0, nu, 0.1 * least, 3).lost)
         if ((least += 5) > FASTEST) return (struct limit){NAN, NAN, 0};
-    while (pull(n, law, LAST_STATE, 0, 0.1 * (least - 1), 3).lost) least--;
-    while (!pull(n, law, LAST_STATE, 0, 0.1 * largest, 3).lost) largest--;
+    while (pull(n, law, LAST_STATE, 0, nu, 0.1 * (least - 1), 3).lost) least--;
+    while (!pull(n, law, LAST_STATE, 0, nu, 0.1 * largest, 3).lost) largest--;
     for (int speed = least; speed <= largest; speed += 10) /* 1 m/s */
-        spared += !pull(n, law, LAST_STATE, 0, 0.1 * speed, 3).lost;
+        spared += !pull(n, law, LAST_STATE, 0, nu, 0.1 * speed, 3).lost;
     return (struct limit){0.1 * least, 0.1 * largest, spared};
 }
 
@@ -77,14 +81,14 @@ static void print_limit(void)
     table_begin("limit", "n cubic jump log log_jump log_to log_lost log_second "
                          "log_elastic");
     for (int k = 0; k < COUNT(n); k++) {
-        const struct limit cubic = limit(n[k], CUBIC);
-        const struct limit of_log = limit(n[k], LOG);
+        const struct limit cubic = limit(n[k], CUBIC, 0.3);
+        const struct limit of_log = limit(n[k], LOG, 0.3);
         const double h_per_frame = 30.0 * 2.0 / n[k]; /* m/s */
         const double jump = of_log.least / h_per_frame;
         const int some = n[k] > 40, fine = n[k] > 42;
-        const int lost = pull(n[k], LOG, LAST_STATE, 0, 7.5, 10).lost;
-        const int second = pull(n[k], LOG, LAST_STATE, 1, 7.5, 10).lost;
-        const int elastic = pull(n[k], LOG, ELASTIC, 0, 7.5, 10).lost;
+        const int lost = pull(n[k], LOG, LAST_STATE, 0, 0.3, 7.5, 10).lost;
+        const int second = pull(n[k], LOG, LAST_STATE, 1, 0.3, 7.5, 10).lost;
+        const int elastic = pull(n[k], LOG, ELASTIC, 0, 0.3, 7.5, 10).lost;
         table_row(n[k], cubic.least, cubic.least / h_per_frame,
                   cell_if(some, of_log.least), cell_if(some, jump),
                   cell_if(some, of_log.largest), lost, second, elastic);
@@ -105,22 +109,60 @@ static void print_limit(void)
     table_end();
 }
 
-/* G' of both laws: the most under LOG, and the J at which it passes mu under
- * the cubic law. */
-static double print_slope(const struct material law[2], double *most_log)
+/* The J at which G' passes mu, or NAN. */
+static double crossing(enum law law, double nu)
 {
-    double crossing = 2.0;
+    const struct material m = material_make(law, 1000.0, nu);
+    for (double J = 1.0; J < 6.0; J += 1e-4)
+        if (material_volume(&m, J).dG > m.mu) return J;
+    return NAN;
+}
+
+/* G' of both laws: the most under LOG. */
+static double print_slope(const struct material law[2])
+{
+    double most_log = 0.0;
     table_begin("slope", "J log cubic mu");
     for (double J = 1.0; J < 6.0; J += 0.0625) {
         const double G[2] = {material_volume(&law[0], J).dG,
                              material_volume(&law[1], J).dG};
         table_row(J, G[0], G[1], law[0].mu);
-        *most_log = fmax(*most_log, G[0]);
+        most_log = fmax(most_log, G[0]);
     }
     table_end();
-    while (crossing < 4.0 && material_volume(&law[1], crossing).dG < law[1].mu)
-        crossing += 1e-4;
-    return crossing;
+    return most_log;
+}
+
+/* Where a pull is lost, as Poisson's ratio comes near 1/2. */
+static void print_poisson(void)
+{
+    static const double ratio[] = {0.0, 0.1, 0.3, 0.4, 0.45, 0.49};
+    enum { N = 24, RATIOS = COUNT(ratio) };
+    double jump[RATIOS][2], J[RATIOS][2]; /* cubic, LOG */
+    table_begin_note("poisson", "nu cubic log cubic_J log_J", "n = %d", N);
+    for (int k = 0; k < RATIOS; k++) {
+        for (int l = 0; l < 2; l++) {
+            const enum law law = l ? LOG : CUBIC;
+            jump[k][l] = limit(N, law, ratio[k]).least / (30.0 * 2.0 / N);
+            J[k][l] = crossing(law, ratio[k]);
+            claim(!pull(N, law, LAST_STATE, 1, ratio[k], 7.5, 10).lost,
+                  "the second rung saves them all (nu = %g)", ratio[k]);
+        }
+        table_row(ratio[k], cell_if(isfinite(jump[k][0]), jump[k][0]),
+                  cell_if(isfinite(jump[k][1]), jump[k][1]),
+                  cell_if(isfinite(J[k][0]), J[k][0]),
+                  cell_if(isfinite(J[k][1]), J[k][1]));
+    }
+    table_end();
+    for (int k = 3; k < RATIOS; k++)
+        claim(jump[k][0] < 0.75 * jump[k - 1][0] &&
+                  !(jump[k][1] > 0.75 * jump[k - 1][1]) &&
+                  jump[k][1] <= jump[k][0] && J[k][0] < J[k - 1][0],
+              "nearer 1/2 a smaller jump loses a frame, under LOG too "
+              "(nu = %g: %g and %g h)", ratio[k], jump[k][0],
+              jump[k][1]);
+    claim(!isfinite(J[2][1]) && !isfinite(jump[2][1]) && isfinite(jump[3][1]),
+          "LOG loses frames where its G' passes mu");
 }
 
 int main(void)
@@ -131,8 +173,8 @@ int main(void)
     table_begin_note("pull", "start cubic cubic_systems log log_systems",
                      "n = 24, 6 m/s, 40 frames");
     for (int s = ELASTIC; s <= LAST_STATE; s++) {
-        cubic[s] = pull(24, CUBIC, (enum start)s, 0, 6.0, 40);
-        of_log[s] = pull(24, LOG, (enum start)s, 0, 6.0, 40);
+        cubic[s] = pull(24, CUBIC, (enum start)s, 0, 0.3, 6.0, 40);
+        of_log[s] = pull(24, LOG, (enum start)s, 0, 0.3, 6.0, 40);
         table_row(START[s], cubic[s].lost, cubic[s].most, of_log[s].lost,
                   of_log[s].most);
     }
@@ -140,8 +182,8 @@ int main(void)
 
     print_limit();
     const struct material law[] = {material_notes(LOG), material_notes(CUBIC)};
-    double most_log = 0.0;
-    const double crossing = print_slope(law, &most_log);
+    const double most_log = print_slope(law), J = crossing(CUBIC, 0.3);
+    print_poisson();
 
     claim(cubic[LAST_STATE].lost >= 36 && of_log[LAST_STATE].lost == 0,
           "from the last state a pull of 6 m/s is lost for ever under the "
@@ -152,9 +194,9 @@ int main(void)
               2 * cubic[ELASTIC].most < of_log[LAST_STATE].most,
           "either lift loses none, in half of the systems (%d) of LOG from the "
           "last state (%d)", cubic[ELASTIC].most, of_log[LAST_STATE].most);
-    claim(fabs(crossing - 2.2787) < 2e-4 &&
+    claim(fabs(J - 2.2787) < 2e-4 &&
               fabs(most_log / law[0].mu - 0.2833) < 1e-4,
           "G' passes mu at J = 2.28 under the cubic law (%g), under LOG never: "
-          "it has at most 0.2833 mu (%g)", crossing, most_log / law[0].mu);
+          "it has at most 0.2833 mu (%g)", J, most_log / law[0].mu);
     return table_finish();
 }
