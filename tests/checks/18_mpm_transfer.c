@@ -195,14 +195,14 @@ static void weights_are_the_oracles(void)
 
 /* ---- 18b ----------------------------------------------------------------- */
 
-/* As seven(), but two thousand of them. */
+/* As seven(), but two thousand of them, none on a node. */
 static struct pair two_thousand(int order)
 {
     struct pair pair = seven(order, 0);
     particles_free(pair.p);
     pair.p = particles_alloc(2000);
     for (int r = 0; r < 4000; r++) {
-        pair.p->x[r] = oracle_h * (1.0 + 5.0 * fmod(0.6180339887 * r, 1.0));
+        pair.p->x[r] = oracle_h * (1.0 + 5.0 * fmod(0.61803 * (r + 1), 1.0));
         pair.p->v[r] = 1.0 + r / 4000.0;
         pair.p->mass[r / 2] = 1.0 / 2000.0;
     }
