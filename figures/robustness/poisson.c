@@ -30,15 +30,17 @@ int main(void)
 {
     static const double ratio[RATIOS] = {0.0, 0.05, 0.1, 0.15, 0.2, 0.25,
                                          0.3, 0.35, 0.4, 0.45, 0.49};
-    double cubic[RATIOS], log[RATIOS], pulled[RATIOS];
+    double cubic[RATIOS], log[RATIOS], pulled[RATIOS], log_pulled[RATIOS];
 
-    table_begin("poisson", "nu cubic log pulled");
+    table_begin("poisson", "nu cubic log pulled log_pulled");
     for (int k = 0; k < RATIOS; k++) {
         cubic[k] = limit(RIGID, CUBIC, ratio[k]);
         log[k] = limit(RIGID, LOG, ratio[k]);
         pulled[k] = limit(STRETCH, CUBIC, ratio[k]);
+        log_pulled[k] = limit(STRETCH, LOG, ratio[k]);
         table_row(ratio[k], cubic[k], log[k],
-                  cell_if(isfinite(pulled[k]), pulled[k]));
+                  cell_if(isfinite(pulled[k]), pulled[k]),
+                  cell_if(isfinite(log_pulled[k]), log_pulled[k]));
     }
     table_end();
 
@@ -54,6 +56,10 @@ int main(void)
               log[6] < cubic[6] - 0.1 && log[0] > cubic[0] + 0.2,
           "near 1/2 both laws fail alike, at 0 the log law later (%g, %g)",
           log[0], cubic[0]);
+    claim(!isfinite(log_pulled[6]) && log_pulled[9] < pulled[9] &&
+              fabs(log_pulled[10] - pulled[10]) < 0.03,
+          "pulled outward, the log law bears 2 h at 0.3, but near 1/2 no more "
+          "than the cubic law (%g, %g)", log_pulled[9], log_pulled[10]);
     claim(fabs(pulled[9] - 1.01) < 0.01 && fabs(pulled[10] - 0.31) < 0.01,
           "pulled outward, at %g and %g h (nu = 0.45, 0.49)", pulled[9],
           pulled[10]);
