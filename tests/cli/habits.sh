@@ -124,7 +124,8 @@ habits() {
         "$MAKE" lesson-$nn
     rm $mine && cp solutions/$slug.c $mine
 }
-for shell in dash bash 'busybox sh'; do
+# sh itself, dash on Debian, runs all other tests
+for shell in bash 'busybox sh'; do
     program=$(command -v "${shell%% *}") || {
         echo "skip cli: no $shell here"
         continue
