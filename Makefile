@@ -129,14 +129,15 @@ LINKED := $(filter-out $(NO_PROGRAM),$(MAKECMDGOALS))
 JUDGED_BY := $(if $(INTO),$(INTO) $(BUILD)/solutions/$(SLUG) \
                  $(BUILD)/solutions/$(SLUG).judge)
 FOR_STUDENT := $(if $(filter-out $(NO_PROGRAM) lesson-% plot-% diff-% mistakes-% \
-                   live choose $(JUDGED_BY),$(or $(MAKECMDGOALS),help)),,yes)
+                   live live-% choose $(JUDGED_BY),$(or $(MAKECMDGOALS),help)),,yes)
 # Studies are named as NN_slug/what; speed/what, the fastest settings of
 # work_precision, the fastest elements and the steps of particles are measured by
 # `make bench`, many/many, which needs PETSc, by `make many`.
 # A file there with a header of its name is what several studies share.
 SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
-STUDIES := $(if $(FOR_STUDENT),,$(filter-out many/%,$(patsubst \
+# What is in the hand, figures/NN_slug/hand.c, is no study.
+STUDIES := $(if $(FOR_STUDENT),,$(filter-out many/% %/hand,$(patsubst \
                figures/%.c,%,$(sort $(filter-out $(SHARED_BY_STUDIES),$(wildcard \
                figures/*/*.c))))))
 SPEED   := $(filter speed/% work_precision/fronts %/seconds, $(STUDIES))
@@ -215,6 +216,7 @@ help:
 	@echo '  make web          the book in which the lessons run; make deps-web first'
 	@echo '  make test         the tests of the workbook itself'
 	@echo '  make live         lesson 24 in a window (needs SDL2)'
+	@echo '  make live-12      my own slots in a window: '$(foreach l,$(SCENES),$(call number,$l))
 	@echo '  make choose SCENE=lessons/scenes/flap.scene   the least model for a scene'
 	@echo '  make bench        solvers and time steps against others, here'
 	@echo '  make many         a step on many processes; make deps-many first'
@@ -238,7 +240,7 @@ $(BUILD)/flags: $(OTHER_FLAGS) | $(if $(LINKED),$(if $(GSL_CFLAGS),,gsl))
 
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
-# has all but window_sdl.c, which needs SDL2 and is for `make live` only,
+# has all but view_sdl.c, which needs SDL2, window_sdl.c, which needs that,
 # window_web.c, which is for a page, and the program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
 ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
@@ -253,7 +255,8 @@ needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
 .SECONDEXPANSION:
 
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
-               common/motion/window_sdl.c common/motion/window_web.c \
+               common/motion/window_sdl.c common/motion/view_sdl.c \
+               common/motion/window_web.c \
                common/choice/choose.c,$(wildcard \
                common/*/*.c)))
 # One of another make may have left out what has come since.
@@ -544,11 +547,27 @@ live: $(LIB)
 	@[ $(LIVE) = lessons/24_live.c ] || [ -n '$(FORCE)' ] || echo 'Lesson 24' \
 	    'has slots that are not written yet: this is its solution.'
 	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) $(LIVE) \
-	    common/motion/window_sdl.c -o $(BUILD)/live $(LINK) \
+	    common/motion/window_sdl.c common/motion/view_sdl.c -o $(BUILD)/live $(LINK) \
 	    $$(pkg-config --libs sdl2)
 	@set -f; case " $$ARGS " in *' -h '*|*' --help '*) exec $(BUILD)/live -h ;; \
 	esac; $(BUILD)/live $$ARGS > $(BUILD)/live.tsv && \
 	echo 'The frames are in $(BUILD)/live.tsv'
+
+# The student's slots of a lesson in a window, with the solution's for what is not
+# written yet; a scene is figures/NN_slug/hand.c.
+SCENES := $(patsubst figures/%/hand.c,%,$(wildcard figures/*/hand.c))
+define hand_rule
+.PHONY: live-$(call number,$1)
+live-$(call number,$1): $(sort $(call needs,solutions/$1.c) \
+        $(call needs,figures/$1/hand.c))
+	@$$(HAND) $1
+endef
+HAND = exec env BUILD='$(BUILD)' COMPILE='$(PLAIN)' OBJECTS='$^' LIBS='$(LIBS)' \
+       sh tests/tools/hand.sh
+$(foreach l,$(SCENES),$(eval $(call hand_rule,$l)))
+live-%:
+	@echo 'There is no live-$*; what can be held in the hand:' \
+	    $(foreach l,$(SCENES),live-$(call number,$l)) live >&2; exit 2
 
 # The least model for a scene of one's own, by the library's ladder.
 $(BUILD)/choose: common/choice/choose.c $(LIB)

@@ -250,6 +250,12 @@ $(shell grep -ls '^skip' $(T)/build-mac.result): always
 $(T)/build-valgrind.result: $$(READY)
 $(T)/build-gcc.result: $$(basename $$(SAID_gcc))
 
+$(T)/hand.result: tests/cli/hand.sh tests/tools/hand.sh tests/tools/hand.awk $(LIB) \
+        $(wildcard figures/*/hand.c) $(SCENES:%=solutions/%.c) $(SCENES:%=tests/mistakes/%.txt)
+	$(call say,test,in the hand)
+	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' SCENES='$(SCENES)' \
+	    COMPILE='$(PLAIN) -Werror -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' sh $< > $@
+
 include tests/same.mk
 WEB_TESTS := web-live web-choose web-pictures web-mistakes
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
@@ -260,7 +266,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/elsewhere.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
            $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
-           $(T)/update.result \
+           $(T)/update.result $(T)/hand.result \
            $(T)/many.result $(T)/web-small.result $(T)/web-pages.result \
            $(T)/web.result $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \

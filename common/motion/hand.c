@@ -1,0 +1,263 @@
+/* hand.c - see hand.h. */
+#include "motion/hand.h"
+
+#include "base/clock.h"
+#include "base/options.h"
+#include "base/status.h"
+#include "base/table.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef HAND_SECONDS
+#define HAND_SECONDS 60 /* that a frame may take */
+#endif
+enum { NUMBERS = 8 };
+
+struct hand {
+    const char *whose, *keys;
+    const char *record, *shot, *svg;
+    struct view *view; /* NULL: none */
+    struct pointers input;
+    int scripted; /* the input was given; else each frame adds to it */
+    int k;        /* frames begun */
+    int began;    /* the table */
+    double start; /* of this frame (s) */
+};
+
+/* What a handler of a signal may know. */
+static char said[128], slot_now[8];
+static volatile sig_atomic_t open_now;
+
+static _Noreturn void stop(const char *verdict, const char *why)
+{
+    char line[256];
+    const char *slot = slot_now[0] ? slot_now : "none";
+    const char *part[] = {"live-", said, ": ", verdict, " (slot ", slot, "): ",
+                          why, "\n"};
+    size_t n = 0;
+    for (int k = 0; k < COUNT(part); k++)
+        for (const char *c = part[k]; *c && n < sizeof line; c++)
+            line[n++] = *c;
+    if (write(STDERR_FILENO, line, n) < 0) _exit(1);
+    _exit(1);
+}
+
+static void caught(int signal)
+{
+    if (signal == SIGALRM)
+        stop("TIMEOUT", "this frame does not end");
+    stop("CRASHED", "a signal ended it; make debug-NN names the line");
+}
+
+static void left(void)
+{
+    if (open_now && slot_now[0]) stop("CRASHED", "it ended the program");
+}
+
+void hand_slot(const char *slot)
+{
+    snprintf(slot_now, sizeof slot_now, "%s", slot ? slot : "");
+}
+
+struct hand *hand_open(const char *lesson, const char *whose,
+                       const char *keys, int argc, char *argv[])
+{
+    struct hand *hand = allocate(1, sizeof *hand);
+    const char *input = NULL;
+    int seed = 1;
+    const struct option options[] = {
+        {"input", .text = &input, .unit = "a file's name, pull, hard or mad",
+         .help = "what the pointer does; without it the mouse"},
+        {"seed", .integer = &seed, .min = 1, .max = 1000000, .help = "of mad"},
+        {"record", .text = &hand->record, .unit = "a file's name",
+         .help = "where the input is written to"},
+        {"shot", .text = &hand->shot, .unit = "a file's name",
+         .help = "the last picture of the window, as BMP"},
+        {"picture", .text = &hand->svg, .unit = "a file's name",
+         .help = "the last picture as SVG"},
+    };
+    char name[32];
+    snprintf(name, sizeof name, "live-%s", lesson);
+    options_parse(name, options, COUNT(options), argc, argv);
+    hand->whose = whose;
+    hand->keys = keys;
+    hand->scripted = input != NULL;
+    if (input) hand->input = pointers_named(input, 3.0, seed);
+    snprintf(name, sizeof name, "Lesson %s in your hand", lesson);
+    hand->view = view_open(name); /* NULL: linked without one */
+    if (!hand->view && !input)
+        options_refuse("live", "without a window it needs --input");
+    snprintf(said, sizeof said, "%s", lesson);
+    static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT,
+                                  SIGALRM};
+    for (int k = 0; k < COUNT(signals); k++) {
+        struct sigaction act = {.sa_handler = caught};
+        sigaction(signals[k], &act, NULL);
+    }
+    open_now = 1;
+    atexit(left);
+    return hand;
+}
+
+int hand_next(struct hand *hand, struct pointer *pointer)
+{
+    struct pointer read = {.key = '.'};
+    hand_slot(NULL);
+    alarm(0);
+    if (hand->view && !view_next(hand->view, hand->keys, &read)) return 0;
+    if (!hand->scripted) pointers_add(&hand->input, read);
+    if (hand->k >= hand->input.n) return 0;
+    *pointer = hand->input.frame[hand->k++];
+    hand->start = clock_seconds();
+    alarm(HAND_SECONDS);
+    return 1;
+}
+
+/* ---- a picture as SVG ------------------------------------------------- */
+
+static double across(double x) { return 280.0 + 100.0 * x; }
+static double down(double y) { return 220.0 - 100.0 * y; }
+
+/* As view.h has it: blue, white, orange; magenta where it is not positive. */
+static void colour(double value, char text[16])
+{
+    const double s = fmax(-1.0, fmin(1.0, log2(value > 0.0 ? value : 1.0)));
+    const double *c = (double[2][3]){{33, 102, 196}, {235, 120, 20}}[s > 0.0];
+    int rgb[3] = {214, 0, 190};
+    for (int k = 0; k < 3 && value > 0.0; k++)
+        rgb[k] = (int)(250.0 + fabs(s) * (c[k] - 250.0));
+    snprintf(text, 16, "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255,
+             rgb[2] & 255);
+}
+
+static void print_svg(FILE *file, const struct view_picture *p)
+{
+    char fill[16];
+    fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                  "viewBox=\"0 0 560 440\" font-family=\"sans-serif\">\n"
+                  "<rect width=\"560\" height=\"440\" fill=\"white\"/>\n");
+    for (int k = 0; k < 2 * p->n_triangle; k++) { /* the inverted ones last */
+        const int e = k % p->n_triangle;
+        if ((p->value[e] > 0.0) != (k < p->n_triangle)) continue;
+        colour(p->value[e], fill);
+        fprintf(file, "<polygon stroke=\"#777\" fill=\"%s\" points=\"", fill);
+        for (int a = 0; a < 3; a++) {
+            const double *x = &p->x[2 * p->triangle[3 * e + a]];
+            fprintf(file, "%.2f,%.2f ", across(x[0]), down(x[1]));
+        }
+        fprintf(file, "\"/>\n");
+    }
+    for (int a = 0; a < p->n_point; a++)
+        if (p->held && p->held[a])
+            fprintf(file, "<rect x=\"%.2f\" y=\"%.2f\" width=\"5\" "
+                          "height=\"5\"/>\n", across(p->x[2 * a]) - 2.5,
+                    down(p->x[2 * a + 1]) - 2.5);
+    for (int k = 0; k < p->n_arrow; k++) {
+        const double *a = p->arrow[k];
+        fprintf(file, "<path stroke=\"black\" stroke-width=\"2\" "
+                      "d=\"M%.2f,%.2fL%.2f,%.2f\"/>\n"
+                      "<circle r=\"4\" cx=\"%.2f\" cy=\"%.2f\"/>\n",
+                across(a[0]), down(a[1]), across(a[2]), down(a[3]),
+                across(a[2]), down(a[3]));
+    }
+    double y = 18.0;
+    for (const char *c = p->caption; *c;) {
+        const int length = (int)strcspn(c, "\n");
+        fprintf(file, "<text x=\"8\" y=\"%.0f\" font-size=\"13\">%.*s</text>\n",
+                y, length, c);
+        c += length + (c[length] == '\n');
+        y += 17.0;
+    }
+    fprintf(file, "</svg>\n");
+}
+
+/* ---- a frame ---------------------------------------------------------- */
+
+static void check_finite(const struct view_picture *p)
+{
+    int finite = 1;
+    for (int r = 0; r < 2 * p->n_point; r++) finite &= isfinite(p->x[r]);
+    for (int e = 0; e < p->n_triangle; e++) finite &= isfinite(p->value[e]);
+    for (int k = 0; k < p->n_arrow; k++)
+        for (int i = 0; i < 4; i++) finite &= isfinite(p->arrow[k][i]);
+    if (!finite) stop("NONFINITE", "what it returned is no number");
+}
+
+void hand_draw(struct hand *hand, struct view_picture *picture,
+               const char *columns, const double number[])
+{
+    const double seconds = clock_seconds() - hand->start;
+    const struct pointer *p = &hand->input.frame[hand->k - 1];
+    struct cell row[4 + NUMBERS] = {cell_number(hand->k), cell_number(p->x),
+                                    cell_number(p->y), cell_number(p->down)};
+    int n = 4;
+    check_finite(picture);
+    hand_slot(NULL);
+    if (!hand->began++) {
+        char names[200];
+        snprintf(names, sizeof names, "frame x y down %s", columns);
+        table_begin("frames", names);
+    }
+    for (const char *c = columns; c && n < 4 + NUMBERS; c = strchr(c, ' ')) {
+        c += *c == ' ';
+        row[n] = cell_number(number[n - 4]);
+        n++;
+    }
+    table_row_of(n, row);
+    const size_t length = strlen(picture->caption);
+    snprintf(picture->caption + length, sizeof picture->caption - length,
+             "\n%s", hand->whose);
+    const int last = hand->scripted && hand->k == hand->input.n;
+    if (hand->view)
+        view_draw(hand->view, picture, seconds, last ? hand->shot : NULL);
+    if (!hand->svg || !last) return;
+    FILE *file = fopen(hand->svg, "w");
+    if (!file) die("%s cannot be written", hand->svg);
+    print_svg(file, picture);
+    if (fclose(file) != 0) die("%s cannot be written", hand->svg);
+}
+
+int hand_close(struct hand *hand)
+{
+    alarm(0);
+    open_now = 0;
+    if (hand->began) table_end();
+    if (hand->record) pointers_write(&hand->input, hand->record);
+    if (hand->view) view_close(hand->view);
+    pointers_free(&hand->input);
+    free(hand);
+    return table_finish();
+}
+
+/* ---- for scenes ------------------------------------------------------- */
+
+void hand_arrow(struct view_picture *picture, const double a[2],
+                const double d[2], double scale)
+{
+    if (picture->n_arrow == VIEW_ARROWS) return;
+    if (scale * hypot(d[0], d[1]) < 0.02) return; /* two pixels */
+    double *arrow = picture->arrow[picture->n_arrow++];
+    for (int i = 0; i < 2; i++) {
+        arrow[i] = a[i];
+        arrow[2 + i] = a[i] + scale * d[i];
+    }
+}
+
+int hand_nearest(const struct pointer *pointer, int n, const double x[],
+                 double reach)
+{
+    int nearest = -1;
+    for (int a = 0; a < n; a++) {
+        const double far = hypot(x[2 * a] - pointer->x,
+                                 x[2 * a + 1] - pointer->y);
+        if (far > reach) continue;
+        reach = far;
+        nearest = a;
+    }
+    return nearest;
+}

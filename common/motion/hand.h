@@ -1,0 +1,60 @@
+/*
+ * hand.h - a program of a lesson, held in the hand: a picture per frame, and
+ * the pointer that moves it.
+ *
+ *     struct hand *hand = hand_open("12", HAND_WHOSE, "lr", argc, argv);
+ *     while (hand_next(hand, &pointer)) {
+ *         hand_slot("12e");         what is called now, should it never return
+ *         ... one frame ...
+ *         hand_draw(hand, &picture, "min_J systems", numbers);
+ *     }
+ *     return hand_close(hand);
+ *
+ * The pointer comes from the window of view.h, or where a program has none, or
+ * with --input, from a script of pointer.h; the same lines give the same
+ * frames.
+ * A slot that crashes, that does not return within a minute, that exits or
+ * returns a place that is not finite ends the program with one line that names
+ * it, and status 1.
+ */
+#ifndef COMMON_HAND_H
+#define COMMON_HAND_H
+
+#include "motion/view.h"
+
+struct hand;
+
+/* Whose slots these are; `make live-NN` says it. */
+#ifndef HAND_WHOSE
+#define HAND_WHOSE "the reference's slots"
+#endif
+
+/* keys: letters that the scene knows.  Options: --input, --seed, --record,
+ * --shot (the last picture of the window), --picture (the same as SVG). */
+struct hand *hand_open(const char *lesson, const char *whose,
+                       const char *keys, int argc, char *argv[]);
+
+/* The next frame: false at the end of the input, or of the window. */
+int hand_next(struct hand *hand, struct pointer *pointer);
+
+/* The slot that is called from here on; NULL: none. */
+void hand_slot(const char *slot);
+
+/* Show the frame, and print its numbers as a row of the table `frames`, whose
+ * columns are frame, x, y, down and these (separated by a space).  The caption
+ * gets a last line: which slots are the student's. */
+void hand_draw(struct hand *hand, struct view_picture *picture,
+               const char *columns, const double number[]);
+
+/* The exit status; hand is freed. */
+int hand_close(struct hand *hand);
+
+/* Add to picture an arrow from a to a + scale d, if it can be seen. */
+void hand_arrow(struct view_picture *picture, const double a[2],
+                const double d[2], double scale);
+
+/* The point nearest to the pointer, if it is within reach (m), or -1. */
+int hand_nearest(const struct pointer *pointer, int n, const double x[],
+                 double reach);
+
+#endif

@@ -1,0 +1,83 @@
+#!/bin/sh
+# hand.sh - what is held in the hand (make live-NN), without a window: replayed it is
+# the same, 2000 random frames end well, and a slot that is not written, wrong, that
+# crashes, does not end, leaves the program or returns no number is told as such.
+#
+# Called with SCENES, and what tests/tools/hand.sh needs.  Prints ok and FAIL lines.
+set -u
+LC_ALL=C
+export LC_ALL
+: "${BUILD:=build}"
+MINE=$BUILD/test/hand WINDOW=no
+export MINE WINDOW
+rm -rf "$MINE" && mkdir -p "$MINE" || exit 1
+result() { # result STATUS WHAT WHY
+    if [ "$1" = 0 ]; then echo "ok hand: $2"; else echo "FAIL hand: $2: $3"; fi
+}
+play() { # play FILE ARGS: the scene of $slug with the slots of FILE
+    said=$(ARGS=$2 sh tests/tools/hand.sh "$slug" "$1" 2>&1)
+    status=$?
+}
+frames() { grep -c '^[0-9]' "$MINE/$slug.hand.tsv"; }
+# with_line SLOT LINE: the solution with LINE where SLOT begins
+with_line() {
+    line=$2 awk -v slot="$1" '{ print }
+        index($0, "/* SLOT " slot "(") { inside = 1 }
+        inside && /\*\// { print ENVIRON["line"]; inside = 0 }' \
+        "solutions/$slug.c" >"$MINE/lined.c"
+}
+for slug in $SCENES; do
+    play "solutions/$slug.c" '--input hard'
+    cp "$MINE/$slug.hand.tsv" "$MINE/first"
+    [ $status = 0 ] && [ "$(frames)" = 300 ]
+    result $? "$slug, 300 frames" "$said"
+    # whose slots they are is found out from the file, and changes no number
+    awk -f tests/tools/starter.awk "solutions/$slug.c" >"$MINE/starter.c"
+    play "$MINE/starter.c" '--input hard'
+    cmp -s "$MINE/first" "$MINE/$slug.hand.tsv" &&
+        grep -q '^yours: none; reference: ' "$MINE/$slug.hand.whose"
+    result $? "$slug, a starter runs with the reference's slots, the same to the last digit" \
+        "$said"
+    for seed in 1 2 3; do
+        "$MINE/$slug.hand" --input mad --seed $seed >"$MINE/$slug.hand.tsv" 2>"$MINE/said" &&
+            [ "$(frames)" = 720 ] && ! grep -qE 'nan|inf' "$MINE/$slug.hand.tsv"
+        result $? "$slug, random frames, seed $seed" "$(cat "$MINE/said")"
+    done
+    mistake=$(awk -f tests/tools/variant.awk -v list=mistake "tests/mistakes/$slug.txt" |
+        head -n 1)
+    awk -f tests/tools/variant.awk -v name="$mistake" "tests/mistakes/$slug.txt" \
+        "solutions/$slug.c" >"$MINE/mistake.c"
+    play "$MINE/mistake.c" '--input hard'
+    [ $status = 0 ] || [ "$(echo "$said" | grep -c "^live-${slug%%_*}: ")" = 1 ]
+    result $? "$slug, with $mistake" "$said"
+    slot=$(sed -n 's/.*hand_slot("\([0-9a-z]*\)").*/\1/p' "figures/$slug/hand.c" | head -n 1)
+    for what in '*(volatile int *)0 = 1;' 'extern void exit(int); exit(0);' \
+        'extern void abort(void); abort();'; do
+        with_line "$slot" "$what"
+        play "$MINE/lined.c" '--input pull'
+        [ $status = 1 ] && echo "$said" | grep -q "^live-${slug%%_*}: CRASHED (slot $slot): "
+        result $? "$slug, $what" "$status: $said"
+    done
+done
+# that no frame ends is found sooner than after a minute
+slug=${SCENES##* }
+slot=$(sed -n 's/.*hand_slot("\([0-9a-z]*\)").*/\1/p' "figures/$slug/hand.c" | head -n 1)
+with_line "$slot" 'for (volatile int k = 0; k < 1;) { }'
+COMPILE="$COMPILE -DHAND_SECONDS=2 common/motion/hand.c"
+play "$MINE/lined.c" '--input pull'
+[ $status = 1 ] && echo "$said" | grep -q ": TIMEOUT (slot $slot): "
+result $? "$slug, an endless loop" "$status: $said"
+slug=01_deformation
+sed 's|/\* END 1b \*/|J = 0.0 / (F->m[0][0] - F->m[0][0]);&|' "solutions/$slug.c" >"$MINE/lined.c"
+play "$MINE/lined.c" '--input pull'
+[ $status = 1 ] && echo "$said" | grep -q ': NONFINITE (slot 1c): '
+result $? "$slug, no number" "$status: $said"
+sed 's/J = F->m/J = F.m/' "solutions/$slug.c" >"$MINE/lined.c"
+play "$MINE/lined.c" '--input pull'
+[ $status = 1 ] && echo "$said" | grep -q "lined.c:[0-9]*:.*error" &&
+    echo "$said" | grep -q '^live-01: WRONG (does not compile)'
+result $? "$slug, an error of the compiler has its line" "$status: $said"
+echo '1 2 3' >"$MINE/broken"
+play "solutions/$slug.c" "--input $MINE/broken"
+[ $status = 2 ] && echo "$said" | grep -q "broken.*line 1"
+result $? 'a broken recording is named, with its line' "$status: $said"
