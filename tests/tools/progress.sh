@@ -31,7 +31,9 @@ status() {
         else
             say='not checked yet'
         fi
-        printf '  %-26s %-27s %s\n' "$slug" "$say" "$(title "$slug")"
+        hand=
+        [ ! -f "figures/$slug/hand.c" ] || hand=" (make live-$nn)"
+        printf '  %-26s %-27s %s\n' "$slug" "$say" "$(title "$slug")$hand"
     done
 }
 
