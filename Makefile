@@ -322,16 +322,39 @@ ask_bounds = $(shell for flags in \
                  echo $$flags && break; done)
 BOUNDS = $(call once,bounds)
 
-# A judge is compiled more often than run, and runs no longer with -O1.
+# What runs for a moment is compiled with -O1.
 QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
-# $(call build_judge,program to judge,NN_slug,more flags)
-NAMES = CPP='$(PLAIN) -I. -Itests/checks' sh tests/tools/names.sh
-NAMING = tests/tools/names.sh tests/tools/names.awk tests/tools/own.awk
-build_judge = $(NAMES) '$1' $2 $@.h && $(call judge_with,$@.h,$1,$2,$3)
-judge_with  = $(COMPILE) $(QUICK) $(BOUNDS) $4 -I. -Itests/checks \
-              -DPROGRAM='"$2"' -DNAMES='"$1"' tests/checks/$3.c $(PLACED)
+# The checks of a lesson are compiled once, against the functions of its solution.
+CHECKS := $(BUILD)/checks
+CONTRACT = awk -f tests/tools/contract.awk
+$(CHECKS)/%.h: solutions/%.c tests/tools/contract.awk
+	$(Q)mkdir -p $(@D) && $(WHOLE) $(CONTRACT) $< > $(PART) && $(MOVED)
+$(CHECKS)/%.s: tests/checks/%.c $(CHECKS)/%.h $(RULES)
+	$(call say,cc,$<)
+	$(Q)$(COMPILE) $(QUICK) $(BOUNDS) -fno-lto -I. -Itests/checks \
+	    -DPROGRAM='"$(word 2,$^)"' $< -S -o $(PART) && $(MOVED)
+$(CHECKS)/%.calls: $(CHECKS)/%.s solutions/%.c tests/tools/contract.awk
+	$(Q)$(WHOLE) $(CONTRACT) calls=1 $< solutions/$*.c > $(PART) && $(MOVED)
+$(CHECKS)/%.o: $(CHECKS)/%.s
+	$(Q)$(WHOLE) $(CC) $(CFLAGS) -c $< -o $(PART) && $(MOVED)
+# what is the linker's already, where nm says so
+$(CHECKS)/%.words: $(JUDGE) $$(call needs,solutions/$$*.c)
+	$(Q)mkdir -p $(@D) && $(WHOLE) { nm -gP $(JUDGE) && echo library && \
+	    nm -gP $(filter-out $(JUDGE),$^); } 2>/dev/null | awk 'BEGIN { \
+	    print "-" } NF == 1 { theirs = theirs || $$1 == "library" } $$2 ~ /[A-TV-Z]/ { print $$1, \
+	    theirs ? "library" : "judge" }' > $(PART) && $(MOVED)
 
-$(BUILD)/solutions/%.judge: solutions/%.c tests/checks/%.c $(JUDGE) $(NAMING) \
+# A judge is these, with the program, which is compiled alone.
+# $(call build_judge,program to judge,NN_slug,more flags)
+AS_PROGRAM = tests/tools/program.sh tests/tools/program.awk tests/tools/assembler.awk
+judge_of = $(CHECKS)/$1.o $(CHECKS)/$1.calls $(CHECKS)/$1.words $(JUDGE) $(AS_PROGRAM)
+build_judge = COMPILER='$(call $(or $4,quickly),$(PLAIN)) $(BOUNDS) $3' \
+    BUILD='$(BUILD)' sh tests/tools/program.sh '$1' $2 $@ && $(WHOLE) $(CC) \
+    $(CFLAGS) $3 $@.s $$(ls $@.o 2>/dev/null || echo $(CHECKS)/$2.o) -o $(PART) \
+    $(filter-out $(CHECKS)/%,$(filter %.o %.a,$^)) $(LIBS) && $(MOVED)
+quickly = $1 $(QUICK)
+
+$(BUILD)/solutions/%.judge: solutions/%.c $$(call judge_of,$$*) \
         $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,$<)
 	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
@@ -351,12 +374,11 @@ $(LESSONS:%=$(BUILD)/mistakes/%/all.c): $(BUILD)/mistakes/%/all.c: \
 	$(Q)mkdir -p $(@D) $(PART) && trap 'rm -rf $(PART)' 0; trap 'exit 130' 1 2 15; \
 	    $(VARIANT) -v all=$(PART) $< solutions/$*.c > $(PART)/list && \
 	    chmod +x $(PART)/* && rm -f $(@D)/*.why && mv -f $(PART)/* $(@D)
-$(BUILD)/mistakes/%/all.judge: $(BUILD)/mistakes/%/all.c tests/checks/%.c \
-        $(JUDGE) $(NAMING) $$(call needs,solutions/$$*.c) \
-        $$(call needs,tests/checks/$$*.c)
+$(BUILD)/mistakes/%/all.judge: $(BUILD)/mistakes/%/all.c $$(call judge_of,$$*) \
+        $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,tests/mistakes/$*.txt)
-	$(Q)$(NAMES) solutions/$*.c $* $@.h && $(call unwarned,$(call \
-	    judge_with,$@.h,$<,$*,$(if $(filter $(LONG),$*),-O1,-O0) $(HASTY)))
+	$(Q)$(call build_judge,$<,$*,$(if $(filter $(LONG),$*),-O1,-O0) \
+	    $(HASTY),unwarned)
 
 # For student.sh: a judge INTO of any FILE of lesson SLUG, and whether FILE
 # compiles by itself.
@@ -364,8 +386,8 @@ $(BUILD)/mistakes/%/all.judge: $(BUILD)/mistakes/%/all.c tests/checks/%.c \
 alone:
 	$(Q)$(PLAIN) -fsyntax-only $(FILE)
 ifneq ($(INTO),)
-$(INTO): $(JUDGE) $(if $(filter lessons/%,$(FILE)),$(call needs,$(FILE)) \
-         $(call needs,tests/checks/$(SLUG).c),$(LIB))
+$(INTO): $(call judge_of,$(SLUG)) $(if $(filter lessons/%,$(FILE)),$(call \
+         needs,$(FILE)) $(call needs,tests/checks/$(SLUG).c),$(LIB))
 	$(Q)$(call build_judge,$(FILE),$(SLUG))
 endif
 

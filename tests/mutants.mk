@@ -11,20 +11,21 @@ SEED = 1
 N = 60
 N_COMMON = 12
 MUTANTS = BUILD='$(BUILD)' SEED='$(SEED)' LINK='$(LINK)' JUDGE='$(JUDGE)' \
-          CC_MUTANT='$(CC) $(STD) -O0 -w $(BOUNDS) -Icommon -I. -Itests/checks \
-          $(GSL_CFLAGS)' sh tests/tools/mutants.sh
+          CC_MUTANT='$(CC) $(STD) -O0 -w $(BOUNDS) -Icommon $(GSL_CFLAGS)' \
+          sh tests/tools/mutants.sh
 
 .PHONY: mutants mutants-head mutants-common
 define mutants_rule
 .PHONY: mutants-$(call number,$1)
-mutants-$(call number,$1): $(BUILD)/solutions/$1 $(JUDGE) $(LIB) mutants-head
+mutants-$(call number,$1): $(BUILD)/solutions/$1 $(call judge_of,$1) $(LIB) mutants-head
 	@N='$(N)' $$(MUTANTS) lesson $1
 endef
 $(foreach l,$(LESSONS),$(eval $(call mutants_rule,$l)))
 mutants-head: ; @$(MUTANTS) head
 
 # one after the other: each of them keeps two processors busy
-mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(JUDGE) $(LIB) mutants-head
+mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(foreach l,$(LESSONS),$(call \
+        judge_of,$l)) $(LIB) mutants-head
 	@for l in $(LESSONS); do N='$(N)' $(MUTANTS) lesson $$l || exit 1; done
 
 # for the sanitizers; without them where there are none

@@ -14,8 +14,7 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 # Starters as the solutions give them, whatever the student has in lessons/.
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
 	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
-$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c tests/checks/%.c $(JUDGE) \
-                           $(LIB) $(NAMING)
+$(BUILD)/starters/%.judge: $(BUILD)/starters/%.c $$(call judge_of,$$*) $(LIB)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*,-Werror -O0 -g0)
 
@@ -58,7 +57,8 @@ $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
 # judge compares with print, with each of the lesson's options, is found out once.
 # Nothing that a student asks for reads it.
 $(T)/%.mistakes.result: $(BUILD)/mistakes/%/all.judge $(BUILD)/solutions/% \
-                        tests/tools/verify.sh tests/tools/verify.awk
+                        $(BUILD)/solutions/%.judge tests/tools/verify.sh \
+                        tests/tools/verify.awk
 	$(call say,test,$* mistakes)
 	$(Q)mkdir -p $(@D) && $(VERIFY) mistakes $* > $@
 
@@ -71,7 +71,7 @@ $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
 	$$(call say,test,$1 behaviour)
 	$(SHARED)$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
 $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
-        $(JUDGE) tests/cli/names.sh $(NAMING)
+        $(JUDGE) tests/cli/names.sh $(AS_PROGRAM)
 	$$(call say,test,$1 names)
 	$(SHARED)$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
@@ -134,10 +134,9 @@ $(BUILD)/looked/%: %.c $(HEADERS) Makefile
 	$(Q)mkdir -p $(@D)
 	$(Q)$(LOOK_AT) $(call native_for,$(notdir $*)) $(LOOK) $< && : > $@
 $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
-        tests/checks/%.c solutions/%.c $(HEADERS) $(NAMING) Makefile
-	$(Q)mkdir -p $(@D) && $(NAMES) solutions/$*.c $* $@.h
-	$(Q)$(LOOK_AT) -DPROGRAM='"solutions/$*.c"' -DNAMES='"$@.h"' $(LOOK) $< \
-	    && : > $@
+        tests/checks/%.c $(CHECKS)/%.h $(HEADERS) Makefile
+	$(Q)mkdir -p $(@D)
+	$(Q)$(LOOK_AT) -DPROGRAM='"$(word 2,$^)"' $(LOOK) $< && : > $@
 .PHONY: look
 look: $(patsubst %,$(BUILD)/looked/%,$(filter-out $(SEEN),$(LOOKED)))
 

@@ -4,8 +4,6 @@
 #ifndef TESTS_CHECKS_CHILD_H
 #define TESTS_CHECKS_CHILD_H
 
-#include "names.h"
-
 /* CPU time, which no other program takes away: thirty times what the dearest
  * check of a right program takes.  Tests give other seconds. */
 #ifndef JUDGE_SECONDS
@@ -60,9 +58,13 @@ void child_hand_over(int descriptor);
 /*
  * From now on children work in this folder (an absolute path).  Where the
  * system has the means (Linux with Landlock) they can change files nowhere
- * else, and send signals to each other only.
+ * else, and send signals to each other only; and the program `stranger`, which
+ * may be NULL, reads there and what a program needs, and executes only itself.
  */
-void child_work_in(const char *folder);
+void child_work_in(const char *folder, const char *stranger);
+
+/* In a child: be this program from now on.  Returns where that fails. */
+void child_become(const char *program, char *const argv[]);
 
 /* This process is such a child, after exec: its own children are within it. */
 void child_am_inside(void);

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
 #if defined(__linux__)
@@ -53,6 +54,8 @@ void child_set_limits(void)
 
 /* The C library has no names for this yet: linux/landlock.h. */
 #if defined(SYS_landlock_create_ruleset) && !defined(WITHOUT_LANDLOCK)
+enum { EXECUTE = 1 << 0, WRITE_FILE = 1 << 1, READ_FILE = 1 << 2 };
+
 static void allow(int rules, const char *path, uint64_t access)
 {
     struct {
@@ -65,30 +68,75 @@ static void allow(int rules, const char *path, uint64_t access)
     close(beneath.file);
 }
 
-void child_confine(const char *folder)
+static long version(void)
 {
-    const uint64_t write_file = 1 << 1, remove_dir = 1 << 4,
-                   remove_file = 1 << 5, make_reg = 1 << 8,
-                   make_others = 0x1ec0, truncate = 1 << 14;
-    struct {
+    return syscall(SYS_landlock_create_ruleset, NULL, 0, 1 /* its version */);
+}
+
+/* Rules that allow nothing of these yet, or -1. */
+static int rules_for(uint64_t files, uint64_t scopes)
+{
+    const struct {
         uint64_t files, network, scopes;
-    } handled = {write_file | remove_dir | remove_file | make_reg | make_others,
-                 0, 0};
-    const long version =
-        syscall(SYS_landlock_create_ruleset, NULL, 0, 1 /* its version */);
-    if (version < 1) return;
-    if (version >= 3) handled.files |= truncate;
-    if (version >= 6) handled.scopes = 1 << 1; /* signals */
-    const int rules = (int)syscall(SYS_landlock_create_ruleset, &handled,
-                                   sizeof handled, 0);
-    if (rules < 0) return;
-    allow(rules, folder,
-          handled.files & (write_file | remove_file | make_reg | truncate));
-    allow(rules, "/dev/null", handled.files & (write_file | truncate));
+    } handled = {files, 0, scopes};
+    return (int)syscall(SYS_landlock_create_ruleset, &handled, sizeof handled,
+                        0);
+}
+
+static void obey(int rules)
+{
     prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     syscall(SYS_landlock_restrict_self, rules, 0);
     close(rules);
 }
+
+void child_confine(const char *folder)
+{
+    const uint64_t remove_dir = 1 << 4, remove_file = 1 << 5;
+    const uint64_t make_reg = 1 << 8, make_others = 0x1ec0;
+    const uint64_t truncate = version() >= 3 ? 1 << 14 : 0;
+    const uint64_t within = WRITE_FILE | remove_file | make_reg | truncate;
+    const int rules = rules_for(within | remove_dir | make_others,
+                                version() >= 6 ? 1 << 1 : 0 /* signals */);
+    if (rules < 0) return;
+    allow(rules, folder, within);
+    allow(rules, "/dev/null", WRITE_FILE | truncate);
+    obey(rules);
+}
+
+/* The libraries of this process, which a program of ours has too. */
+static void allow_libraries(int rules, FILE *maps)
+{
+    char line[4200], before[4200] = "";
+    while (fgets(line, sizeof line, maps)) {
+        const char *path = strchr(line, '/');
+        line[strcspn(line, "\n")] = '\0';
+        if (!path || !strstr(path, ".so") || !strcmp(path, before)) continue;
+        allow(rules, strcpy(before, path), READ_FILE | EXECUTE);
+    }
+}
+
+void child_see_only(const char *folder, const char *program)
+{
+    static const char *const system[] = {"/usr", "/lib", "/lib64", "/etc",
+                                         "/dev", "/proc", "/sys"};
+    FILE *maps = fopen("/proc/self/maps", "r");
+    const int rules = maps ? rules_for(READ_FILE | EXECUTE, 0) : -1;
+    if (rules >= 0) {
+        for (size_t k = 0; k < sizeof system / sizeof *system; k++)
+            allow(rules, system[k], READ_FILE);
+        allow_libraries(rules, maps);
+        if (folder) allow(rules, folder, READ_FILE);
+        allow(rules, program, READ_FILE | EXECUTE);
+        obey(rules);
+    }
+    if (maps) fclose(maps);
+}
 #else
 void child_confine(const char *folder) { (void)folder; }
+void child_see_only(const char *folder, const char *program)
+{
+    (void)folder;
+    (void)program;
+}
 #endif

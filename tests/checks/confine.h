@@ -17,6 +17,10 @@ void child_set_limits(void);
  */
 void child_confine(const char *folder);
 
+/* From the next exec on it reads what a program needs, and the folder, which
+ * may be NULL; it executes this program, and nothing else. */
+void child_see_only(const char *folder, const char *program);
+
 /* What can be seen of the processes below this one. */
 struct sight {
     int threads, computing; /* or could, if the machine were free */

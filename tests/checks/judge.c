@@ -190,7 +190,7 @@ static int print_measured(char *argv[], int index)
     judging.reference = absolute(argv[2]);
     make_work(argv[0]);
     child_on_interrupt(remove_work);
-    child_work_in(judging.work);
+    child_work_in(judging.work, NULL);
     examine(index, &finding);
     FILE *file = open_regular(work_file("judge.measured", path));
     while (file && fgets(line, sizeof line, file)) fputs(line, stdout);
@@ -284,7 +284,6 @@ static void be_the_subject(const struct lesson *lesson, int argc, char *argv[])
     if (!claim || !work) return;
     child_am_inside();
     snprintf(judging.work, sizeof judging.work, "%s", work);
-    judging.reference = value_of(argc, argv, "--reference");
     const struct claim mine = claim_at(lesson, atoi(claim));
     run_claim(&mine);
     fflush(NULL);
@@ -304,7 +303,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
     }
     if (argc > 3 && strcmp(argv[1], "--keep") == 0) {
         judging.kept = absolute(argv[2]);
-        child_work_in(judging.kept);
+        child_work_in(judging.kept, NULL);
         for (int a = 3; a < argc; a++) keep_outputs(absolute(argv[a]));
         return 0;
     }
@@ -333,7 +332,7 @@ int judge(const struct lesson *lesson, int argc, char *argv[])
              "[--as MISTAKE]] [--work FOLDER]", argv[0]);
     make_work(work ? work : argv[0]);
     child_on_interrupt(remove_work);
-    child_work_in(judging.work);
+    child_work_in(judging.work, judging.subject);
 
     setvbuf(stdout, NULL, _IOLBF, 0);
     printf("%s\n", judging.file);

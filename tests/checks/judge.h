@@ -1,32 +1,23 @@
 /*
  * judge.h - judging one program: checks in forked children, one verdict.
  *
- * tests/checks/NN_slug.c includes the program under test, whatever it is (a
- * student's file, the solution, a known mistake), so that checks can call its
- * static functions: program.h first, then this header.  It lists its checks,
- * the runs and the column rules for the comparison with the reference, and ends
- * with int main() returning judge(&lesson, argc, argv).  Every check runs in a
- * child of its own (child.h), with limits on time, memory and output; the last
- * check, added here, compares the output tables with those of the reference
- * solution.  Where all pass, those that have a slot are run in one process, the
- * last one first: a check must not rest on being the first to be run.
+ * tests/checks/NN_slug.c calls functions of the program under test, static ones
+ * too, whatever it is (a student's file, the solution, a known mistake).  It
+ * lists its checks, the runs and the column rules for the comparison with the
+ * reference, and ends with int main() returning judge(&lesson, argc, argv).
+ * Every check runs in a child of its own (child.h), with limits on time, memory
+ * and output; the last check, added here, compares the output tables with those
+ * of the reference solution.  Where all pass, those that have a slot are run in
+ * one process, the last one first: a check must not rest on being the first.
  *
  * Names.  A student's program may use any name and define any macro, at file
- * scope too, and no check needs to care: tests/tools/names.sh makes a header
- * that stands between the two.  It ends the program's macros, and renames what
- * NN_slug.c and the headers that it includes declare at file scope (solved
- * becomes checks_own_solved).  Three rules are left for who writes checks:
- *   - program.h comes first, and everything else is included after it;
- *   - a check's name at file scope is none that the solution has, or a header
- *     of common/, as a member of a struct too: it would be renamed there as
- *     well, and the checks would not compile;
- *   - a module of common/ that the solution does not include is included as its
- *     source, #include "bar/bar.c", which is compiled again, under other names.
+ * scope too, and no check needs to care: the program is compiled alone, and its
+ * names are none of the linker's.  What checks know of it, types, constants and
+ * functions, is the solution's (program.h, which comes first); a struct is the
+ * program's, where that has other members.
  */
 #ifndef TESTS_CHECKS_JUDGE_H
 #define TESTS_CHECKS_JUDGE_H
-
-#include "names.h"
 
 #undef COUNT
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))

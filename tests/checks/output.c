@@ -241,7 +241,7 @@ static void be_program(void *context)
 {
     const struct command *command = context;
     if (!command->program) exit(program_main(command->argc, command->argv));
-    execv(command->program, command->argv);
+    child_become(command->program, command->argv);
     _exit(127);
 }
 

@@ -5,7 +5,6 @@
 #define TESTS_CHECKS_OUTPUT_H
 
 #include "child.h"
-#include "names.h"
 
 #include <stdio.h>
 

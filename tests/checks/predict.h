@@ -11,8 +11,6 @@
 #ifndef TESTS_CHECKS_PREDICT_H
 #define TESTS_CHECKS_PREDICT_H
 
-#include "names.h"
-
 #include <stddef.h>
 
 enum { MAX_PREDICTIONS = 8 };

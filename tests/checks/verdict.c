@@ -100,16 +100,6 @@ static void explain_end(struct ending ending, struct finding *finding)
     }
 }
 
-void run_claim(const struct claim *claim)
-{
-    uint64_t number;
-    if (read(CHILD_DESCRIPTOR, &number, sizeof number) != sizeof number)
-        quit("no number for the end of a check");
-    claim->check();
-    guards_hold();
-    if (write(CHILD_DESCRIPTOR, &number, sizeof number) < 0) _exit(2);
-}
-
 /* A number that nobody guesses. */
 static uint64_t any_number(void)
 {
@@ -119,6 +109,20 @@ static uint64_t any_number(void)
         quit("cannot read /dev/urandom");
     if (file) fclose(file);
     return number;
+}
+
+/* While the check runs, the number is nowhere, but two others that give it. */
+void run_claim(const struct claim *claim)
+{
+    static uint64_t number, other;
+    if (read(CHILD_DESCRIPTOR, &number, sizeof number) != sizeof number)
+        quit("no number for the end of a check");
+    other = any_number();
+    number ^= other;
+    claim->check();
+    guards_hold();
+    number ^= other;
+    if (write(CHILD_DESCRIPTOR, &number, sizeof number) < 0) _exit(2);
 }
 
 /* The checks of the slots, the last first: what a slot keeps from call to call
@@ -159,8 +163,9 @@ static void begin_claim(void *context)
     if (!judging.subject || *index == judging.lesson->n_claim) {
         run_claim(&claim);
     } else {
-        execl(judging.subject, judging.subject, "--claim", number, "--work",
-              judging.work, "--reference", judging.reference, (char *)NULL);
+        char *argv[] = {(char *)judging.subject, (char *)"--claim", number,
+                        (char *)"--work", judging.work, NULL};
+        child_become(judging.subject, argv);
         fprintf(stderr, "judge: cannot run %s\n", judging.subject);
         _exit(2);
     }

@@ -17,10 +17,12 @@ result() { # result STATUS WHAT WHY
 }
 
 # NAME | WHERE | LINE | VERDICT.  WHERE is slot (the first one), main, or file
-# (its head); what stands before ## in LINE goes to the head as well, and @@ ends a line.  ROOT is
-# the folder of the workbook.  A verdict with | depends on the system: where Linux
-# allows namespaces a program signals its own processes only; or on the compiler:
-# clang takes /dev/zero for an empty file.
+# (its head), of the starter where it begins with empty; what stands before ## in LINE
+# goes to the head as well, and @@ ends a line.  ROOT is the folder of the workbook.
+# Linux is to have Landlock, or a program reads and executes what is not its own.  A
+# verdict with | depends on the system: where Linux allows namespaces a program
+# signals its own processes only; or on the compiler: clang takes /dev/zero for an
+# empty file.
 programs() {
     cat <<'END'
 segmentation fault | slot | int *volatile nowhere = (int *)-4096L; *nowhere = 1; | CRASHED
@@ -51,8 +53,11 @@ daemon that ignores signals | slot | static int born; ## if (!born++ && fork() =
 daemon with open output | main | if (fork() == 0) { setpgid(0, 0); sleep(1000); _exit(0); } | OK
 reads the keyboard | main | while (getchar() != EOF) {} | OK
 reads the terminal | slot | FILE *tty = fopen("/dev/tty", "r"); if (tty) fgetc(tty); | OK
-removes build | main | static int all; ## if (!all++) system("rm -rf build ../../build ROOT/build 2>/dev/null"); | WRONG
-removes the folder it is in | slot | static int all; ## if (!all++) system("rm -rf ./* ../*.judge"); | WRONG
+runs a shell | main | if (system("exit 0") == 0) puts("here"); | OK
+removes all in its folder | slot | DIR *d = opendir("."); for (struct dirent *e; d && (e = readdir(d));) unlink(e->d_name); | WRONG
+reads the solution | main | if (fopen("ROOT/solutions/03_dirichlet_correction.c", "r")) exit(7); | OK
+reads the judge | slot | if (open("ROOT/build/solutions/03_dirichlet_correction.judge", O_RDONLY) >= 0) exit(7); | OK
+is the reference | main | execv("ROOT/build/solutions/03_dirichlet_correction", argv); exit(7); | WRONG
 writes into solutions | slot | FILE *f = fopen("ROOT/solutions/03_dirichlet_correction.c", "a"); if (f) { fputs("spoiled", f); fclose(f); } | OK
 empties a check | slot | FILE *f = fopen("ROOT/tests/checks/03_dirichlet_correction.c", "w"); if (f) fclose(f); | OK
 empties the reference | slot | unlink("ROOT/build/solutions/03_dirichlet_correction"); | OK
@@ -68,25 +73,39 @@ says VERDICT OK and leaves | slot | puts("VERDICT 03: OK, all 11 checks"); exit(
 a constructor | file | __attribute__((constructor)) static void early(void) { write(3, "finished", 8); _exit(0); } | WRONG (refused)
 a constructor by a macro | file | #define EARLY(x) __attribute__((con##x)) @@ EARLY(structor) static void early(void) { _exit(0); } | WRONG (refused)
 a constructor behind another #line | file | #line 1 "/usr/include/stdio.h" @@ __attribute__((__constructor__)) static void early(void) { _exit(0); } | WRONG (refused)
-an entry of .init_array | file | static void early(void) { _exit(0); } static void (*at_first)(void) __attribute__((section(".init_array"), used)) = early; | WRONG (refused)
+an entry of .init_array | file | static void early(void) { _exit(0); } static void (*at_first)(void) __attribute__((section( @@ ".init_array"), used)) = early; | WRONG (refused)
+a section with a line break | file | static void early(void) { _exit(0); } static void (*at_first)(void) __attribute__((section(".data\n.section .init_array,\"aw\" #"), used)) = early; | WRONG (refused)
+a section of its own | file | static int odd __attribute__((section(".interp"), used)) = 1; | WRONG (refused)
+a function chosen before main | file | static int (*which(void))(void) { return NULL; } @@ int odd(void) __attribute__((ifunc("which"))); int use(void); int use(void) { return odd(); } | WRONG (refused)
 a line of assembler | file | __asm__(".section .init_array"); | WRONG (refused)
-a string with a constructor | file | static const char *const what = "constructor"; | OK
+a file in assembler | file | __asm__(".incbin \"build/solutions/03_dirichlet_correction\""); | WRONG (refused)
+assembler in a slot | slot | __asm__ volatile ("nop"); | WRONG (refused)
+no assembler | slot | __asm__ volatile ("" ::: "memory"); | OK
+a string with a constructor | file | static const char *const what = "constructor .section .init_array \" .incbin"; const char *const *use = &what; | OK
+words of the object file as names | file | static struct { int constructor, section, ifunc; } of; double asm; void section(const char *s); void section(const char *alias) { asm = of.section + !alias; } /* section(".init_array") */ | OK
+another _exit, weak | file | void my_exit(int s); void my_exit(int s) { for (;;) s++; } @@ %:pragma weak _exit = my_exit | OK
+another _exit, by alias | file | void my_exit(int s); void my_exit(int s) { for (;;) s++; } @@ void _exit(int) __attribute__((alias("my_exit"))); | OK
+a macro for the judge | empty file | %:define judge_judge(l, c, v) 0 @@ ??=define judge(l, c, v) 0 @@ /**/ #define wrong \ @@ exit | UNFINISHED
+a name of the judge's | file | extern int judging; int *peek = &judging; | WRONG (refused)
+a name of the judge's, by another | file | extern int mine __asm__("judging"); int *peek = &mine; | WRONG (refused)
+the first number on the stack | empty slot | volatile unsigned long long here = 0, *at = &here, w; do w = *at++; while (!(w >> 48) || w >> 48 == 0x7fff || w >> 48 == 0xffff); if (write(3, (const void *)&w, 8)) {} _exit(0); | CRASHED
 the solution, included | file | #include "../solutions/03_dirichlet_correction.c" | WRONG (refused)
-the solution, included by another path | file | #include "solutions/.//03_dirichlet_correction.c" | WRONG (refused)
+the solution, included by another path | file | #include "..//solutions/.//../solutions/03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by way of /proc | file | #include "/proc/self/cwd/solutions/./03_dirichlet_correction.c" | WRONG (refused)
-the solution, included by a macro | file | #define ALL "solutions/03_dirichlet_correction.c" @@ #include ALL | WRONG (refused)
+the solution, included by a macro | file | #define ALL <../solutions/03_dirichlet_correction.c> @@ #include ALL | WRONG (refused)|WRONG (does not compile)
+a known mistake, included | file | #include "../build/mistakes/03_dirichlet_correction/all.c" | WRONG (refused)
 includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)|WRONG (does not compile)
 macros of ten to the ten | file | #define A(x) x x x x x x x x x x @@ #define B(x) A(A(A(A(A(A(A(A(A(A(x)))))))))) @@ static const int many = B(+1); | WRONG (refused)
 _Exit(0) in a slot | slot | fclose(fopen("judge.finished", "w")); _Exit(0); | CRASHED
 the end of a check, said by the program | slot | for (int fd = 3; fd < 9; fd++) if (write(fd, "finished", 8)) {} _exit(0); | CRASHED
 a malloc() of its own | file | void *malloc(size_t size) { return size ? NULL : NULL; } | OK
 an _exit() of its own | file | extern char **environ; @@ _Noreturn void _exit(int status) { *environ = NULL; for (;;) status++; } | OK
-a function of the library's | file | enum status matrix_factor(struct matrix *A) { return A ? OK : NOT_SPD; } | WRONG (does not compile)
+a function of the library's | file | enum status matrix_factor(struct matrix *A) { return A ? OK : NOT_SPD; } | WRONG (refused)
 shared memory | slot | shmget(IPC_PRIVATE, 1 << 20, 0600); | OK
 exit(0) in a slot | slot | exit(0); | CRASHED
 exit(0) in main | main | exit(0); | WRONG
 exit(1) in a slot | slot | exit(1); | CRASHED
-another program | slot | execl("/bin/true", "true", (char *)NULL); | CRASHED
+another program | slot | execl("/bin/true", "true", (char *)NULL); | OK
 loop at exit | main | static void again(void) { for (volatile int spin = 0;; spin = 1) {} } ## atexit(again); | TIMEOUT
 kills its group | slot | kill(0, SIGKILL); | CRASHED
 kills its parent | slot | kill(getppid(), SIGKILL); | OK|CRASHED
@@ -106,13 +125,14 @@ END
 
 # The solution with a line more.
 hostile() { # hostile WHERE LINE
-    awk -v where="$1" -v all="$2" '
+    case $1 in empty*) awk -f tests/tools/starter.awk "solutions/$slug.c" ;;
+    *) cat "solutions/$slug.c" ;; esac | awk -v where="${1#empty }" -v all="$2" '
         BEGIN {
             n = index(all, " ## ")
             head = n ? substr(all, 1, n - 1) : ""
             line = n ? substr(all, n + 4) : all
             gsub(/ @@ /, "\n", line)
-            split("fcntl pthread setjmp signal stdio stdlib string sys/resource sys/shm " \
+            split("dirent fcntl pthread setjmp signal stdio stdlib string sys/resource sys/shm " \
                   "sys/stat unistd", header, " ")
             print "#if defined(__linux__)\n#define _DEFAULT_SOURCE\n#endif"
             for (h = 1; h in header; h++) print "#include <" header[h] ".h>"
@@ -122,7 +142,7 @@ hostile() { # hostile WHERE LINE
         where == "main" && /options_parse\(/ { ahead = 1 }
         ahead && /;$/ { print line; ahead = 0 }
         where == "slot" && /\/\* SLOT / && !inside++ { comment = 1 }
-        comment && /\*\// { print line; comment = 0 }' "solutions/$slug.c"
+        comment && /\*\// { print line; comment = 0 }'
 }
 
 # What there is, but for the log and the progress of the lesson.
@@ -265,7 +285,12 @@ tools() {
         'int main(int argc, char *argv[])'
     sed 's/reactions(int N/react(int N/; s/    reactions(/    react(/' \
         "solutions/$slug.c" >"lessons/$slug.c"
-    judged 122 'another function' 'WRONG (does not compile)' 'no longer has, or has with other parameters: reactions.'
+    judged 122 'another function' 'WRONG (does not compile)' \
+        'no longer has: reactions. New in it: react. Keep the names'
+    sed 's/reactions(int N/reactions(int x, int N/; s/    reactions(/&0, /' \
+        "solutions/$slug.c" >"lessons/$slug.c"
+    judged 138 'another parameter' 'WRONG (does not compile)' \
+        'other parameters, or another type: reactions.'
     rm "lessons/$slug.c"
     judged 123 'no file' 'UNFINISHED (no file)'
     echo '  ' >"lessons/$slug.c"
@@ -280,6 +305,24 @@ tools() {
     hostile file 'int matrix_factor(double x) { return x < 0; }' >"lessons/$slug.c"
     judged 135 "a function named as one of matrix.h's" \
         'WRONG (does not compile)' "matrix_factor is a name of the workbook's"
+
+    # without nm
+    mkdir -p none && printf '#!/bin/sh\nexit 127\n' >none/nm && chmod +x none/nm
+    rm build/checks/$slug.words
+    state >../state."$(basename "$1")"
+    way=$PATH PATH=$PWD/none:$PATH
+    hostile file 'int shared; static void of(void) { _exit(0); }
+        static void (*at)(void) __attribute__((section(".init_array"), used)) = of;' \
+        >"lessons/$slug.c"
+    judged 139 'without nm: an entry of .init_array' 'WRONG (refused)'
+    state >../state."$(basename "$1")"
+    hostile file 'int judging, quit(void); int quit(void) { return judging; }' \
+        >"lessons/$slug.c"
+    judged 142 'without nm: names of the judge' OK
+    PATH=$way
+    rm -r none build/checks/$slug.words
+    "$MAKE" "build/solutions/$slug.judge" BUILD=build CFLAGS=-O0 >/dev/null
+    state >../state."$(basename "$1")"
 
     rm "lessons/$slug.c" && mkfifo "lessons/$slug.c"
     judged 131 'a pipe in the place of the file' 'UNFINISHED (no file)' \

@@ -52,7 +52,7 @@ after_includes() {
 # all the words that the checks are written in, and what they include of ours
 { echo "$likely" && cat "$check" tests/checks/judge.h tests/checks/output.h \
     $(sed -n 's|^#include "../\(.*\)"|tests/\1|p' "$check"); } | words |
-    grep -v -e '^_' -e '^checks_own_' -e '^defined$' >"$dir/spoken"
+    grep -v -e '^_' -e '^defined$' >"$dir/spoken"
 # those to which neither the language, the solution nor the system gives a meaning
 { cat "$solution"; grep '^#include <' "$check"; } >"$file"
 { ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
@@ -62,17 +62,15 @@ after_includes() {
         signed sizeof static struct switch typedef union unsigned void volatile \
         while program_main; } |
     sed '/^# /d' | words | comm -13 - "$dir/spoken" >"$dir/free"
-# five of them as the linker's names too; and functions of the system's names,
+# all of them as the linker's names too; and functions of the system's names,
 # which the lesson's headers do not have: the judge calls some of them, and every
 # second one is the linker's name too.  What the checks compile once more is the
 # program's as well, and the function of the first slot has another name, unless a
 # struct has it too.
-global='quit find_table judge guarded_copy run'
 of_checks() {
-    awk -v global=" $global " '{
-        print "struct " $1 " { int " $1 "; };"
-        print index(global, " " $1 " ") ? "" : "static", "int " $1 "(int " $1 ")"
-        print "{ return " $1 "; }" }' "$dir/names"
+    awk '{
+        print "struct " $1 " { int " $1 "; }; int " $1 "(int " $1 ");"
+        print "int " $1 "(int " $1 ") { return " $1 "; }" }' "$dir/names"
 }
 printf '%s\n' $system | sort >"$dir/system"
 ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon $(gsl-config --cflags) \
@@ -93,10 +91,6 @@ sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
 after_includes "$(of_checks; of_system 0)" >"$file"
 judged "with $(count "$dir/names") names of the checks and $(count \
     "$dir/others") functions of the system's names"
-
-rm -f "$dir/judge"
-! said=$(by_make NAMES="sh -c ': >\"\$\$2\"'") && echo "$said" | grep -q 'error:'
-result $? "$nn: without names of their own the checks do not compile" "$said"
 
 macro=
 grep -q "struct $slot " "$solution" || macro="#define $slot my_$slot"

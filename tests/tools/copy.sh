@@ -11,8 +11,8 @@ export LC_ALL
 to=$1 slug=${2:-}
 rm -rf "$to" && mkdir -p "$to/build/solutions" || exit 1
 cp -Rp Makefile .clangd common lessons solutions tests figures ./*.md "$to"
-cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$BUILD/flags" \
-    "$to/build"
+cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$BUILD/checks" \
+    "$BUILD/flags" "$to/build"
 if [ -z "$slug" ]; then
     cp -Rp "$BUILD/solutions" "$BUILD/data" "$to/build"
     exit

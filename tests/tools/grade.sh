@@ -316,6 +316,12 @@ summary() {
         echo '  the same text, blanks and comments aside:'
         sed 's/^/    /' "$work/same"
     }
+    for folder in "$work"/[0-9]*/; do
+        [ ! -f "${folder}note" ] || while read -r line; do
+            printf '    %s: %s\n' "$(cat "${folder}name")" "$line"
+        done <"${folder}note"
+    done >"$work/odd"
+    [ ! -s "$work/odd" ] || { echo '  worth a look:'; cat "$work/odd"; }
     [ ! -s "$work/notes" ] || echo '  not judged:'
     show_notes | sed 's/^/  /'
 }
@@ -379,7 +385,9 @@ class() {
     while IFS=$tab read -r student lesson folder; do
         printf '== %s, %s\n' "$student" "$lesson"
         cat "$work/$folder/said"
-        [ ! -f "$work/$folder/same" ] || cat "$work/$folder/same"
+        for also in note same; do
+            [ ! -f "$work/$folder/$also" ] || cat "$work/$folder/$also"
+        done
         echo
     done <"$work/order" >"$work/verdicts" &&
         mv "$work/verdicts" "$out/verdicts.txt"

@@ -101,17 +101,7 @@ rule 'a study ends in its claim, and takes no options' \
         grep -v '^figures/speed/\|/fronts\.c$\|/seconds\.c$')
     grep -L 'int main(void)' $studies)"
 
-rule "every word of the judge's is in tests/checks/names.h" \
-    "$(for f in judge judging output child confine predict; do
-        awk -f tests/tools/names.awk tests/checks/$f.h | sed -n 's/^name //p'
-    done | sort -u | while read -r name; do
-        cat tests/checks/judge.h tests/checks/judging.h tests/checks/output.h \
-            tests/checks/child.h tests/checks/confine.h tests/checks/predict.h |
-            grep -qE "(^|[^a-z_])$name\(|^extern .*[ *]$name[;[]" ||
-            grep -q "^struct $name " tests/checks/judge.h || continue
-        grep -q "^#define $name judge_$name\$" tests/checks/names.h ||
-            [ "$name" = program_main ] || echo "$name"; done)"
-rule 'what is between a program and its checks comes first' \
+rule 'what checks know of a program comes first' \
     "$(for f in tests/checks/[0-9]*.c; do
         [ "$(grep -m 1 '^#include' "$f")" = '#include "program.h"' ] || echo "$f"
     done)"

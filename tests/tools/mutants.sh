@@ -31,9 +31,9 @@ TEXT
 # that finds the mistake is printed; nothing if it lives
 found_by() {
     if [ $kind = lesson ]; then
-        $CC_MUTANT -DPROGRAM="\"$1/$name.c\"" \
-            -DNAMES="\"$work/names.h\"" "tests/checks/$name.c" -o \
-            "$1/judge" $JUDGE $LINK 2>/dev/null || return 2
+        COMPILER=$CC_MUTANT sh tests/tools/program.sh "$1/$name.c" \
+            "$name" "$1/judge" 2>/dev/null && $CC_MUTANT "$1/judge.s" -o "$1/judge" \
+            "$BUILD/checks/$name.o" $JUDGE $LINK 2>/dev/null || return 2
         "$1/judge" --file mutant --reference "$BUILD/solutions/$name" \
             --result "$1/result" >/dev/null 2>&1
         if [ $? = 2 ]; then echo judge; return; fi
@@ -116,8 +116,6 @@ score() {
     rm -rf "$work" && mkdir -p "$work" || exit 1
     rm_on_exit=$work
     awk -f tests/tools/mutants.awk -v seed="$SEED" "$file" >"$work/list"
-    [ $kind = common ] || CPP=$CC_MUTANT sh tests/tools/names.sh "$file" \
-        "$name" "$work/names.h" || exit 1
     half 0 & first=$!
     half 1 & second=$!
     wait $first $second

@@ -87,10 +87,10 @@ no_build() { # why there is none, when it is not the file
     no_verdict 'make deps'
 }
 
-# The names between quotes in the log's lines that match PATTERN.
-names() {
-    grep -E "$1" "$folder/log" | sed -n "s/^[^'\`]*['\`]\([A-Za-z_0-9]*\)'.*/\1/p" |
-        sort -u | head -n 4 | tr '\n' ' ' | sed 's/ $//; s/ /, /g'
+commas() { sort -u | head -n 4 | tr '\n' ' ' | sed 's/ $//; s/ /, /g'; }
+# The functions that a file defines.
+heads() {
+    sed -n 's/^[a-z][^;=(]*[ *]\([A-Za-z_][A-Za-z_0-9]*\)(.*/\1/p' "$1" | sort -u
 }
 
 # Whose are the names that the file declares once more?  The compiler's note says
@@ -126,20 +126,20 @@ explain_compile() {
         return
     fi
     mv "$folder/log.judge" "$folder/log"
-    taken=$(names 'conflicting types|redefinition|redeclared|static declaration')
-    twice=$(names 'multiple definition|duplicate symbol')
-    needed=$(names 'implicit declaration|undeclared|undefined reference|few arg|many arg|type for arg')
-    if grep -q program_main "$folder/log"; then
+    missing=$(sed -n 's/^missing: //p' "$folder/log" | commas)
+    other=$(sed -n 's/^the call of \([A-Za-z_0-9]*\):[0-9].*error.*/\1/p' "$folder/log" |
+        commas)
+    if [ "$missing" = main ] || [ "$other" = main ]; then
         echo "  main() must be there, and begin: int main(int argc, char *argv[])"
-    elif [ -n "$taken" ]; then
-        echo "  The checks use a name that your file uses, too: $taken."
-        echo "  Give yours another name."
-    elif [ -n "$twice" ]; then
-        echo "  The library has a function that your file has too: $twice."
-        echo "  Give yours another name."
-    elif [ -n "$needed" ]; then
-        echo "  The checks call what your file no longer has, or has with other"
-        echo "  parameters: $needed. Keep the functions of the starter."
+    elif [ -n "$missing" ]; then
+        heads "solutions/$slug.c" >"$folder/heads"
+        new=$(heads "$1" | comm -13 "$folder/heads" - | commas)
+        echo "  The checks call what your file no longer has: $missing."
+        [ -z "$new" ] || echo "  New in it: $new."
+        echo "  Keep the names of the starter's functions."
+    elif [ -n "$other" ]; then
+        echo "  The checks call what in your file has other parameters, or another"
+        echo "  type: $other. Keep them as in the starter."
     else
         errors "$folder/log" | head -n 5
         echo "  Does your program still have all functions of the starter?"
@@ -256,6 +256,9 @@ grade() { # grade FILE NAME INTO
     mkdir "$folder" || return 2
     judge "$1" "$2" >"$3/raw" 2>&1
     harmless <"$3/raw" >"$3/said"
+    [ ! -f "$folder/judge.s" ] || nm -gP "$BUILD/libworkbook.a" 2>/dev/null |
+        awk -f tests/tools/note.awk - "$BUILD/solutions/$slug.judge.s" \
+            "$folder/judge.s" "$folder/judge.d" >"$3/note"
     mv "$folder/report" "$3/report"
     [ ! -s "$folder/result" ] || mv "$folder/result" "$3/result"
 }

@@ -50,16 +50,16 @@ one() {
 # state FOLDER: sums, modes and times of what a judgement rests on, and of the
 # class but for FOLDER.
 state() {
-    find Makefile common solutions tests "$BUILD/solutions" "$work"/[0-9]* \
-        -path "$1" -prune -o -exec ls -ldn {} + -type f -exec cksum {} + 2>&1
+    find Makefile common solutions tests "$BUILD/solutions" "$BUILD/checks" \
+        "$work"/[0-9]* -path "$1" -prune -o -exec ls -ldn {} + -type f -exec cksum {} + 2>&1
 }
 # Without a fence FOLDERS are judged in turn: so it is known who changes what is
 # not his, and that is put back.
 in_turn() {
     kept=$work/kept
-    mkdir -p "$kept/book" "$kept/class" &&
+    mkdir -p "$kept/book" "$kept/class" "$kept/built" &&
         cp -pR Makefile common solutions tests "$kept/book" &&
-        cp -pR "$BUILD/solutions" "$kept/built" &&
+        cp -pR "$BUILD/solutions" "$BUILD/checks" "$kept/built" &&
         cp -pR "$work"/[0-9]* "$kept/class" || exit 2
     for folder in "$@"; do
         before=$(state "$folder")
@@ -67,7 +67,7 @@ in_turn() {
         if [ "$(state "$folder")" != "$before" ]; then
             chmod -R u+rwX Makefile common solutions tests
             cp -pR "$kept/book/." .
-            cp -pR "$kept/built/." "$BUILD/solutions"
+            cp -pR "$kept/built/." "$BUILD"
             cp -pR "$kept/class/." "$work"
             [ "$(state "$folder")" = "$before" ] ||
                 fail "$(cat "$folder/name") changed what others are judged by"
