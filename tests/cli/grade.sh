@@ -57,7 +57,7 @@ variant reaction_sign >"class/ivy/$slug.c"
 variant lift_sign | tee "class/ann/$slug (1).c" |
     sed -e 's|/\*.*\*/||; s/    /	/' -e 's/$/ /' >"class/bob/$slug.c"
 { echo '/* all'; echo 'mine */'; cat "solutions/$slug.c"; } >"class/gil/$slug.c"
-echo "#include \"solutions/$slug.c\"" >"class/eve/$slug-2.c"
+echo "#include \"../../../../solutions/./$slug.c\"" >"class/eve/$slug-2.c"
 printf '\377\376/\000*\000' >"class/fay/$slug.c"
 ln -s "$PWD/solutions" class/everyone
 echo text >class/a.txt
@@ -68,7 +68,8 @@ cp "solutions/$slug.c" "class/$(printf 'a\nb')"
 # program prints an escape character and the teacher's variables; and two dots
 mkdir "class/w\\t(log)" class/=1+1 class/..dots
 cp "class/eve/$slug-2.c" "class/w\\t(log)/$slug.c"
-hostile='fprintf(stderr, "\033[2J%s\n", getenv("SECRET") ? "known" : "hidden"), exit(2);'
+hostile='fprintf(stderr, "\033[2J%s\n", getenv("SECRET") ? "known" : "hidden");
+    if (getenv("NEVER")) matrix_zero(NULL); else exit(2);'
 spoil stdio stdlib >"class/=1+1/$slug.c"
 printf 'int main(void) { return x; }\n' >"class/..dots/$slug.c"
 
@@ -118,7 +119,9 @@ for text in '</svg>' '03 lift sign' '03 slot 3a not written' '>files with it<'; 
     result $? "grade draws: $text" "$(ls build/grade)"
 done
 for text in "known mistake (lift_sign)" "== two twice, $slug" 'is in UTF-16' \
-    'not judged: it includes another program' \
+    'not judged: it includes what is no header' \
+    'Headers that no lesson needs: signal.h, unistd.h' \
+    'the library that the solution does without: matrix_zero' \
     "aside: gil/$slug.c, two twice/$slug.c, solutions/$slug.c"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"

@@ -7,7 +7,11 @@
 
 FNR == 1 { file = FILENAME == "-" ? "names" : file == "solution" ? "program" : \
                FILENAME ~ /\.s$/ ? "solution" : "headers" }
-file == "names" { if ($2 == "T") library[$1]; next }
+file == "names" {
+    if ($2 == "T" && $1 !~ /^(todo|die|allocate|cell_|options_|status_|table_)/)
+        library[$1]
+    next
+}
 file == "headers" {
     for (k = 1; k <= NF; k++)
         if ($k ~ /\/(unistd|dlfcn|setjmp|signal|fcntl|spawn|ucontext|link|elf|execinfo|dirent|ftw|sys\/(auxv|ipc|mman|prctl|ptrace|resource|shm|socket|stat|syscall|wait))\.h$/) {
