@@ -18,7 +18,7 @@ if [ -z "$slug" ]; then
     exit
 fi
 cp -p "$BUILD/solutions/$slug" "$BUILD/solutions/$slug.judge" \
-    "$to/build/solutions"
+    "$BUILD/solutions/$slug.judge.s" "$to/build/solutions"
 mkdir -p "$to/build/mistakes/$slug"
 for file in "$BUILD/mistakes/$slug"/*; do # no folder of a judge that is at work
     case $file in

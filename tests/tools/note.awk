@@ -14,7 +14,7 @@ file == "names" {
 }
 file == "headers" {
     for (k = 1; k <= NF; k++)
-        if ($k ~ /\/(unistd|dlfcn|setjmp|signal|fcntl|spawn|ucontext|link|elf|execinfo|dirent|ftw|sys\/(auxv|ipc|mman|prctl|ptrace|resource|shm|socket|stat|syscall|wait))\.h$/) {
+        if ($k ~ /\/(unistd|dlfcn|setjmp|signal|fcntl|spawn|link|elf|execinfo|dirent|ftw|sys\/(auxv|ipc|mman|prctl|ptrace|resource|shm|socket|stat|syscall|wait))\.h$/) {
             sub(/.*\/include\/([^\/]*-[^\/]*\/)?/, "", $k)
             if (!told[$k]++) headers = headers ", " $k
         }

@@ -20,7 +20,7 @@ trap 'exit 130' HUP INT TERM
 printf '#include "%s"\nprogram_has %s\n' "$program" \
     "$(cut -f 1 "$checks.calls" | tr '\n' ' ')" >"$part.i"
 ({ ulimit -t 4; ulimit -f 8192; ulimit -v 1000000; } 2>/dev/null
-    exec $COMPILER -w -E -MMD -MP -MF "$into.d" -MT "$into" - \
+    exec $COMPILER -w -E -MD -MP -MF "$into.d" -MT "$into" - \
         <"$part.i" >"$part" 2>"$part.s")
 status=$?
 if [ $status != 0 ]; then
