@@ -309,8 +309,9 @@ tools() {
     # without nm
     mkdir -p none && printf '#!/bin/sh\nexit 127\n' >none/nm && chmod +x none/nm
     rm build/checks/$slug.words
-    state >../state."$(basename "$1")"
     way=$PATH PATH=$PWD/none:$PATH
+    "$MAKE" "build/solutions/$slug.judge" BUILD=build CFLAGS=-O0 >/dev/null
+    state >../state."$(basename "$1")"
     hostile file 'int shared; static void of(void) { _exit(0); }
         static void (*at)(void) __attribute__((section(".init_array"), used)) = of;' \
         >"lessons/$slug.c"
