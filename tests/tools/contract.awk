@@ -35,7 +35,7 @@ head {
 !calls
 
 function declare(text, open,    name, type, given) {
-    sub(/^static /, "", text) && open -= 7
+    if (sub(/^static /, "", text)) open -= 7
     sub(/[ \n]*$/, "", text)
     match(substr(text, 1, open - 1), /[A-Za-z_0-9]+$/)
     name = substr(text, RSTART, RLENGTH)
