@@ -27,7 +27,7 @@ FNR == 1 { # the structs of the contract: where their text begins, and ends
 /^# [0-9]+ ".*" 1( 3)?( 4)?$/ {
     path = $0
     gsub(/^# [0-9]+ "|" 1[ 134]*$/, "", path)
-    if (path !~ /\.h$/ && path !~ /^<.*>$/ && path != program ||
+    if (path !~ /\.h$/ && path !~ /^<.*>$/ && path != program && path != "./" program ||
         path ~ /^\/(dev|proc)\//) {
         print "refused: it includes what is no header, " path > "/dev/stderr"
         exit refused = 1
