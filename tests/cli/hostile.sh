@@ -340,7 +340,7 @@ tools() {
     cp "solutions/$slug.c" "lessons/$slug.c"
     COMPILER=no-such-compiler none 126 'a missing compiler' 'make deps'
     # of the student's file alone
-    printf '#!/bin/sh\ncase $* in *lessons/*) %s ;; esac\nexec %s "$@"\n' \
+    printf '#!/bin/sh\ncase $* in *cpp-output*) %s ;; esac\nexec %s "$@"\n' \
         "\$NEVER" "${CC:-cc}" >never && chmod +x never
     state >../state."$(basename "$1")"
     NEVER='sleep 1000' SECONDS_COMPILING=3 COMPILER=$PWD/never none 136 \
