@@ -180,10 +180,6 @@ void estimate_parts(const struct ladder_state *s, double part[N_PART])
     part[DIMENSION] = estimate_dimension(s);
     part[INERTIA] = estimate_inertia(s);
     relax_parts(s, estimate_mesh, estimate_stress, part);
-    const double pressed = ladder_pressed(s->scene);
-    if (pressed > 0.0) /* [eq:left-inertia] */
-        part[INERTIA] = pressed < 1.0 ? fmin(1.0, part[INERTIA] /
-                                                      (1.0 - pressed)) : 1.0;
 }
 
 int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,

@@ -54,9 +54,7 @@ double estimate_inertia(const struct ladder_state *state);
  */
 relax_forces estimate_mesh, estimate_stress;
 
-/* All of them; the inertia of a body that ladder_pressed() over 1 - p, for at
- * rest u goes with 1 / (1 - p), which at the end of a rise grows as much faster
- * than in the mean; 1 from p = 1 on. */
+/* All of them. */
 void estimate_parts(const struct ladder_state *state, double part[N_PART]);
 
 /* max |G|, G the Green strain. */

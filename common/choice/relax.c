@@ -36,17 +36,27 @@ void relax_push(const struct ladder_state *s, int e, mat2 T, double g[])
                         T.m[i][1] * gradient[2 * k + 1]);
 }
 
-struct matrix *relax_factors(const struct ladder_state *s)
+static struct matrix *factors_at(const struct ladder_state *s, const double u[])
 {
-    double *zero = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *zero);
     struct matrix *K = body_matrix(s->body);
-    enum status status =
-        body_stiffness(s->body, at_u(s) ? s->u : zero, EXACT, K);
-    free(zero);
+    enum status status = body_stiffness(s->body, u, EXACT, K);
     if (status == OK) status = matrix_factor(K);
     if (status == OK) return K;
     matrix_free(K);
     return NULL;
+}
+
+static struct matrix *factors_at_rest(const struct ladder_state *s)
+{
+    double *zero = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *zero);
+    struct matrix *K = factors_at(s, zero);
+    free(zero);
+    return K;
+}
+
+struct matrix *relax_factors(const struct ladder_state *s)
+{
+    return at_u(s) ? factors_at(s, s->u) : factors_at_rest(s);
 }
 
 /* d := K^-1 g, 0 at what is held. */
@@ -233,19 +243,26 @@ double relax_law(const struct ladder_state *s, const struct matrix *factors)
 }
 
 double relax_geometry(const struct ladder_state *s,
-                      const struct matrix *factors, relax_forces *stress)
+                      const struct matrix *factors, relax_forces *stress,
+                      double *together)
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *w = allocate(n, sizeof *w), *g = allocate(n, sizeof *g), part = 1.0;
+    double *w = allocate(n, sizeof *w), *g = allocate(n, sizeof *g);
+    double *all = allocate(n, sizeof *all), part = 1.0;
+    *together = 1.0;
     if (factors && relax_follow(s, factors, stress, STEPS, w)) {
         for (size_t r = 0; r < n; r++) w[r] += s->u[r];
         product(s, stress, w, g);
         for (size_t r = 0; r < n; r++) g[r] = -g[r];
         push_laws(s, LINEAR, CUBIC, w, g);
+        product(s, stress, s->u, all);
+        for (size_t r = 0; r < n; r++) all[r] += g[r];
         part = lacks(s, factors, stress, w, g);
+        *together = lacks(s, factors, stress, s->u, all);
     }
     free(w);
     free(g);
+    free(all);
     return part;
 }
 
@@ -284,21 +301,44 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
     part = hypot(part, late(s, factors, mesh));
     if (s->scene->quantity == LADDER_HAND) return part; /* alike in it */
     /* works are off by as much as u each, so that either may be the higher */
-    if (s->rival > 1.0 - 2.0 * part)
+    if (s->rival > 1.0 - 0.5 * part)
         part = hypot(part, s->apart / ladder_size(s, s->u));
     return part;
 }
 
-double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
+/* The root of w.M K^-1 M w, w = K^-1 f, the rate at which u would follow the
+ * load: each mode swings by that, over its frequency and T. */
+static double swing(const struct ladder_state *s, const struct matrix *K)
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *Mu = ladder_momentum(s), *w = allocate(n, sizeof *w);
-    solve(s, factors, Mu, w);
-    const double moves = dot(s, Mu, w), size = dot(s, Mu, s->u);
-    free(Mu);
+    double *w = allocate(n, sizeof *w), *Mw = allocate(n, sizeof *Mw);
+    struct body heavy = *s->body;
+    heavy.rho = 1.0;
+    solve(s, K, s->f, w);
+    body_mass(&heavy, w, Mw);
+    solve(s, K, Mw, w);
+    const double square = dot(s, Mw, w);
     free(w);
+    free(Mw);
+    return sqrt(square);
+}
+
+double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
+{
+    double *Mu = ladder_momentum(s);
+    const double size = sqrt(dot(s, Mu, s->u)) * s->scene->T;
+    free(Mu);
     if (!(size > 0.0)) return 1.0;
-    return fmin(1.0, sqrt(moves / size) / s->scene->T);
+    const double at_end = swing(s, factors) / size;
+    double begins = at_end;
+    if (at_u(s)) {
+        struct matrix *K = factors_at_rest(s);
+        begins = swing(s, K) / size;
+        matrix_free(K);
+    }
+    const double both = hypot(begins, at_end);
+    if (s->scene->time == RISES) return both / (1.0 + both);
+    return fmin(1.0, (begins + at_end * at_end) / (1.0 + begins));
 }
 
 /* Force along and moment of what lies beyond each section, nodal forces f. */
@@ -319,6 +359,22 @@ static void sections(const struct ladder_state *s, const double f[], double N[],
     }
 }
 
+/* hand.K^-1 hand of a bar (J). */
+static double yields(const struct ladder_state *s)
+{
+    const size_t n = (size_t)s->mesh->n;
+    const double height = 2.0 / s->scene->slender;
+    double *N = allocate(n + 1, sizeof *N), *M = allocate(n + 1, sizeof *M);
+    double sum = 0.0;
+    sections(s, s->hand, N, M);
+    for (size_t i = 1; i <= n; i++)
+        sum += 2.0 / s->mesh->n * (N[i] * N[i] / height +
+                                   12.0 * M[i] * M[i] / pow(height, 3));
+    free(N);
+    free(M);
+    return sum / ladder_modulus(&s->body->material);
+}
+
 double relax_dimension(const struct ladder_state *s)
 {
     const struct material *m = &s->body->material;
@@ -329,12 +385,13 @@ double relax_dimension(const struct ladder_state *s)
     double *force = allocate(n + 1, sizeof *force);
     double *moment = allocate(n + 1, sizeof *moment);
     double turn = 0.0, w = 0.0, u = 0.0, across = 0.0, along = 0.0;
-    double bent = 0.0, pulled = 0.0, both = 0.0, missed, off, whole;
+    double bent = 0.0, pulled = 0.0, both = 0.0, shorter = 0.0;
+    double missed, off, whole;
     sections(s, s->f, N, M);
     sections(s, s->hand, force, moment);
     const double I = pow(height, 3) / 12.0;
-    const double shear = 1.2 * ladder_modulus(m) / (m->mu * height);
-    const double more = 1.0 / (1.0 + N[0] / ladder_buckles(s->scene));
+    const double E = ladder_modulus(m), shear = 1.2 * E / (m->mu * height);
+    const double more = 1.0 / (1.0 - ladder_pressed(s->scene));
     for (size_t i = 0; i < n; i++) { /* everything times E' */
         const double middle = 0.5 * (M[i] + M[i + 1]);
         const double here = 0.5 * (moment[i] + moment[i + 1]);
@@ -347,10 +404,11 @@ double relax_dimension(const struct ladder_state *s)
         both += step * here * middle / I + shear * q * Q / step;
         bent += step * here * here / I + shear * q * q / step;
         pulled += step * pow(force[i + 1], 2) / height;
+        shorter += step * 0.5 * fabs(force[i + 1]) * pow(more * turn, 2) / E;
     }
     missed = 0.5 * lateral * lateral;
     if (s->scene->quantity == LADDER_HAND) {
-        off = more * fabs(both) + missed * fabs(force[0] * N[0]);
+        off = more * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
         whole = bent + pulled;
     } else {
         off = more * across + missed * fabs(N[0]);
@@ -368,13 +426,31 @@ double relax_dimension(const struct ladder_state *s)
  * more there is nothing that it is near to: 1. */
 static double pressed(const struct ladder_state *s, double dimension)
 {
+    const double bends = fmax(dimension, relax_dimension(s));
     const struct material *m = &s->body->material;
     const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
     const double missed = lateral * lateral / (2.0 * s->scene->slender);
     const double share = ladder_pressed(s->scene);
     if (share >= 1.0) return 1.0;
     if (!(share > 0.0) || ladder_symmetric(s->scene)) return 0.0;
-    return share * fmax(0.0, (dimension - missed) / (1.0 - missed));
+    return share * fmax(0.0, (bends - missed) / (1.0 - missed));
+}
+
+/* Geometry and stress of a linear model [eq:left-together]. */
+static void linear_parts(const struct ladder_state *s, const struct matrix *K,
+                         relax_forces *stress, double part[N_PART])
+{
+    const int hand = s->scene->quantity == LADDER_HAND;
+    double together;
+    const double moved = relax_geometry(s, K, stress, &together);
+    part[GEOMETRY] = hand ? moved : fmin(part[GEOMETRY], moved);
+    const double apart = hypot(part[GEOMETRY], part[STRESS]);
+    const double both = hypot(together, 2.0 * apart * apart);
+    if (both < apart) {
+        part[GEOMETRY] *= both / apart;
+        part[STRESS] *= both / apart;
+    }
+    if (!hand) part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
 }
 
 void relax_parts(const struct ladder_state *s, relax_forces *mesh,
@@ -382,21 +458,17 @@ void relax_parts(const struct ladder_state *s, relax_forces *mesh,
 {
     part[MESH] = part[STRESS] = 0.0;
     if (s->model.rung == BAR) { /* which needs no factors of K */
-        part[DIMENSION] = fmin(part[DIMENSION], relax_dimension(s));
+        part[DIMENSION] = relax_dimension(s);
+        if (s->scene->quantity == LADDER_HAND)
+            part[GEOMETRY] *= fmax(1.0, ladder_measure(s, s->u) / yields(s));
         return;
     }
     struct matrix *K = relax_factors(s);
     part[MESH] = relax_mesh(s, K, mesh);
     part[STRESS] = relax_part(s, K, stress);
-    const int hand = s->scene->quantity == LADDER_HAND;
     if (s->model.rung == CUBIC_PLANE)
         part[LAW] = fmin(part[LAW], relax_law(s, K));
-    if (s->model.rung == LINEAR_PLANE && hand)
-        part[GEOMETRY] = relax_geometry(s, K, stress);
-    else if (s->model.rung == LINEAR_PLANE && !s->model.moving)
-        part[GEOMETRY] = fmin(part[GEOMETRY], relax_geometry(s, K, stress));
-    if (s->model.rung == LINEAR_PLANE && !hand)
-        part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
+    if (s->model.rung == LINEAR_PLANE) linear_parts(s, K, stress, part);
     if (K && !s->model.moving && s->scene->time != STANDS)
         part[INERTIA] = fmax(part[INERTIA], relax_inertia(s, K));
     matrix_free(K);

@@ -74,20 +74,23 @@ double relax_part(const struct ladder_state *state,
  * near each other by chance, and the cubic law has a second state.  And what
  * the squares of H would, after the stress has turned with the body: at
  * w = u + e the cubic law leaves N(w) - D w of the forces N(w) =
- * int (P_linear - P_cubic) grad N.
+ * int (P_linear - P_cubic) grad N.  *together is what
+ * both would, D u and these, which often move a body to opposite sides.
  */
 #define RELAX_SERIES 2.0
 double relax_law(const struct ladder_state *state,
                  const struct matrix *factors);
 double relax_geometry(const struct ladder_state *state,
-                      const struct matrix *factors, relax_forces *stress);
+                      const struct matrix *factors, relax_forces *stress,
+                      double *together);
 
 /*
  * What a bar has no unknowns for, where the moment differs from section to
  * section: as estimate_dimension() with the deflection of a beam, at its
- * largest and with shear, and 1 from P_cr on.  Of the force in the hand, with m
- * and n of the hand alone, int m M / I and s^2 / 2 |n N| over int m^2 / I and
- * n^2 / height, by which it moves its own side [eq:left-hand].
+ * largest and with shear, over 1 - p, p of ladder_pressed(); 1 from p = 1 on.
+ * Of the force in the hand, with m and n of the hand alone, int m M / I,
+ * s^2 / 2 |n N| and int n w'^2 / 2, by which a bend w shortens the axis, over
+ * int m^2 / I and n^2 / height, by which it moves its own side [eq:left-hand].
  */
 double relax_dimension(const struct ladder_state *state);
 
@@ -98,20 +101,25 @@ double relax_yields(const struct ladder_state *state);
 /*
  * The part of the mesh: relax_part() of its forces, and in motion what these
  * and the time step have made it late by, and the rival where it may be the
- * higher one.  The stiffness that they add to the velocity, |D v| over |K v|,
- * makes half of that the frequency too high, and the midpoint rule (omega dt)^2
- * / 12 too low; after the time t the displacement is off by the angle of it, at
- * most 2, times the amplitude |v| / omega [eq:left-phase].  Two peaks that are
- * alike have one force in the hand, for which no rival counts.
+ * higher one: where its work is less by at most half of that part.  The
+ * stiffness that they add to the velocity, |D v| over |K v|, makes half of that
+ * the frequency too high, and the midpoint rule (omega dt)^2 / 12 too low;
+ * after the time t the displacement is off by the angle of it, at most 2, times
+ * the amplitude |v| / omega [eq:left-phase].  Two peaks that are alike have one
+ * force in the hand, for which no rival counts.
  */
 double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);
 
 /*
- * min(1, 1 / (omega T)) with omega^2 = u.Mu / u.M K^-1 Mu [eq:left-slowest],
- * and 1 for u = 0: of many modes Rayleigh's quotient has the mean omega^2, but
- * a load that rises in T makes each swing by 1 / (omega T) of its own, of which
- * this is the mean.  It is never less than estimate_inertia().
+ * What swings about rest [eq:left-slowest], at most 1, and 1 for u = 0.  Let
+ * w = K^-1 f be the rate at which u follows: a load that begins to rise
+ * in T, and one that ceases to, makes each mode swing by its part of w over its
+ * omega T, of which A = |w|_(M K^-1 M) / |u|_M / T is the root mean square.
+ * A_0 is that of K at u = 0, and A of K at u: of one mode that is pressed by p
+ * of its buckling load, r / (1 - p) with r = 1 / (omega T).  As nobody knows
+ * the phases, u goes beyond rest by h = hypot(A_0, A), and the part is h / (1 +
+ * h); of a load that swings it is (A_0 + A^2) / (1 + A_0).
  */
 double relax_inertia(const struct ladder_state *state,
                      const struct matrix *factors);
@@ -120,14 +128,17 @@ double relax_inertia(const struct ladder_state *state,
  * part[MESH] and part[STRESS], K factored for both; of a plane model at rest
  * part[INERTIA] becomes relax_inertia(), if that is more.  A strain or a stress
  * that is wrong in one corner may hardly move the body: of the cubic law
- * part[LAW] becomes relax_law(), and of the linear one at rest part[GEOMETRY]
+ * part[LAW] becomes relax_law(), and of the linear one part[GEOMETRY]
  * relax_geometry(), where that is less, or for the force in the hand, which
- * feels by how much a turn shortens a body; of a bar part[DIMENSION] becomes
- * relax_dimension() where that is less, and the others 0.  A coarse mesh may be
- * so stiff that it hides how near the load is to buckling: a body that is
- * pressed has a STRESS of at least the share ladder_pressed() of what bends in
- * part[DIMENSION], and of 1 from its buckling load on, but for the force in the
- * hand.  These two parts are read.
+ * feels by how much a turn shortens a body.  Then let h be the root of the
+ * squares of GEOMETRY and STRESS: both are multiplied so that it becomes that
+ * of `together` and 2 h^2, if that is less [eq:left-together].  Of a bar
+ * part[DIMENSION] becomes relax_dimension(), for the force in the hand
+ * part[GEOMETRY] grows by hand.u over hand.K^-1 hand, the others become 0.
+ * A coarse mesh may be so stiff that it hides how near the load is to buckling:
+ * a body that is pressed has a STRESS of at least the share ladder_pressed() of
+ * what bends, and of 1 from its buckling load on, but for the force in the
+ * hand.  GEOMETRY, LAW, DIMENSION and INERTIA are read.
  */
 void relax_parts(const struct ladder_state *state, relax_forces *mesh,
                  relax_forces *stress, double part[N_PART]);

@@ -129,13 +129,16 @@ struct moment {
     double *u, *v;
 };
 
-static void keep(struct moment *m, double work, double t, const double u[],
-                 const double v[], size_t size)
+/* The moment a part x of a step 2 d after its beginning, of which the middle
+ * and the end are given: v is a straight line there, and u its parabola. */
+static void keep(struct moment *m, double x, double d, const double half[],
+                 const double u[], const double v[], size_t size)
 {
-    m->work = work;
-    m->t = t;
-    memcpy(m->u, u, size * sizeof *u);
-    memcpy(m->v, v, size * sizeof *v);
+    for (size_t r = 0; r < size; r++) {
+        const double u0 = 2.0 * half[r] - u[r], v0 = (u[r] - u0) / d - v[r];
+        m->v[r] = v0 + x * (v[r] - v0);
+        m->u[r] = u0 + x * d * (v0 + m->v[r]);
+    }
 }
 
 /* peak[0] and peak[1] are the highest two, the highest first; [2] is sorted in
@@ -175,28 +178,35 @@ static enum status move(struct ladder_state *s)
         peak[k].u = allocate(size, sizeof *u);
         peak[k].v = allocate(size, sizeof *v);
     }
-    double before = 0.0;
-    int falls = 0;
+    double before = 0.0, power = 0.0;
     struct linear linear;
     enum status status = OK;
     if (s->model.rung == LINEAR_PLANE) status = linear_start(s, d, &linear);
     for (double t = d; status == OK && t < s->scene->end; t += dt) {
-        double work = 0.0;
+        double work = 0.0, power0 = power, x = 1.0;
         for (size_t r = 0; r < size; r++) half[r] = w[r] = u[r] + d * v[r];
         if (s->model.rung == LINEAR_PLANE)
             linear_solve(s, &linear, d, w, share_of(s->scene, t), half);
         else
             status = newton(s, d, w, share_of(s->scene, t), half);
+        power = 0.0;
         for (size_t r = 0; r < size; r++) {
             v[r] = 2.0 * (half[r] - u[r]) / d - v[r];
             u[r] = 2.0 * half[r] - u[r];
             work += s->f[r] * u[r];
+            power += s->f[r] * v[r];
         }
-        if (falls && work > before) sort_in(peak); /* a new rise begins */
-        falls = work < before;
+        if (power0 < 0.0 && power > 0.0) sort_in(peak); /* a new rise begins */
+        if (power0 > 0.0 && power < 0.0) x = power0 / (power0 - power);
+        const double top =
+            before + x * d * (2.0 * power0 + x * (power - power0));
         s->fastest = fmax(s->fastest, ladder_size(s, v));
         before = work;
-        if (work > peak[2].work) keep(&peak[2], work, t + d, u, v, size);
+        if (top > peak[2].work) {
+            keep(&peak[2], x, d, half, u, v, size);
+            peak[2].work = top;
+            peak[2].t = t - d + 2.0 * x * d;
+        }
     }
     sort_in(peak);
     answer(s, peak);

@@ -5,15 +5,17 @@
  * is compared with the logarithmic law on a mesh finer than the finest, in
  * steps of half the length; a scene is judged where the estimate of that is at
  * most half of the tolerance.  Those at rest are climbed for the root mean
- * square and for the force in the hand as well.  Nothing was made on the seed.
+ * square and for the force in the hand as well, and those in motion are counted
+ * apart.  The estimates were made on the seeds 1 to 50, and not on these.
  * Three digits: of a pressed column the fifth depends on where Newton's method
  * stops, and so on the compiler.  A larger run is
  *
- *     make BUILD=build/more CFLAGS='-O2 -DSCENES=600 -DSEED=11' \
+ *     make BUILD=build/more CFLAGS='-O2 -DSCENES=300 -DSEED=20261201' \
  *         build/more/data/23_least_model/held_out.tsv
  *
  * Tables: rungs (for the displacement), counts (of scenes, by quantity and
- * tolerance), kinds (by kind of scene, for the displacement).
+ * tolerance; moving: of the displacement in motion), kinds (by kind of scene,
+ * for the displacement).
  */
 #include "choice/estimate.h"
 #include "base/options.h"
@@ -25,12 +27,12 @@
 #include <gsl/gsl_errno.h>
 
 #ifndef SCENES
-#define SCENES 60
+#define SCENES 42
 #define SEED 2357
 #endif
-enum { QUANTITIES = LADDER_HAND + 1 };
-static const char *const quantity_name[QUANTITIES] = {"displacement", "rms",
-                                                      "force"};
+enum { MOVING = LADDER_HAND + 1, COUNTED };
+static const char *const counted_name[COUNTED] = {"displacement", "rms",
+                                                  "force", "moving"};
 
 static void print_rungs(int k, const char *kind, const struct judged_rung r[],
                         int n)
@@ -44,20 +46,20 @@ static void print_rungs(int k, const char *kind, const struct judged_rung r[],
 
 /* One scene: its rungs into the table, and what is accepted. */
 static void try(int k, struct ladder_scene *scene, struct judged *kind,
-                struct judged count[QUANTITIES][JUDGED_WANTED])
+                struct judged count[COUNTED][JUDGED_WANTED])
 {
     struct judged_rung rung[JUDGED_RUNGS];
     struct ladder_state *truth = ladder_solve(scene, ladder_truth(scene));
     int asked = 0;
     if (truth->status == OK && estimate_doubt(truth) == NO_DOUBT)
-        asked = scene->time == STANDS ? QUANTITIES : 1;
+        asked = scene->time == STANDS ? MOVING : 1;
     for (int q = 0; q < asked; q++) {
         struct judged by[JUDGED_WANTED] = {{{0}}};
         scene->quantity = (enum ladder_quantity)q;
         const int n = judged_climb(truth, rung, by);
         if (q == LADDER_LARGEST) print_rungs(k, scene->name, rung, n);
         for (int t = 0; t < JUDGED_WANTED; t++) {
-            judged_add(&count[q][t], by[t]);
+            judged_add(&count[scene->time == STANDS ? q : MOVING][t], by[t]);
             if (q == LADDER_LARGEST) judged_add(kind, by[t]);
         }
     }
@@ -70,27 +72,27 @@ static void print_kind(const char *kind, struct judged c)
               c.of[THRICE], c.of[LOWER]);
 }
 
-/* Prints the row of a quantity and tolerance, and adds it up. */
+/* Prints the row of what is counted for a tolerance, and adds it up. */
 static void print_count(int q, int t, struct judged c, struct judged *sum)
 {
-    table_row(quantity_name[q], 100.0 * judged_wanted[t], c.of[JUDGED],
+    table_row(counted_name[q], 100.0 * judged_wanted[t], c.of[JUDGED],
               c.of[REACHED], c.of[ACCEPTED], c.of[ABOVE], c.of[TWICE],
               c.of[THRICE], c.of[LOWER], c.of[RIGHT]);
     judged_add(sum, c);
 }
 
-static void claim_right(const char *quantity, struct judged sum)
+static void claim_right(int q, struct judged sum)
 {
     const int accepted = sum.of[ACCEPTED];
     claim(50 * sum.of[TWICE] <= accepted && sum.of[THRICE] == 0, "%s: %d of %d "
           "accepted are wrong by more than twice the tolerance, %d by thrice",
-          quantity, sum.of[TWICE], accepted, sum.of[THRICE]);
+          counted_name[q], sum.of[TWICE], accepted, sum.of[THRICE]);
 }
 
 int main(void)
 {
-    struct judged count[QUANTITIES][JUDGED_WANTED] = {{{{0}}}};
-    struct judged sum[QUANTITIES] = {{{0}}};
+    struct judged count[COUNTED][JUDGED_WANTED] = {{{{0}}}};
+    struct judged sum[COUNTED] = {{{0}}}, all = {{0}};
     struct judged kind[DRAWN_KINDS] = {{{0}}};
     gsl_set_error_handler_off();
     gsl_rng *random = drawn_start(SEED);
@@ -105,18 +107,19 @@ int main(void)
     gsl_rng_free(random);
     table_begin("counts", "quantity tolerance judged reached accepted above "
                           "twice thrice lower right");
-    for (int q = 0; q < QUANTITIES; q++)
+    for (int q = 0; q < COUNTED; q++)
         for (int t = 0; t < JUDGED_WANTED; t++)
             print_count(q, t, count[q][t], &sum[q]);
     table_end();
     table_begin("kinds", "kind judged reached accepted twice thrice lower");
-    for (int k = 0; k < DRAWN_KINDS; k++)
+    for (int k = 0; k < DRAWN_KINDS; k++) {
         print_kind(drawn_name((enum drawn_kind)k), kind[k]);
-    print_kind("all", sum[LADDER_LARGEST]);
+        judged_add(&all, kind[k]);
+    }
+    print_kind("all", all);
     table_end();
-    for (int q = 0; q < QUANTITIES; q++) claim_right(quantity_name[q], sum[q]);
-    const struct judged *all = &sum[LADDER_LARGEST];
-    claim(5 * all->of[LOWER] <= all->of[ACCEPTED], "a lower rung would have "
-          "done in %d of %d", all->of[LOWER], all->of[ACCEPTED]);
+    for (int q = 0; q < COUNTED; q++) claim_right(q, sum[q]);
+    claim(4 * all.of[LOWER] <= all.of[ACCEPTED], "a lower rung would have done "
+          "in %d of %d", all.of[LOWER], all.of[ACCEPTED]);
     return table_finish();
 }

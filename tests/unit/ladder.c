@@ -518,16 +518,17 @@ static void a_motion_is_late(void)
     close_to(sqrt(got * got - mesh * mesh), 0.2, 1e-3);
     s->t = 0.0; /* two peaks that are hardly apart, or far */
     s->apart = 0.3 * ladder_size(s, s->u);
-    s->rival = 1.0 - 1.9 * mesh;
+    s->rival = 1.0 - 0.48 * mesh;
     close_to(relax_mesh(s, K, estimate_mesh), hypot(mesh, 0.3), 1e-9);
-    s->rival = 1.0 - 2.1 * mesh;
+    s->rival = 1.0 - 0.52 * mesh;
     close_to(relax_mesh(s, K, estimate_mesh), mesh, 1e-9);
     matrix_free(K);
     ladder_free(s);
     ladder_free(rest);
 }
 
-/* A load that swings has its work's peaks alike; the highest two are kept. */
+/* A load that swings has its work's peaks alike; the highest two are kept, each
+ * at the moment between two steps at which f.v is 0. */
 static void a_swing_has_a_rival(void)
 {
     struct ladder_scene scene = {.slender = 2, .nu = 0.3,
@@ -535,6 +536,12 @@ static void a_swing_has_a_rival(void)
         .end = 30.0, .finest = 1};
     struct ladder_state *s =
         ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 1, 0});
+    double power = 0.0, size = 0.0;
+    for (int r = 0; r < 2 * s->mesh->n_vertex; r++) {
+        power += s->f[r] * s->v[r];
+        size += s->f[r] * s->u[r];
+    }
+    close_to(power, 0.0, 1e-12 * size);
     ck_assert(s->rival > 0.9 && s->rival <= 1.0);
     ck_assert_double_lt(s->apart, 0.2 * ladder_size(s, s->u));
     ck_assert(s->t > 4.0 && s->t <= 30.0);
@@ -616,8 +623,9 @@ static void quantities_are_measured(void)
 }
 
 /* A bar that hangs, u = x - x^2 / 2: Rayleigh's quotient is 2.5 (c / L)^2, the
- * mean over its modes 2.4706.  Two loads, of which the one along the axis has
- * the work and the other one the motion: the mean is far slower. */
+ * mean over its modes 2.4706, and a load that rises makes it swing twice by
+ * that.  Two loads, of which the one along the axis has the work and the other
+ * one the motion: the mean is far slower.  For one that swings it is all. */
 static void a_mixture_swings_as_its_modes(void)
 {
     struct ladder_scene scene = {.slender = 4, .weight = {1e-3, 0.0},
@@ -627,7 +635,8 @@ static void a_mixture_swings_as_its_modes(void)
         double part[N_PART];
         struct ladder_state *s = ladder_solve(&scene, model);
         struct matrix *K = relax_factors(s);
-        const double mean = relax_inertia(s, K), once = estimate_inertia(s);
+        const double twice = relax_inertia(s, K), once = estimate_inertia(s);
+        const double mean = twice / (1.0 - twice) / sqrt(2.0);
         if (k == 0) {
             const double unit = 2.0 / sqrt(1000.0) / 2.385;
             close_to(once, unit / 1.58114, 1e-3 * once);
@@ -635,7 +644,10 @@ static void a_mixture_swings_as_its_modes(void)
         }
         ck_assert_double_gt(mean, k ? 1.3 * once : once);
         estimate_parts(s, part);
-        close_to(part[INERTIA], mean, 1e-15);
+        close_to(part[INERTIA], fmax(once, twice), 1e-15);
+        scene.time = SWINGS;
+        close_to(relax_inertia(s, K), mean, 1e-12);
+        scene.time = RISES;
         matrix_free(K);
         ladder_free(s);
         scene.pull[0] = 4.0;
@@ -656,11 +668,13 @@ static void a_stiff_mesh_hides_no_buckling(void)
         const double share = ladder_pressed(&scene);
         const double relaxed = moved(s, estimate_stress);
         const double s2 = pow(0.456 / 0.544, 2), missed = s2 / (2.0 * 5.28);
-        const double bends =
-            (estimate_dimension(s) - missed) / (1.0 - missed);
+        const double most = fmax(estimate_dimension(s), relax_dimension(s));
+        const double bends = (most - missed) / (1.0 - missed);
         estimate_parts(s, part);
         ck_assert(k || share > 0.85);
-        close_to(part[STRESS], k ? relaxed : share * bends, 1e-10);
+        ck_assert(!k || (part[STRESS] <= relaxed &&
+                         part[STRESS] > 0.8 * relaxed));
+        if (!k) close_to(part[STRESS], share * bends, 1e-10);
         ck_assert(k || part[STRESS] > 5.0 * relaxed);
         ladder_free(s);
         scene.pull[0] *= -1.0;
@@ -754,27 +768,34 @@ static void a_column_does_not_stay_straight(void)
     }
 }
 
-/* A slow load on a body that is pressed by p leaves swings 1 / (1 - p) as
- * large, for its answer at rest is that of 1 / (1 - p t). */
+/* A slow load on a column that is pressed by p of its buckling load leaves it
+ * swinging by r / (1 - p) of what it is moved by, and by far more than r: the
+ * error of the cubic law at rest against that in motion. */
 static void a_pressed_body_swings_the_more(void)
 {
-    struct ladder_scene scene = {.slender = 4, .nu = 0.3, .time = RISES,
-        .pull = {-1.0, -1e-3}, .T = 3.0, .dt = 0.1, .end = 10.0};
-    const double all = ladder_pressed(&scene);
-    for (int k = 0; k < 3; k++) {
-        static const double share[] = {-0.4, 0.6, 1.1};
+    static const double share[] = {0.5, 0.8}, slow[] = {0.08, 0.05};
+    for (int k = 0; k < 2; k++) {
+        struct ladder_scene scene = {.slender = 5, .nu = 0.3, .time = RISES,
+            .pull = {-1.0, 0.0}, .dt = 0.05};
+        const double omega = 3.4 * sqrt(1.0 - share[k]);
+        scene.pull[0] = -share[k] / ladder_pressed(&scene);
+        scene.pull[1] = 0.01 * scene.pull[0];
+        scene.T = 1.0 / (omega * slow[k]);
+        scene.end = scene.T + 6.3 / omega;
         double part[N_PART];
-        scene.pull[0] = -share[k] / all;
         struct ladder_state *s =
-            ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
-        struct matrix *K = relax_factors(s);
-        const double inertia = fmax(estimate_inertia(s), relax_inertia(s, K));
+            ladder_solve(&scene, (struct ladder_model){CUBIC_PLANE, 0, 1});
+        struct ladder_state *t =
+            ladder_solve(&scene, (struct ladder_model){CUBIC_PLANE, 1, 1});
+        const double error = ladder_error(s, t);
         estimate_parts(s, part);
-        ck_assert_double_gt(inertia, 0.01);
-        close_to(part[INERTIA], k == 0 ? inertia : k == 1
-                 ? inertia / 0.4 : 1.0, 1e-9);
-        matrix_free(K);
+        ck_assert_msg(part[INERTIA] > 0.8 * error &&
+                      part[INERTIA] < 1.6 * error &&
+                      error > 1.3 * estimate_inertia(s),
+                      "pressed by %g: %g and %g, the error %g", share[k],
+                      part[INERTIA], estimate_inertia(s), error);
         ladder_free(s);
+        ladder_free(t);
     }
 }
 

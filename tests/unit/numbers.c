@@ -84,46 +84,67 @@ static void spans(struct range r, double low, double high)
 /* Each number of a scene is in the range of drawn.h, and in all of it. */
 static void random_scenes_are_as_said(void)
 {
+    enum { SCENES = 2000 };
     gsl_rng *random = drawn_start(2385);
     for (int kind = PULLED; kind < DRAWN_KINDS; kind++) {
+        const int pressed = kind == PRESSED || kind == PRESSED_MOVING;
+        const int moves = kind > CLAMPED;
         struct range slender = {0.0, 0.0}, nu = slender, bends = slender,
-                     turns = slender, pulls = slender, weighs = slender,
-                     rises = slender;
-        for (int k = 0; k < 2000; k++) {
+                     turns = slender, across = slender, along = slender,
+                     weighs = slender, rises = slender;
+        int straight = 0, clamped = 0, swings = 0;
+        for (int k = 0; k < SCENES; k++) {
             const struct ladder_scene s =
                 drawn_scene(random, (enum drawn_kind)kind);
             const double L = 2.0, h = L / s.slender, EI = pow(h, 3) * 1e3 / 12;
-            const double omega = 3.52 * sqrt(EI / h) / (L * L);
-            const double bend =
-                -s.weight[1] * h * pow(L, 4) / (8.0 * EI) / L;
+            const double bend = -s.weight[1] * h * pow(L, 3) / (8.0 * EI);
+            const int ends = s.held == LADDER_ENDS;
             take(&slender, log(s.slender));
             take(&nu, s.nu);
-            take(&bends, log(bend));
-            take(&turns, s.couple * pow(h, 3) / 12 * L * L / (2 * EI) / L /
-                             bend);
-            if (fabs(s.pull[0] + 100.0) > 1e-9 && s.pull[0] < 299.0)
-                take(&pulls, s.pull[0] * h / ladder_buckles(&s));
-            take(&weighs, s.weight[0] * s.slender);
-            take(&rises, log(s.T * omega));
-            ck_assert_int_eq(s.held == LADDER_ENDS, kind == CLAMPED);
-            ck_assert_int_eq(s.time == RISES, kind == MOVING);
-            ck_assert_int_eq(s.finest, kind == MOVING ? 1 : 2);
-            close_to(s.push[1] / (s.weight[1] * h), kind == CLAMPED ? 8.0 : 0.0,
+            clamped += ends;
+            straight += ladder_symmetric(&s) && !ends;
+            swings += s.time == SWINGS;
+            if (s.weight[1] != 0.0 && s.weight[1] > -50.0) {
+                take(&bends, log(bend));
+                if (fabs(s.couple * h) < 200.0)
+                    take(&turns, s.couple * pow(h, 3) / 24 * L / EI / bend);
+                take(&across, s.pull[1] * h * L * L / 3.0 / EI / bend);
+            }
+            if (ends) take(&weighs, s.weight[0] * s.slender);
+            else take(&along, ladder_pressed(&s));
+            close_to(s.push[1], ends ? fmax(-100.0, 8.0 * s.weight[1] * h) : 0,
                      1e-12);
-            ck_assert(kind != MOVING || (s.end > s.T && s.dt < s.end / 15.0));
+            ck_assert(fabs(s.couple * h) <= 200.1 && fabs(s.pull[1]) <= 100.0);
+            ck_assert(s.pull[0] >= (pressed ? -100.1 : 0.0) &&
+                      s.pull[0] <= (pressed ? 0.0 : 300.1));
+            ck_assert_int_eq(s.time != STANDS, moves);
+            ck_assert_int_eq(s.finest, moves ? 1 : 2);
             ck_assert_str_eq(s.name, drawn_name((enum drawn_kind)kind));
+            if (!moves) continue;
+            const double slow = hypot(s.slender / (ends ? 102.0 : 16.0),
+                                      1.0 / (ends ? 29.0 : 14.3));
+            take(&rises, log(s.T / slow));
+            ck_assert(s.end >= (s.time == RISES ? 1.0 : 1.6) * s.T);
+            ck_assert(s.dt >= s.end / 150.1 && s.dt < s.end / 15.0);
         }
-        spans(slender, 0.0, log(6.0));
-        spans(nu, 0.0, 0.48);
+        spans(slender, log(0.5), log(12.0));
+        spans(nu, 0.0, 0.49);
         spans(bends, log(2e-4), log(0.2));
         if (kind == CLAMPED)
             spans(weighs, -20.0, 20.0);
         else {
             spans(turns, -1.0, 1.0);
-            spans(pulls, kind == PRESSED ? -0.9 : 0.0,
-                  kind == PRESSED ? 0.0 : 3.0);
+            spans(across, -1.0, 1.0);
+            spans(along, pressed ? 0.0 : -3.0, pressed ? 0.9 : 0.0);
         }
-        if (kind == MOVING) spans(rises, log(0.15), log(15.0));
+        if (moves) spans(rises, log(0.3), log(30.0));
+        const double part = kind == CLAMPED ? 1.0
+                            : kind == RISING || kind == SWINGING ? 0.25 : 0.0;
+        const double error = 4.0 * sqrt(0.25 / SCENES); /* four standard ones */
+        close_to((double)clamped / SCENES, part, error);
+        close_to((double)straight / SCENES, (1.0 - part) / 8.0, error);
+        close_to((double)swings / SCENES, kind == SWINGING ? 1.0 :
+                 kind == PRESSED_MOVING ? 0.25 : 0.0, error);
     }
     gsl_rng_free(random);
 }
