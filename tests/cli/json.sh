@@ -64,8 +64,8 @@ rm $mine
 says 'is not there' 2 'is not there.'
 printf '\377\376/\000*\000' >$mine
 says 'is in UTF-16' 2 'is in UTF-16.'
-echo "#include \"solutions/$slug.c\"" >$mine
-says 'includes a solution' 2 'it includes another program'
+echo "#include \"../solutions/$slug.c\"" >$mine
+says 'includes a solution' 2 'it includes what is no header'
 sed '/SLOT 3a/i\
     raise(SIGKILL);
 1i\
