@@ -140,7 +140,8 @@ static int climb(const struct ladder_scene *scene, double tolerance,
                   part[GEOMETRY], part[LAW], part[DIMENSION],
                   part[INERTIA], part[MESH], part[STRESS],
                   stable ? "stable" : "unstable", estimate,
-                  cell_if(truth != NULL, truth ? ladder_error(s, truth) : 0.0),
+                  truth ? cell_rounded(7, ladder_error(s, truth))
+                        : cell_word(MISSING),
                   s->flops,
                   enough ? "enough" : more ? ladder_part(add) : "nothing");
         free(Mu);

@@ -83,7 +83,7 @@ for how in CRLF 'a mark and CRLF'; do
     sed 's/b\[i\] -= A\[/b[i] += A[/' predicted >wrong
     as_saved "$how" wrong >$mine
     says 2 'known_values_move_to_the_right (slot 3a)' "a mistake with $how" "$MAKE" check-$nn
-    { printf '/* mine */\n#include "solutions/%s.c"\n' $slug; } >wrong
+    { printf '/* mine */\n#include "../solutions/%s.c"\n' $slug; } >wrong
     as_saved "$how" wrong >$mine
     says 2 "VERDICT $nn: WRONG (refused)" "what is refused with $how" "$MAKE" check-$nn
 done

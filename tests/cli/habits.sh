@@ -233,7 +233,7 @@ says '^Enough for 12 %: linear triangles, logarithmic law' 'and takes no cubic l
 sed 's/^pulled .*/pulled 1e6 0/' lessons/scenes/harder.scene >torn.scene
 says 'the strain is so large that no body' 'make choose refuses what no body can bear' \
     "$MAKE" choose SCENE=torn.scene
-sed 's/^end .*/end 1e4/' lessons/scenes/plunge.scene >long.scene
+sed 's/^end .*/end 100/' lessons/scenes/plunge.scene >long.scene
 says 'the steps are too long' 'and steps that are too long' \
     "$MAKE" choose SCENE=long.scene
 says '--error abc: must be a number from 0.01 to 100 %' \
