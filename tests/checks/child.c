@@ -1,5 +1,5 @@
 /* child.c - see child.h. */
-#if defined(__linux__) && !defined(_DEFAULT_SOURCE)
+#if defined(__linux__)
 #define _DEFAULT_SOURCE /* syscall */
 #endif
 #include "confine.h"

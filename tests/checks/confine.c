@@ -1,5 +1,5 @@
 /* confine.c - limits of a child, and what it leaves behind; see confine.h. */
-#if defined(__linux__) && !defined(_DEFAULT_SOURCE)
+#if defined(__linux__)
 #define _DEFAULT_SOURCE /* syscall */
 #endif
 #include "confine.h"
