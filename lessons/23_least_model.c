@@ -131,7 +131,9 @@ static int climb(const struct ladder_scene *scene, double tolerance,
         part[LAW] = estimate_law(s); /* [eq:left-law], as in lesson 02 */
         shape_part(s, part);
         load_parts(s, Mu, part);
+        const double dimension = part[DIMENSION]; /* 23d, not the library's */
         relax_parts(s, mesh_forces, stress_forces, part);
+        part[DIMENSION] = dimension;
         enough = verdict(model, scene->time, stable, tolerance, part, &estimate,
                          &add);
         more = !enough && ladder_add(scene, add, &model);
