@@ -310,7 +310,8 @@ tools() {
     mkdir -p none && printf '#!/bin/sh\nexit 127\n' >none/nm && chmod +x none/nm
     rm build/checks/$slug.words
     way=$PATH PATH=$PWD/none:$PATH
-    "$MAKE" "build/solutions/$slug.judge" BUILD=build CFLAGS=-O0 >/dev/null
+    "$MAKE" "build/checks/$slug.words" "build/solutions/$slug.judge" BUILD=build \
+        CFLAGS=-O0 >/dev/null
     state >../state."$(basename "$1")"
     hostile file 'int shared; static void of(void) { _exit(0); }
         static void (*at)(void) __attribute__((section(".init_array"), used)) = of;' \
@@ -322,7 +323,8 @@ tools() {
     judged 142 'without nm: names of the judge' OK
     PATH=$way
     rm -r none build/checks/$slug.words
-    "$MAKE" "build/solutions/$slug.judge" BUILD=build CFLAGS=-O0 >/dev/null
+    "$MAKE" "build/checks/$slug.words" "build/solutions/$slug.judge" BUILD=build \
+        CFLAGS=-O0 >/dev/null
     state >../state."$(basename "$1")"
 
     rm "lessons/$slug.c" && mkfifo "lessons/$slug.c"
