@@ -167,7 +167,7 @@ $(T)/wide.result: $(MADE)/said tests/cli/wide.sh
 	$(Q)mkdir -p $(@D) && sh tests/cli/wide.sh $(MADE) > $@
 $(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
         $(wildcard tests/tools/skeleton/*)
-	$(call say,test,the form of chapters)
+	$(call say,test,the form of answers)
 	$(Q)mkdir -p $(@D) && sh $< > $@
 $(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.awk \
         tests/tools/seconds.awk figures/speed/README.md

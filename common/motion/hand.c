@@ -30,15 +30,17 @@ struct hand {
 };
 
 /* What a handler of a signal may know. */
-static char said[128], slot_now[8];
+static char said[8], slot_now[8]; /* the lesson; what is called */
 static volatile sig_atomic_t open_now;
 
-static _Noreturn void stop(const char *verdict, const char *why)
+/* `helps`, unless NULL, is a goal that does, with the lesson's number behind. */
+static _Noreturn void stop(const char *verdict, const char *why,
+                           const char *helps)
 {
     char line[256];
     const char *slot = slot_now[0] ? slot_now : "none";
     const char *part[] = {"live-", said, ": ", verdict, " (slot ", slot, "): ",
-                          why, "\n"};
+                          why, helps ? helps : "", helps ? said : "", "\n"};
     size_t n = 0;
     for (int k = 0; k < COUNT(part); k++)
         for (const char *c = part[k]; *c && n < sizeof line; c++)
@@ -50,13 +52,13 @@ static _Noreturn void stop(const char *verdict, const char *why)
 static void caught(int signal)
 {
     if (signal == SIGALRM)
-        stop("TIMEOUT", "this frame does not end");
-    stop("CRASHED", "a signal ended it; make debug-NN names the line");
+        stop("TIMEOUT", "this frame does not end", NULL);
+    stop("CRASHED", "a signal ended it; the line: ", "make debug-");
 }
 
 static void left(void)
 {
-    if (open_now && slot_now[0]) stop("CRASHED", "it ended the program");
+    if (open_now && slot_now[0]) stop("CRASHED", "it ended the program", NULL);
 }
 
 void hand_slot(const char *slot)
@@ -185,7 +187,7 @@ static void check_finite(const struct view_picture *p)
     for (int e = 0; e < p->n_triangle; e++) finite &= isfinite(p->value[e]);
     for (int k = 0; k < p->n_arrow; k++)
         for (int i = 0; i < 4; i++) finite &= isfinite(p->arrow[k][i]);
-    if (!finite) stop("NONFINITE", "what it returned is no number");
+    if (!finite) stop("NONFINITE", "what it returned is no number", NULL);
 }
 
 void hand_draw(struct hand *hand, struct view_picture *picture,

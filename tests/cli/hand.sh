@@ -31,6 +31,10 @@ for slug in $SCENES; do
     cp "$MINE/$slug.hand.tsv" "$MINE/first"
     [ $status = 0 ] && [ "$(frames)" = 300 ]
     result $? "$slug, 300 frames" "$said"
+    "$MINE/$slug.hand" --input hard --picture "$MINE/last.svg" >/dev/null
+    grep -q '^<polygon' "$MINE/last.svg" && grep -q "the reference's slots\|yours: " "$MINE/last.svg" &&
+        tail -n 1 "$MINE/last.svg" | grep -q '^</svg>$' && ! grep -q nan "$MINE/last.svg"
+    result $? "$slug, the last picture as SVG" "$(head -n 5 "$MINE/last.svg")"
     # whose slots they are is found out from the file, and changes no number
     awk -f tests/tools/starter.awk "solutions/$slug.c" >"$MINE/starter.c"
     play "$MINE/starter.c" '--input hard'
@@ -56,6 +60,9 @@ for slug in $SCENES; do
         with_line "$slot" "$what"
         play "$MINE/lined.c" '--input pull'
         [ $status = 1 ] && echo "$said" | grep -q "^live-${slug%%_*}: CRASHED (slot $slot): "
+        crashed=$?
+        case $what in '*'*) echo "$said" | grep -q "make debug-${slug%%_*}$" || crashed=1 ;; esac
+        [ $crashed = 0 ]
         result $? "$slug, $what" "$status: $said"
     done
 done
