@@ -1,5 +1,5 @@
 /*
- * drawn.h - random scenes of ladder.h, each with two loads at once or more.
+ * drawn.h - random scenes of ladder.h.
  */
 #ifndef FIGURES_23_DRAWN_H
 #define FIGURES_23_DRAWN_H
