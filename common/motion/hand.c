@@ -33,7 +33,7 @@ struct hand {
 static char said[8], slot_now[8]; /* the lesson; what is called */
 static volatile sig_atomic_t open_now;
 
-/* `helps`, unless NULL, is a goal that does, with the lesson's number behind. */
+/* `helps`, unless NULL, is a goal that does; `said` is written behind it. */
 static _Noreturn void stop(const char *verdict, const char *why,
                            const char *helps)
 {
