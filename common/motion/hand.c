@@ -16,7 +16,7 @@
 #ifndef HAND_SECONDS
 #define HAND_SECONDS 60 /* that a frame may take */
 #endif
-enum { NUMBERS = 8 };
+enum { NUMBERS = 8, KEYED = 37 };
 
 struct hand {
     const char *whose, *keys;
@@ -90,6 +90,10 @@ struct hand *hand_open(const char *lesson, const char *whose,
     hand->keys = keys;
     hand->scripted = input != NULL;
     if (input) hand->input = pointers_named(input, 3.0, seed);
+    const int n_key = (int)strlen(keys);
+    if (input && (strcmp(input, "hard") == 0 || strcmp(input, "mad") == 0))
+        for (int k = KEYED; k < hand->input.n; k += KEYED)
+            hand->input.frame[k].key = keys[(k / KEYED - 1) % n_key];
     snprintf(name, sizeof name, "Lesson %s in your hand", lesson);
     hand->view = view_open(name); /* NULL: linked without one */
     if (!hand->view && !input)
@@ -115,6 +119,8 @@ int hand_next(struct hand *hand, struct pointer *pointer)
     if (!hand->scripted) pointers_add(&hand->input, read);
     if (hand->k >= hand->input.n) return 0;
     *pointer = hand->input.frame[hand->k++];
+    pointer->x = fmax(-2.7, fmin(2.7, pointer->x));
+    pointer->y = fmax(-2.1, fmin(2.1, pointer->y));
     hand->start = clock_seconds();
     alarm(HAND_SECONDS);
     return 1;
@@ -167,6 +173,12 @@ static void print_svg(FILE *file, const struct view_picture *p)
                 across(a[0]), down(a[1]), across(a[2]), down(a[3]),
                 across(a[2]), down(a[3]));
     }
+    if (p->n_curve) fprintf(file, "<polyline fill=\"none\" stroke=\"black\" "
+                                  "points=\"");
+    for (int k = 0; k < p->n_curve; k++)
+        fprintf(file, "%.2f,%.2f ", across(p->curve[2 * k]),
+                down(p->curve[2 * k + 1]));
+    if (p->n_curve) fprintf(file, "\"/>\n");
     double y = 18.0;
     for (const char *c = p->caption; *c;) {
         const int length = (int)strcspn(c, "\n");
@@ -187,6 +199,7 @@ static void check_finite(const struct view_picture *p)
     for (int e = 0; e < p->n_triangle; e++) finite &= isfinite(p->value[e]);
     for (int k = 0; k < p->n_arrow; k++)
         for (int i = 0; i < 4; i++) finite &= isfinite(p->arrow[k][i]);
+    for (int k = 0; k < 2 * p->n_curve; k++) finite &= isfinite(p->curve[k]);
     if (!finite) stop("NONFINITE", "what it returned is no number", NULL);
 }
 

@@ -12,7 +12,7 @@
  *
  * The pointer comes from the window of view.h, or where a program has none, or
  * with --input, from a script of pointer.h; the same lines give the same
- * frames.
+ * frames.  hard and mad press a key every now and then, each in turn.
  * A slot that crashes, that does not return within a minute, that exits or
  * returns a place that is not finite ends the program with one line that names
  * it, and status 1.
@@ -34,7 +34,8 @@ struct hand;
 struct hand *hand_open(const char *lesson, const char *whose,
                        const char *keys, int argc, char *argv[]);
 
-/* The next frame: false at the end of the input, or of the window. */
+/* The next frame: false at the end of the input, or of the window.  The pointer
+ * stays within 2.7 m and 2.1 m of the middle. */
 int hand_next(struct hand *hand, struct pointer *pointer);
 
 /* The slot that is called from here on; NULL: none. */

@@ -24,6 +24,8 @@ struct view_picture {
     const int *ring;     /* [n_point] red rings; NULL: none */
     int n_arrow;
     double arrow[VIEW_ARROWS][4]; /* from x, y to x, y (m) */
+    int n_curve;
+    const double *curve; /* [2 n_curve] (m): a line through these points */
     int alarm;                    /* the caption is red */
     char caption[VIEW_CAPTION];   /* lines */
     char note[80];                /* beside the milliseconds */

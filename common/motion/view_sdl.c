@@ -172,7 +172,7 @@ static void draw_body(struct view *v, const struct view_picture *p)
     }
 }
 
-/* Arrows three pixels wide, with a block as head. */
+/* Arrows three pixels wide, with a block as head; the curve has two. */
 static void draw_arrows(struct view *v, const struct view_picture *p)
 {
     ink(v, 20, 20, 20);
@@ -184,6 +184,12 @@ static void draw_arrows(struct view *v, const struct view_picture *p)
             SDL_RenderDrawLineF(v->draw, a.x, a.y + i, b.x, b.y + i);
         }
         block(v, b.x - 4, b.y - 4, 9, 9);
+    }
+    for (int k = 0; k + 1 < p->n_curve; k++) {
+        const SDL_FPoint a = pixel(v, &p->curve[2 * k]);
+        const SDL_FPoint b = pixel(v, &p->curve[2 * k + 2]);
+        for (float i = 0; i <= 1; i++)
+            SDL_RenderDrawLineF(v->draw, a.x, a.y + i, b.x, b.y + i);
     }
 }
 

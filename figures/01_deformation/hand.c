@@ -46,8 +46,8 @@ int main(int argc, char *argv[])
         else if (grabbed < 0)
             grabbed = hand_nearest(&pointer, VERTICES, x, 0.3);
         if (grabbed >= 0) {
-            x[2 * grabbed] = fmax(-2.7, fmin(2.7, pointer.x));
-            x[2 * grabbed + 1] = fmax(-2.1, fmin(2.1, pointer.y));
+            x[2 * grabbed] = pointer.x;
+            x[2 * grabbed + 1] = pointer.y;
         }
         for (int e = 0; e < TRIANGLES; e++) {
             const int *node = &mesh->triangle[3 * e];

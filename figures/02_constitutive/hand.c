@@ -50,8 +50,8 @@ int main(int argc, char *argv[])
         if (!pointer.down) grabbed = 0;
         else grabbed |= hand_nearest(&pointer, 1, &x[4], 0.3) == 0;
         if (grabbed) {
-            x[4] = fmax(-2.7, fmin(2.7, pointer.x));
-            x[5] = fmax(-2.1, fmin(2.1, pointer.y));
+            x[4] = pointer.x;
+            x[5] = pointer.y;
         }
         for (int a = 0; a < 3; a++)
             for (int i = 0; i < 2; i++)
