@@ -198,13 +198,15 @@ void body_mass(const struct body *body, const double v[], double out[])
         out[r] = body->diagonal ? body->rho * body->diagonal[r / 2] * v[r]
                                 : 0.0;
     if (body->diagonal) return;
+    const double own = body_mass_share(body->mass, 0, 0);
+    const double other = body_mass_share(body->mass, 0, 1);
     for (int e = 0; e < body->n_element; e++) {
         const int *t = &body->vertex[3 * e];
-        for (int a = 0; a < 3; a++)
-            for (int b = 0; b < 3; b++)
-                for (int i = 0; i < 2; i++)
-                    out[2 * t[a] + i] += body->rho * body->area[e] *
-                                         body_mass_share(body->mass, a, b) *
+        const double mass = body->rho * body->area[e];
+        for (int i = 0; i < 2; i++)
+            for (int a = 0; a < 3; a++)
+                for (int b = 0; b < 3; b++)
+                    out[2 * t[a] + i] += mass * (a == b ? own : other) *
                                          v[2 * t[b] + i];
     }
 }
