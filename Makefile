@@ -61,10 +61,9 @@ CFLAGS  ?= -O2 -g
 STRICT  := -Wall -Wextra -Wpedantic -Wshadow -Wconversion \
            -Wstrict-prototypes -Wmissing-prototypes
 STD     := -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off
-ask_cflags = $(shell gsl-config --cflags 2>/dev/null)
-ask_libs   = $(shell gsl-config --libs 2>/dev/null)
-GSL_CFLAGS = $(call once,cflags)
-GSL_LIBS   = $(or $(call once,libs),-lgsl -lgslcblas -lm)
+ask_gsl    = $(shell gsl-config --cflags --libs 2>/dev/null)
+GSL_CFLAGS = $(filter -I% -D%,$(call once,gsl))
+GSL_LIBS   = $(or $(filter-out -I% -D%,$(call once,gsl)),-lgsl -lgslcblas -lm)
 # $(call once,NAME): $(ask_NAME), expanded when it is first needed.  make 3.81
 # crashes where a variable is changed while it is expanded.
 once = $(if $(filter undefined,$(origin said_$1)),$(eval \
@@ -83,7 +82,7 @@ endif
 # They make the build one for this machine; `make clean` and NATIVE= give one for
 # any.
 ask_native = $(shell takes() { \
-                 $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
+                 $(CC) -Werror "$$@" -fsyntax-only -x c /dev/null \
                  2>/dev/null && echo "$$@"; }; \
                  set -- -O3 -march=native -mprefer-vector-width=512 \
                  -ffp-contract=fast; \
@@ -97,19 +96,17 @@ PLAIN   = $(CC) $(STD) $(STRICT) $(CFLAGS) -Icommon $(GSL_CFLAGS)
 # reading or running the old one.  A signal leaves no half of it.
 PART    = $@.$$$$.part
 WHOLE   = trap 'rm -f $(PART) $(PART).said' 0; trap 'exit 130' 1 2 15;
-MOVED   = mv -f $(PART) $@
+MOVED   = mv -f $(PART) $@ && trap - 0
+HERE    = [ -d $(@D) ] || mkdir -p $(@D)
 COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
 # What the compiler says of an object stays in OBJECT.said: a test reads it.
-OBJECT  = -c -o $(PART) 2> $(PART).said; status=$$?; cat $(PART).said >&2; \
+OBJECT  = -c -o $(PART) 2> $(PART).said; status=$$?; \
+          [ ! -s $(PART).said ] || cat $(PART).said >&2; \
           [ $$status = 0 ] && mv -f $(PART).said $@.said && $(MOVED)
 # the linker that takes half as long, where there is one
-ask_linker = $(shell echo 'int main(void) { return 0; }' | \
-                 $(CC) -Werror -fuse-ld=gold -x c - -o /dev/null 2>/dev/null && \
-                 echo -fuse-ld=gold)
-ifeq ($(origin FAST_LD),undefined)
+ask_linker = $(if $(filter cc gcc% clang% ccache,$(notdir $(firstword $(CC)))), \
+                 $(shell command -v ld.gold >/dev/null && echo -fuse-ld=gold))
 FAST_LD = $(call once,linker)
-endif
-export FAST_LD
 LIBS    = $(LDFLAGS) $(FAST_LD) $(GSL_LIBS)
 PLACED  = -o $(PART) $(filter %.o %.a,$^) $(LIBS) && $(MOVED)
 LINK    = $(LIB) $(LIBS)
@@ -235,7 +232,7 @@ gsl:
 
 # Where gsl-config is missing, GSL is looked for before anything is compiled.
 $(BUILD)/flags: $(OTHER_FLAGS) | $(if $(LINKED),$(if $(GSL_CFLAGS),,gsl))
-	$(Q)mkdir -p $(@D) && $(WHOLE) printf '%s\n' '$(subst ','\'',$(FLAGS))' \
+	$(Q)$(HERE) && $(WHOLE) printf '%s\n' '$(subst ','\'',$(FLAGS))' \
 	    > $(PART) && $(MOVED)
 
 # A program is linked with the objects whose headers it reaches, so that the
@@ -269,7 +266,7 @@ $(LIB): $(OBJECTS) $(if $(LEFT_OUT),always)
 # tiles.c and front.c are as fast with -O2 and these of gcc, have the same digits,
 # and compile in two thirds of the time; banded.c has its digits with any flags.
 ask_less = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
-               -fpeel-loops; $(CC) -Werror "$$@" -x c -c /dev/null -o /dev/null \
+               -fpeel-loops; $(CC) -Werror "$$@" -fsyntax-only -x c /dev/null \
                2>/dev/null && echo "$$@" || echo -O3)
 LESS_THAN_O3 = $(call once,less)
 same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
@@ -281,7 +278,7 @@ native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter banded,$1),$(if $(NATIVE),$(LESS_THAN_O3)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
+	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
 	    $(call native_for,$(notdir $*)) $< $(OBJECT)
 
 # Compiled and linked by themselves: `make test` links them with other libraries.
@@ -289,7 +286,7 @@ $(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
 $(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(if $(filter figures/%,$<),$(patsubst \
+	$(Q)$(HERE) && $(COMPILE) $(if $(filter figures/%,$<),$(patsubst \
 	    -g,-g0,$(filter -g,$(CFLAGS)))) $< $(OBJECT)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 	$(Q)$(WHOLE) $(CC) $(CFLAGS) $(PLACED)
@@ -303,7 +300,7 @@ $(MISSING):
 $(BUILD)/mine/%: lessons/%.c $$(call needs,lessons/$$*.c)
 	$(call say,cc,$<)
 	@[ -f $< ] || { echo '$< is not a plain file.' >&2; exit 1; }
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
+	$(Q)$(HERE) && $(COMPILE) $< $(PLACED)
 
 # A judge is a lesson's checks with the judged program compiled in.
 JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
@@ -311,14 +308,14 @@ JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
           kept)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -Itests/checks $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) -Itests/checks $< $(OBJECT)
 
 # An index beyond an array whose length the compiler knows is a trap there, if it
 # knows how; judge.h guards the arrays that the checks hand over.
 ask_bounds = $(shell for flags in \
                  '-fsanitize=bounds -fsanitize-undefined-trap-on-error' \
                  '-fsanitize=bounds -fsanitize-trap=bounds'; do \
-                 $(CC) -Werror $$flags -x c -c /dev/null -o /dev/null 2>/dev/null && \
+                 $(CC) -Werror $$flags -fsyntax-only -x c /dev/null 2>/dev/null && \
                  echo $$flags && break; done)
 BOUNDS = $(call once,bounds)
 
@@ -328,7 +325,7 @@ QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
 CHECKS := $(BUILD)/checks
 CONTRACT = awk -f tests/tools/contract.awk
 $(CHECKS)/%.h: solutions/%.c tests/tools/contract.awk
-	$(Q)mkdir -p $(@D) && $(WHOLE) $(CONTRACT) $< > $(PART) && $(MOVED)
+	$(Q)$(HERE) && $(WHOLE) $(CONTRACT) $< > $(PART) && $(MOVED)
 $(CHECKS)/%.s: tests/checks/%.c $(CHECKS)/%.h $(RULES)
 	$(call say,cc,$<)
 	$(Q)$(COMPILE) $(QUICK) $(BOUNDS) -fno-lto -I. -Itests/checks \
@@ -339,7 +336,7 @@ $(CHECKS)/%.o: $(CHECKS)/%.s
 	$(Q)$(WHOLE) $(CC) $(CFLAGS) -c $< -o $(PART) && $(MOVED)
 # what is the linker's already, where nm says so
 $(CHECKS)/%.words: $(JUDGE) $$(call needs,solutions/$$*.c)
-	$(Q)mkdir -p $(@D) && $(WHOLE) { nm -gP $(JUDGE) && echo library && \
+	$(Q)$(HERE) && $(WHOLE) { nm -gP $(JUDGE) && echo library && \
 	    nm -gP $(filter-out $(JUDGE),$^); } 2>/dev/null | awk 'BEGIN { \
 	    print "-" } NF == 1 { theirs = theirs || $$1 == "library" } $$2 ~ /[A-TV-Z]/ { print $$1, \
 	    theirs ? "library" : "judge" }' > $(PART) && $(MOVED)
@@ -350,14 +347,14 @@ AS_PROGRAM = tests/tools/program.sh tests/tools/program.awk tests/tools/assemble
 judge_of = $(CHECKS)/$1.o $(CHECKS)/$1.calls $(CHECKS)/$1.words $(JUDGE) $(AS_PROGRAM)
 build_judge = COMPILER='$(call $(or $4,quickly),$(PLAIN)) $(BOUNDS) $3' \
     BUILD='$(BUILD)' sh tests/tools/program.sh '$1' $2 $@ && $(WHOLE) $(CC) \
-    $(CFLAGS) $3 $@.s $$(ls $@.o 2>/dev/null || echo $(CHECKS)/$2.o) -o $(PART) \
+    $(CFLAGS) $3 $@.s $$([ -f $@.o ] && echo $@.o || echo $(CHECKS)/$2.o) -o $(PART) \
     $(filter-out $(CHECKS)/%,$(filter %.o %.a,$^)) $(LIBS) && $(MOVED)
 quickly = $1 $(QUICK)
 
 $(BUILD)/solutions/%.judge: solutions/%.c $$(call judge_of,$$*) \
         $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,$<)
-	$(Q)mkdir -p $(@D) && $(call build_judge,$<,$*)
+	$(Q)$(HERE) && $(call build_judge,$<,$*)
 
 # Known mistakes and equivalent programs of a lesson (tests/mistakes/NN_slug.txt):
 # all.judge has them all, for they differ in a few functions.  NAME is one of them
@@ -396,15 +393,15 @@ endif
 # A study whose claim is false ends with status 1 and leaves no data.
 $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 	$(call say,run,$<)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(PART) && $(MOVED)
+	$(Q)$(HERE) && $(WHOLE) $< > $(PART) && $(MOVED)
 $(COUNTED:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%
 	$(call say,study,$*)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(PART) && $(MOVED)
+	$(Q)$(HERE) && $(WHOLE) $< > $(PART) && $(MOVED)
 
 $(ASKING:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: figures/%.gp \
         $(BUILD)/solutions/$$(firstword $$(subst /, ,$$*))
 	$(call say,run,$*)
-	$(Q)mkdir -p $(@D) && $(WHOLE) \
+	$(Q)$(HERE) && $(WHOLE) \
 	    $(filter-out %.gp,$^) $$($(OPTIONS_OF) $<) > $(PART) && $(MOVED)
 
 # The numbers of a chapter's Example: its lesson's, with the ARGS that stand there.
@@ -414,7 +411,7 @@ ARGS_OF = sed -n '/^\#\# Example$$/,/^\#\# On paper$$/s/.*ARGS=.\([^`]*\).`.*/\1
 $(EXAMPLES:%=$(BUILD)/data/%/example.tsv): $(BUILD)/data/%/example.tsv: \
         $(BUILD)/solutions/% lessons/%.md
 	$(call say,run,$* example)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $< $$($(ARGS_OF) lessons/$*.md) > $(PART) && \
+	$(Q)$(HERE) && $(WHOLE) $< $$($(ARGS_OF) lessons/$*.md) > $(PART) && \
 	    $(MOVED)
 
 # A picture whose script, style and data are as they were is not drawn again.
@@ -428,7 +425,7 @@ $(foreach f,$(SCRIPTS),$(eval $(call figure_rule,$f,$(if $(filter \
     $f,$(TIMED)),$(BUILD)/)$(call picture,$f))))
 # What the study on many processes has counted is in the tree.
 $(BUILD)/data/many.tsv: figures/many/many.tsv
-	$(Q)mkdir -p $(@D) && cp $< $@
+	$(Q)$(HERE) && cp $< $@
 # The map of the course is drawn from the heads of the chapters.
 figures/map.svg: figures/map.awk $(wildcard lessons/[0-9]*.md figures/*/README.md)
 	$(call say,map,$@)
@@ -486,7 +483,7 @@ CHOLMOD = $(shell for f in "$$(pkg-config --cflags --libs cholmod \
 $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
         $$(call needs,figures/$$*.c)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && lapack='$(LAPACK)' && \
+	$(Q)$(HERE) && lapack='$(LAPACK)' && \
 	    rival='$(if $(filter %/solvers,$*),$(CHOLMOD))' && $(COMPILE) \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
 	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \

@@ -17,13 +17,13 @@ MANY_CC = OMPI_CC='$(CC)' mpicc $(STD) $(STRICT) $(CFLAGS) -Icommon \
 MANY_LIBS = $(LINK) $$(pkg-config --libs petsc)
 $(MANY)/many $(MANY)/peer: $(MANY)/%: $(MANY_FILES) $(LIB) Makefile tests/many.mk
 	$(call say,mpicc,figures/many/$*.c)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $(MANY_CC) figures/many/$*.c -o $(PART) \
+	$(Q)$(HERE) && $(WHOLE) $(MANY_CC) figures/many/$*.c -o $(PART) \
 	    $(MANY_LIBS) && $(MOVED)
 MANY_WRONG := $(shell $(VARIANT) -v list=mistake tests/many/mistakes.txt)
 $(MANY_WRONG:%=$(MANY)/%/many): $(MANY)/%/many: tests/many/mistakes.txt \
         $(MANY_FILES) $(LIB) tests/tools/variant.awk
 	$(call say,mpicc,figures/many/ with $*)
-	$(Q)mkdir -p $(@D) && cp $(MANY_FILES) $(@D)
+	$(Q)$(HERE) && cp $(MANY_FILES) $(@D)
 	$(Q)file=$$($(VARIANT) -v name=$* -v get=file $<) && $(VARIANT) \
 	    -v name=$* $< figures/many/$$file > $(@D)/$$file
 	$(Q)$(MANY_CC) $(@D)/many.c -o $@ $(MANY_LIBS)
@@ -44,7 +44,7 @@ $(T)/many.result: $(shell grep -qs '^skip many: no' $(T)/many.result && \
         tests/many.mk tests/many/mistakes.txt tests/tools/many.sh tests/tools/many.awk \
         tests/tools/mpirun.sh
 	$(call say,test,many processes)
-	$(SHARED)$(Q)mkdir -p $(@D) && if $(have_many); then \
+	$(SHARED)$(Q)$(HERE) && if $(have_many); then \
 	    "$$MAKE" many-programs > $@.log 2>&1 && \
 	    BUILD='$(BUILD)' sh tests/tools/many.sh test > $@ || \
 	    { echo 'FAIL many:'; cat $@.log; } > $@; \
@@ -63,4 +63,4 @@ peer:
 	else cp figures/many/peer.tsv $$to; fi; cat $$to >> $(BUILD)/data/speed/step.tsv
 
 $(BUILD)/data/many/many.tsv: figures/many/many.tsv
-	$(Q)mkdir -p $(@D) && cp $< $@
+	$(Q)$(HERE) && cp $< $@

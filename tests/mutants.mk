@@ -30,7 +30,7 @@ mutants: $(LESSONS:%=$(BUILD)/solutions/%) $(foreach l,$(LESSONS),$(call \
 
 # for the sanitizers; without them where there are none
 $(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
-	$(Q)mkdir -p $(@D) && for flags in -fsanitize=address,undefined ''; do \
+	$(Q)$(HERE) && for flags in -fsanitize=address,undefined ''; do \
 	    $(COMPILE) $(UNIT_FLAGS) $$flags -c $< -o $@ && break; done
 MUTANT_FILES = $(OBJECTS:$(BUILD)/%.o=%.c)
 MUTANTS_COMMON = BUILD='$(BUILD)' SEED='$(SEED)' N='$(N_COMMON)' \

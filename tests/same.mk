@@ -29,10 +29,10 @@ RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
 # $(call same_rules,BUILD,folder of all other objects)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
-	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$(call \
+	$(Q)$$(HERE) && $$(COMPILE) $$(call \
 	    anew_flags,$1,$$(notdir $$*)) $$< $$(OBJECT)
 $(T)/$1/clock.o: tests/tools/clock.c common/base/clock.h $(RULES)
-	$(Q)mkdir -p $$(@D) && $$(COMPILE) $$< $$(OBJECT)
+	$(Q)$$(HERE) && $$(COMPILE) $$< $$(OBJECT)
 $(T)/$1/libworkbook.a: $(T)/$1/clock.o $(ANEW:%=$(T)/$1/%) \
         $(addprefix $2/,$(filter-out %/clock.o $(ANEW),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
@@ -67,7 +67,7 @@ ask_v8 = $(shell [ '$(strip $(NATIVE))' = '$(strip $(ALL_NATIVE))' ] && $(CC) \
 V8_HERE = $(call once,v8)
 # $(call SAME_RUN,BUILD,options,/example where it is one)
 MAIN = $(BUILD)/data/$*$3.tsv
-SAME_RUN = mkdir -p $(@D) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \
+SAME_RUN = $(HERE) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \
            '^. machine: ' $(MAIN); then : > $@.said; cp $(MAIN) $@.part; else) \
            { $(CC) $(CFLAGS) $(filter %.o %.a,$^) -Wl,-S -o $@.program $(LIBS) && \
            { $@.program $2 > $@.part 2> $@.said || : > $@.part; } && rm $@.program; } \
@@ -76,7 +76,7 @@ $(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
 $(eval $(call same_rules,clang,$(T)/clang))
 $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
     $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c $(RULES)
-	$(Q)mkdir -p $(@D) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
 # What clang says of these it need not be asked for again.
 SEEN_clang = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
                  $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE)) \
@@ -99,4 +99,4 @@ $(if $(filter same,$(MAKECMDGOALS)),$(eval $(SAME_ALL): always))
 same: $(SAME_ALL)
 	@cat $^ | sh tests/tools/count.sh
 $(T)/same.result: tests/cli/same.sh tests/tools/same.awk
-	$(Q)mkdir -p $(@D) && sh $< > $@
+	$(Q)$(HERE) && sh $< > $@

@@ -13,7 +13,7 @@ starters: ; @BUILD='$(BUILD)' sh tests/tools/student.sh starters $(LESSONS)
 
 # Starters as the solutions give them, whatever the student has in lessons/.
 $(BUILD)/starters/%.c: solutions/%.c tests/tools/starter.awk
-	$(Q)mkdir -p $(@D) && awk -f tests/tools/starter.awk $< > $@
+	$(Q)$(HERE) && awk -f tests/tools/starter.awk $< > $@
 $(BUILD)/starters/%.judge: $(BUILD)/starters/%.c $$(call judge_of,$$*) $(LIB)
 	$(Q)$(PLAIN) -Werror -fsyntax-only $<
 	$(Q)$(call build_judge,$<,$*,-Werror -O0 -g0)
@@ -48,11 +48,11 @@ $(foreach l,$(LESSONS),$(eval $(call workbook_rule,$l)))
 $(T)/%.solution.result: $(BUILD)/solutions/%.judge $(BUILD)/solutions/% \
                         tests/tools/verify.sh
 	$(call say,test,$* solution)
-	$(Q)mkdir -p $(@D) && $(VERIFY) solution $* > $@
+	$(Q)$(HERE) && $(VERIFY) solution $* > $@
 $(T)/%.starter.result: $(BUILD)/starters/%.judge $(BUILD)/solutions/% \
                        lessons/%.c tests/tools/verify.sh
 	$(call say,test,$* starter)
-	$(Q)mkdir -p $(@D) && $(VERIFY) starter $* > $@
+	$(Q)$(HERE) && $(VERIFY) starter $* > $@
 # Each known mistake and equivalent program is judged.  What the programs that its
 # judge compares with print, with each of the lesson's options, is found out once.
 # Nothing that a student asks for reads it.
@@ -60,7 +60,7 @@ $(T)/%.mistakes.result: $(BUILD)/mistakes/%/all.judge $(BUILD)/solutions/% \
                         $(BUILD)/solutions/%.judge tests/tools/verify.sh \
                         tests/tools/verify.awk
 	$(call say,test,$* mistakes)
-	$(Q)mkdir -p $(@D) && $(VERIFY) mistakes $* > $@
+	$(Q)$(HERE) && $(VERIFY) mistakes $* > $@
 
 KINDS = solution starter mistakes behave names
 
@@ -69,11 +69,11 @@ $(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) \
         tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
 	$$(call say,test,$1 behaviour)
-	$(SHARED)$(Q)mkdir -p $$(@D) && $$(VERIFY) behave $1 > $$@
+	$(SHARED)$(Q)$$(HERE) && $$(VERIFY) behave $1 > $$@
 $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) tests/cli/names.sh $(AS_PROGRAM)
 	$$(call say,test,$1 names)
-	$(SHARED)$(Q)mkdir -p $$(@D) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
+	$(SHARED)$(Q)$$(HERE) && BUILD='$(BUILD)' sh tests/cli/names.sh $1 > $$@
 .PHONY: verify-$(call number,$1)
 verify-$(call number,$1): $(foreach k,$(KINDS),$(T)/$1.$k.result)
 	@{ cat $$^; sh tests/tools/lint.sh $1; } | sh tests/tools/count.sh
@@ -91,12 +91,12 @@ UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
 $(BUILD)/unit/%.o: tests/unit/%.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
 $(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
 	$(Q)$(CC) $(CFLAGS) $< $(BUILD)/unit/unit.o -o $@ $(UNIT_LIBS)
 $(T)/unit.%.result: $(BUILD)/unit/%
 	$(call say,test,unit $*)
-	$(Q)mkdir -p $(@D) && { $< > $@ || true; }
+	$(Q)$(HERE) && { $< > $@ || true; }
 
 # Of each file those in it are compiled at once, and of the unit programs the laws
 # alone are run that must catch them.
@@ -110,7 +110,7 @@ $(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) \
         $$(addsuffix .o,$$(addprefix $(BUILD)/unit/,$$(call units_of,$$*.c))) \
         tests/tools/unit_mistakes.sh tests/tools/variant.awk
 	$(call say,test,mistakes in $<)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' LIBS='$(UNIT_LIBS)' \
+	$(Q)$(HERE) && BUILD='$(BUILD)' LIBS='$(UNIT_LIBS)' \
 	    COMPILE='$(call unwarned,$(PLAIN)) -O0 $(HASTY) -I$(<D)' \
 	    sh tests/tools/unit_mistakes.sh $< $(basename $@) > $@
 
@@ -146,47 +146,47 @@ EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING)
 	$(call say,test,lint)
-	$(Q)mkdir -p $(@D) && sh tests/tools/lint.sh > $@
+	$(Q)$(HERE) && sh tests/tools/lint.sh > $@
 $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c \
                       common/*/*.c
 	$(call say,test,the book is in step with the programs)
-	$(Q)mkdir -p $(@D) && if said=$$(BUILD='$(BUILD)' sh \
+	$(Q)$(HERE) && if said=$$(BUILD='$(BUILD)' sh \
 	        tests/tools/workbook.sh check); \
 	    then echo 'ok the book is in step with the programs'; \
 	    else echo "FAIL workbook: $$said"; fi > $@
 # The book and what was said when it was made, for both tests of its pages.
 MADE := $(T)/made
 $(MADE)/said: $(BOOK) tests/tools/book.sh
-	$(Q)rm -rf $(@D) && mkdir -p $(@D) && $(WHOLE) \
+	$(Q)rm -rf $(@D) && $(HERE) && $(WHOLE) \
 	    { BUILD=$(@D) sh tests/tools/book.sh > $(PART) 2>&1; $(MOVED); }
 $(T)/book.result: $(MADE)/said tests/cli/book.sh
 	$(call say,test,the book as HTML)
-	$(Q)mkdir -p $(@D) && sh tests/cli/book.sh $(MADE) > $@
+	$(Q)$(HERE) && sh tests/cli/book.sh $(MADE) > $@
 $(T)/wide.result: $(MADE)/said tests/cli/wide.sh
 	$(call say,test,the width of the pages)
-	$(Q)mkdir -p $(@D) && sh tests/cli/wide.sh $(MADE) > $@
+	$(Q)$(HERE) && sh tests/cli/wide.sh $(MADE) > $@
 $(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
         $(wildcard tests/tools/skeleton/*)
 	$(call say,test,the form of answers)
-	$(Q)mkdir -p $(@D) && sh $< > $@
+	$(Q)$(HERE) && sh $< > $@
 $(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.awk \
         tests/tools/seconds.awk figures/speed/README.md
 	$(call say,test,what make bench makes of its tables)
-	$(Q)mkdir -p $(@D) && sh $< > $@
+	$(Q)$(HERE) && sh $< > $@
 $(T)/bare.result: tests/cli/bare.sh tests/tools/deps.sh Makefile $(wildcard tests/*.mk)
 	$(call say,test,a machine that has nothing yet)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
+	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
 $(T)/drawn.result: tests/cli/drawn.sh tests/tools/figure.sh \
         $(BUILD)/data/10_neohookean_bar/newton.tsv \
         $(BUILD)/data/13_backward_euler_2d/motion.tsv
 	$(call say,test,which pictures are drawn anew)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
+	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
 # every study's claim holds and every figure can be drawn; those in figures/ are
 # left as they are
 define figure_test
 $(T)/figure.$(subst /,.,$1).result: $(call data_of,$1) figures/$1.gp \
         figures/style.gp tests/tools/figure.sh
-	$(Q)mkdir -p $$(@D) && rm -f $(T)/$(subst /,.,$(call picture,$1)) && \
+	$(Q)$$(HERE) && rm -f $(T)/$(subst /,.,$(call picture,$1)) && \
 	    if said=$$$$(sh tests/tools/figure.sh \
 	        figures/$1.gp $$< $(T)/$(subst /,.,$(call picture,$1)) 2>&1); \
 	    then echo 'ok figure $1'; else echo "FAIL figure $1: $$$$said"; fi > $$@
@@ -195,16 +195,16 @@ DRAWN := $(filter-out $(BENCHED),$(SCRIPTS))
 $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
 $(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
 	$(call say,test,command lines)
-	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
+	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
 $(T)/pictures.result: tests/cli/pictures.sh $(LESSONS:%=$(BUILD)/data/%.tsv) \
         README.md lessons/02_constitutive.md \
         $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk) \
         $(wildcard tests/tools/*)
 	$(call say,test,pictures of the student)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
+	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
 $(T)/options.result: tests/cli/options.sh $(PROGRAMS)
 	$(call say,test,random options)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh $< > $@
+	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
 # all on one lesson, the cheapest to judge
 TRIED := 03_dirichlet_correction
 $(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff update): \
@@ -213,7 +213,7 @@ $(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff u
         $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
         $(BUILD)/mistakes/$(TRIED)/all.judge
 	$(call say,test,$*)
-	$(SHARED)$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
+	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
 # those that copy the workbook (copy.sh)
 $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff cli \
     elsewhere update) $(LESSONS:%=$(T)/%.behave.result): $(LIB)
@@ -243,7 +243,7 @@ VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_$*)' SAID='$(SAID_$*)'
            sh tests/tools/build_variants.sh
 $(T)/build-%.result: $(EVERYTHING)
 	$(call say,test,$* build)
-	$(SHARED)$(Q)mkdir -p $(@D) && $(VARIANTS) $* > $@
+	$(SHARED)$(Q)$(HERE) && $(VARIANTS) $* > $@
 # what was left out is tried again
 $(shell grep -ls '^skip' $(T)/build-mac.result): always
 $(T)/build-valgrind.result: $$(READY)
@@ -252,7 +252,7 @@ $(T)/build-gcc.result: $$(basename $$(SAID_gcc))
 $(T)/hand.result: tests/cli/hand.sh tests/tools/hand.sh tests/tools/hand.awk $(LIB) \
         $(wildcard figures/*/hand.c) $(SCENES:%=solutions/%.c) $(SCENES:%=tests/mistakes/%.txt)
 	$(call say,test,in the hand)
-	$(Q)mkdir -p $(@D) && BUILD='$(BUILD)' SCENES='$(SCENES)' \
+	$(Q)$(HERE) && BUILD='$(BUILD)' SCENES='$(SCENES)' \
 	    COMPILE='$(PLAIN) -Werror -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' sh $< > $@
 
 include tests/same.mk

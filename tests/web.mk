@@ -28,7 +28,7 @@ WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
 NAMED_MAIN = -Dmain=main_$(notdir $*)
 $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
-	$(Q)mkdir -p $(@D) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' $(NAMED_MAIN) -c $< -o $@
+	$(Q)$(HERE) && $(WASM_CC) -DBUILD_FLAGS='"-O2"' $(NAMED_MAIN) -c $< -o $@
 $(WASM)/libworkbook.a: $(filter $(WASM)/common/%,$(WASM_OBJECTS))
 	$(Q)rm -f $@ && emar rcs $@ $(filter-out %/choose.o,$^)
 
@@ -55,7 +55,7 @@ $(eval $(call wasm_programs,lessons,$(LESSONS:%=$(WASM)/solutions/%.o) \
     $(WASM)/common/choice/choose.o,,$(WASM_FILES)))
 # For a test: lesson 12, which at its end has an endless loop.
 $(WASM)/endless/12_triangles.c: solutions/12_triangles.c
-	$(Q)mkdir -p $(@D) && sed 's/^    return table_finish();/    for (;;);\n&/' $< > $@
+	$(Q)$(HERE) && sed 's/^    return table_finish();/    for (;;);\n&/' $< > $@
 	$(Q)grep -q 'for (;;);' $@
 $(WASM)/endless/12_triangles.o: $(WASM)/endless/12_triangles.c $(WASM)/gsl/libgsl.a
 	$(Q)$(WASM_CC) -Dmain=main_12_triangles -c $< -o $@
@@ -66,7 +66,7 @@ wasm: $(WASM)/lessons.js $(WASM)/live.js $(WASM)/endless.js ; @:
 # What was measured of each prediction.
 $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
         $(BUILD)/solutions/%
-	$(Q)mkdir -p $(@D) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
+	$(Q)$(HERE) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
 	    $(MOVED)
 WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js tests/tools/web_small.js
 # of the pictures as they are: a newer one is copied, none is drawn
@@ -102,7 +102,7 @@ $(T)/web-pages.result: $(BOOK) $(WEB_FILES) tests/web.mk tests/web_live.mk $(wil
         $(if $(NEWER),web-again) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         $(LESSONS:%=$(BUILD)/solutions/%.judge) $(BUILD)/choose
 	$(call say,test,the pages for a browser)
-	$(SHARED)$(Q)mkdir -p $(@D) && missing=$$($(WEB_MISSING) chromium); \
+	$(SHARED)$(Q)$(HERE) && missing=$$($(WEB_MISSING) chromium); \
 	    if [ -n "$$missing" ]; then echo "skip web: $$missing: $(no_web)"; \
 	    elif "$$MAKE" wasm web-pages > $@.log 2>&1; then echo 'ok web: the pages are made'; \
 	    else echo "FAIL web: the pages are not made: $$(tail -n 20 $@.log)"; fi > $@
@@ -110,7 +110,7 @@ $(T)/web-pages.result: $(BOOK) $(WEB_FILES) tests/web.mk tests/web_live.mk $(wil
 $(T)/web-small.result: tests/web/small.mjs tests/tools/web_small.js $(if $(shell \
         find figures -name '*.svg' -newer $(T)/web-small.result 2>/dev/null),web-again)
 	$(call say,test,$<)
-	$(Q)mkdir -p $(@D) && export BUILD='$(BUILD)' && \
+	$(Q)$(HERE) && export BUILD='$(BUILD)' && \
 	    if ! node tests/tools/web_small.js > $@.log 2>&1; then \
 	    echo 'skip web: node with svgo: $(no_web)'; \
 	    else node $< 2> $@.log || grep -q . $@ || echo "FAIL web: $<: $$(cat $@.log)"; \

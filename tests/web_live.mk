@@ -8,16 +8,16 @@ WASM_LIVE  := $(WASM_FILES) -sENVIRONMENT=web -sASYNCIFY=1 -sASYNCIFY_IGNORE_IND
 WINDOW     := $(WASM)/common/motion/window_web.o
 $(WASM)/lessons/web/tissue.o: $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
-	$(Q)mkdir -p $(@D) && $(WASM_CC) $(NAMED_MAIN) -c $< -o $@
+	$(Q)$(HERE) && $(WASM_CC) $(NAMED_MAIN) -c $< -o $@
 $(eval $(call wasm_programs,live,$(WASM)/solutions/24_live.o \
     $(WASM)/lessons/web/tissue.o,$(WINDOW),$(WASM_LIVE)))
 
 # The words of a scene file, for the form.
 $(BUILD)/lessons/web/form: lessons/web/form.c $(LIB)
-	$(Q)mkdir -p $(@D) && $(COMPILE) $< $(PLACED)
+	$(Q)$(HERE) && $(COMPILE) $< $(PLACED)
 $(WASM)/choose_data.js: $(BUILD)/lessons/web/form $(BUILD)/choose tests/tools/web_choose.sh \
         common/choice/scene_file.h $(wildcard lessons/scenes/* lessons/[0-9]*.md)
-	$(Q)mkdir -p $(@D) && $(WHOLE) $< > $(WASM)/words.tsv && \
+	$(Q)$(HERE) && $(WHOLE) $< > $(WASM)/words.tsv && \
 	    $(BUILD)/choose -h > $(WASM)/choose.help && sh tests/tools/web_choose.sh \
 	    $(WASM)/words.tsv $(WASM)/choose.help > $(PART) && $(MOVED)
 

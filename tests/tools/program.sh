@@ -17,8 +17,11 @@ trap 'rm -f "$part" "$part".[ihs]' EXIT
 trap 'exit 130' HUP INT TERM
 
 # An #include or a macro may multiply without end, in time, text or memory.
-printf '#include "%s"\nprogram_has %s\n' "$program" \
-    "$(cut -f 1 "$checks.calls" | tr '\n' ' ')" >"$part.i"
+{
+    printf '#include "%s"\nprogram_has' "$program"
+    while read -r name rest; do printf ' %s' "$name"; done <"$checks.calls"
+    echo
+} >"$part.i"
 ({ ulimit -t 4; ulimit -f 8192; ulimit -v 1000000; } 2>/dev/null
     exec $COMPILER -w -E -MD -MP -MF "$into.d" -MT "$into" - \
         <"$part.i" >"$part" 2>"$part.s")
@@ -32,7 +35,7 @@ if [ $status != 0 ]; then
     fi
     exit 1
 fi
-rm -f "$into.o"
+[ ! -f "$into.o" ] || rm -f "$into.o"
 awk -v program="$program" -v own="$part.h" -f tests/tools/program.awk "$checks.h" \
     "$checks.calls" "$part" >"$part.i" || exit 1
 [ ! -f "$part.h" ] || $COMPILER -w -I. -Itests/checks -DPROGRAM="\"$part.h\"" -c \

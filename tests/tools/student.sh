@@ -13,12 +13,13 @@ export LC_ALL
 command=$1
 lesson() { slug=$1 nn=${1%%_*} mine=lessons/$1.c state=$BUILD/progress/${1%%_*}; }
 lesson "${2:-}"
-mkdir -p "$BUILD/progress" "$BUILD/mine"
+[ -d "$BUILD/progress" ] && [ -d "$BUILD/mine" ] ||
+    mkdir -p "$BUILD/progress" "$BUILD/mine"
 case $BUILD in /*) built=$BUILD ;; *) built=./$BUILD ;; esac
 
 sum() { [ ! -f "$1" ] || cksum <"$1" 2>/dev/null; }
 starter() { awk -f tests/tools/starter.awk "solutions/$1.c"; }
-title() { sed -n '1s/^# Lesson [0-9]*[: ]*//p' "lessons/$1.md"; }
+title() { { read -r line && echo "${line#\# Lesson ??: }"; } <"lessons/$1.md"; }
 
 . tests/tools/progress.sh
 
@@ -35,8 +36,10 @@ save_mine() { # save_mine WHOSE: keep a copy of the file; say where
 . tests/tools/report.sh
 clean_up() {
     end_running
-    chmod -R u+rwx "$folder" 2>/dev/null
-    rm -rf "$folder"
+    rm -rf "$folder" 2>/dev/null || {
+        chmod -R u+rwx "$folder" 2>/dev/null
+        rm -rf "$folder"
+    }
     folder=
 }
 
@@ -45,7 +48,7 @@ clean_up() {
 compile() {
     source=$1
     shift
-    rm -f "$folder/late"
+    [ ! -f "$folder/late" ] || rm -f "$folder/late"
     patiently sh -c '
         { ulimit -t "$0"; ulimit -f 2000000; ulimit -v 4000000; } 2>/dev/null
         exec "$@"' "$SECONDS_COMPILING" $(within "$SECONDS_COMPILING") "$MAKE" "$@" \
@@ -222,7 +225,7 @@ judge() {
 # Judge the student's file, and keep what comes of it.  Two of these may run at
 # the same time.
 check() {
-    rm -f "$state.result"
+    [ ! -f "$state.result" ] || rm -f "$state.result"
     log=$BUILD/mine/$slug.log
     before=$(sum "$mine")
     json_begin
@@ -241,7 +244,11 @@ check() {
 }
 # What comes after this lesson: the one behind it, or what there is to read.
 following() {
-    after=$(ls solutions/[0-9][0-9]_*.c | sed -n "/\/$slug\.c\$/{n;s/.*\///;s/\.c//;p;}")
+    after= now=
+    for file in solutions/[0-9][0-9]_*.c; do
+        [ "$now" != "solutions/$slug.c" ] || after=$(basename "$file" .c)
+        now=$file
+    done
     if [ -n "$after" ]; then
         echo "next: lesson ${after%%_*}, $(title "$after") (lessons/$after.md)"
     else
