@@ -4,7 +4,7 @@
  * Arguments: slot, argument: varied by checks
  *     1a   X0, X1, x0, x1  collapsed_..., affine_bar_...: of either sign, both
  *                          senses, lengths of their own, slopes of both signs
- *     1a   size            collapsed_...: 1e-6, 1 and 1e6; affine_bar_...: 4
+ *     1a   size            collapsed_...: 1e-6, 1 and 1e6; affine_bar_...: 6.4
  *     1b   node            affine_map_...: five triangles; order_of_...: six
  *     1b   X, x            affine_map_..., J_is_..., common_mesh_...
  *     1c   F               rotation_is_..., rigid_motions_..., common_agrees
@@ -110,13 +110,13 @@ static void affine_bar_is_exact(void)
             double F = 0.0, G = 0.0;
             const double x0 = slope[k] * X[e] + 0.613;
             const double x1 = slope[k] * X[e + 1] + 0.613;
-            const int sign = bar_gradient(X[e], X[e + 1], x0, x1, 4.0, &F);
+            const int sign = bar_gradient(X[e], X[e + 1], x0, x1, 6.4, &F);
             expect_close(F, slope[k], ROUND_OFF, 3.0,
                          "F of element %d under x = %g X + 0.613", e,
                          slope[k]);
             expect(sign == (slope[k] > 0.0 ? 1 : -1),
                    "sign of an element with F = %g is %d", slope[k], sign);
-            const int back = bar_gradient(X[e + 1], X[e], x1, x0, 4.0, &G);
+            const int back = bar_gradient(X[e + 1], X[e], x1, x0, 6.4, &G);
             expect_close(G, slope[k], ROUND_OFF, 3.0,
                          "F of the element with its ends exchanged");
             expect(back == sign, "exchanging the ends of an element changes "
