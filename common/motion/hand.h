@@ -42,8 +42,9 @@ int hand_next(struct hand *hand, struct pointer *pointer);
 void hand_slot(const char *slot);
 
 /* Show the frame, and print its numbers as a row of the table `frames`, whose
- * columns are frame, x, y, down and these (separated by a space).  The caption
- * gets a last line: which slots are the student's. */
+ * columns are frame, x, y, down and these (separated by a space), to six digits
+ * where they are not whole.  The caption gets a last line: which slots are the
+ * student's. */
 void hand_draw(struct hand *hand, struct view_picture *picture,
                const char *columns, const double number[]);
 
