@@ -55,9 +55,9 @@ enum status bar_tangent(const struct bar *bar, const double u[],
         const double k = material1_dpk1(&bar->material, F) / bar->h;
         if (!isfinite(k)) return NONFINITE;
         matrix_add(K, e - 1, e - 1, k);
-        matrix_add(K, e - 1, e, -k);
         matrix_add(K, e, e - 1, -k);
         matrix_add(K, e, e, k);
+        if (K->storage == DENSE) matrix_add(K, e - 1, e, -k);
     }
     return OK;
 }
@@ -112,22 +112,6 @@ static enum status line_search(const struct bar *bar, const double q[],
     return STALLED;
 }
 
-/* Smallest F and P' of a state; one that failed has no P', energy, residual. */
-static void describe(const struct bar *bar, const double u[],
-                     enum status status, struct newton_step *step)
-{
-    step->min_F = bar_min_stretch(bar, u);
-    step->min_dP = INFINITY;
-    if (status != OK) {
-        step->min_dP = step->energy = step->residual = (double)NAN;
-        return;
-    }
-    for (int e = 1; e <= bar->n; e++)
-        step->min_dP = fmin(step->min_dP,
-                            material1_dpk1(&bar->material,
-                                           bar_stretch(bar, u, e)));
-}
-
 struct newton_report bar_newton(const struct bar *bar,
                                 const struct newton_control *control,
                                 double u[], struct newton_step history[])
@@ -141,7 +125,7 @@ struct newton_report bar_newton(const struct bar *bar,
     const double length = control->tolerance * bar->n * bar->h;
 
     for (int k = 0;; k++) {
-        struct newton_step step = {.length = 1.0};
+        struct newton_step step = {.residual = (double)NAN, .length = 1.0};
         int negative;
 
         report.status = bar_residual(bar, u, q);
@@ -149,8 +133,11 @@ struct newton_report bar_newton(const struct bar *bar,
             report.status = bar_energy(bar, u, &step.energy);
         if (report.status == OK)
             report.residual = step.residual = bar_max_free(bar, q);
-        describe(bar, u, report.status, &step);
-        if (history) history[k] = step;
+        if (history) {
+            if (report.status != OK) step.energy = (double)NAN;
+            step.min_F = bar_min_stretch(bar, u);
+            history[k] = step;
+        }
         if (report.status != OK) break;
         if (step.residual <= force && (k > 0 ? report.increment <= length
                                              : step.residual == 0.0))

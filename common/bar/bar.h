@@ -55,7 +55,7 @@ struct newton_step {
     double residual;  /* max over free nodes of |q| */
     double increment; /* max |du|; 0 in the last line, where none was made */
     double energy;
-    double min_F, min_dP;
+    double min_F;
     double length; /* accepted fraction of the step */
 };
 

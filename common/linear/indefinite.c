@@ -7,9 +7,36 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The same of half bandwidth 1: a bar's system for each of Newton's steps. */
+static enum status tridiagonal(int n, size_t stride, const double a[],
+                               double b[], int *negative)
+{
+    double *d = allocate((size_t)n, sizeof *d);
+    int failed = 0;
+    if (negative) *negative = 0;
+    for (int j = 0; j < n; j++) { /* D_jj, and L y = b */
+        const double A_jj = a[(size_t)j * stride];
+        d[j] = A_jj;
+        if (j > 0) {
+            const double below = a[(size_t)(j - 1) * stride + 1];
+            const double l = below / d[j - 1];
+            d[j] -= l * below;
+            b[j] -= l * b[j - 1];
+        }
+        if (!(fabs(d[j]) > DBL_EPSILON * fabs(A_jj))) failed = 1;
+        if (negative) *negative += d[j] < 0.0;
+    }
+    b[n - 1] /= d[n - 1];
+    for (int j = n - 2; j >= 0; j--) /* D L^T x = y */
+        b[j] = (b[j] - a[(size_t)j * stride + 1] * b[j + 1]) / d[j];
+    free(d);
+    return failed ? NOT_SPD : OK;
+}
+
 enum status indefinite_solve(int n, int p, size_t stride, const double a[],
                              double b[], int *negative)
 {
+    if (p == 1) return tridiagonal(n, stride, a, b, negative);
     /* GSL wants rows of p + 1 numbers, without room behind them */
     const size_t rows = (size_t)n, row = (size_t)p + 1;
     double *copy = allocate(rows * row, sizeof *copy);

@@ -139,7 +139,7 @@ static void history_has_the_failed_state(void)
     close_to(history[0].residual, 250.0, 1e-10);
     close_to(history[1].min_F, bar_min_stretch(&s->bar, s->u), 1e-16);
     ck_assert(history[1].min_F < 0.0 && isnan(history[1].residual));
-    ck_assert(isnan(history[1].energy) && isnan(history[1].min_dP));
+    ck_assert(isnan(history[1].energy));
     bar_state_free(s);
 
     control.line_search = 1; /* has it in 7 */
@@ -243,7 +243,6 @@ static void a_mirror_changes_nothing(void)
             close_to(c->increment, a->increment, 1e-13);
             close_to(c->energy, a->energy, 1e-11);
             close_to(c->min_F, a->min_F, 1e-12);
-            close_to(c->min_dP, a->min_dP, 1e-9);
             ck_assert(c->length == a->length && a->length <= 1.0);
             ck_assert(a->length == 1.0 || control.line_search);
         }

@@ -430,11 +430,11 @@ static void eigenvalues_are_those_in_closed_form(void)
 
 /* Sylvester: as many negative pivots as negative eigenvalues of A - s I, in
  * whatever unit. */
-static void negative_pivots_count_negative_eigenvalues(void)
+static void pivots_of_a_band(int p)
 {
     enum { n = 40 };
-    struct matrix *A = random_band(n, 5), *I = matrix_alloc(BANDED, n, 5);
-    struct matrix *shifted = matrix_alloc(BANDED, n, 5);
+    struct matrix *A = random_band(n, p), *I = matrix_alloc(BANDED, n, p);
+    struct matrix *shifted = matrix_alloc(BANDED, n, p);
     double value[n];
     ck_assert_int_eq(matrix_eigenvalues(A, value), OK);
     for (int i = 0; i < n; i++) matrix_add(I, i, i, 1.0);
@@ -442,35 +442,43 @@ static void negative_pivots_count_negative_eigenvalues(void)
         const double s = k == 0   ? value[0] - 1.0
                          : k == n ? value[n - 1] + 1.0
                                   : 0.5 * (value[k - 1] + value[k]);
-        double b[n] = {2.385};
+        double b[n], x[n];
         int negative = -1;
         matrix_combine(A, -s, I, shifted);
         for (size_t i = 0; i < shifted->size; i++)
             shifted->a[i] = ldexp(shifted->a[i], 20 * (k - n / 2));
-        ck_assert_int_eq(matrix_solve_indefinite(shifted, b, &negative), OK);
+        for (int i = 0; i < n; i++) b[i] = x[i] = sin(2.385 * i + 0.7);
+        ck_assert_int_eq(matrix_solve_indefinite(shifted, x, &negative), OK);
         ck_assert_int_eq(negative, k);
+        /* without pivoting L may be some hundred times A */
+        ck_assert(matrix_residual(shifted, x, b) < 1e-12);
     }
     matrix_free(A), matrix_free(I), matrix_free(shifted);
+}
+static void negative_pivots_count_negative_eigenvalues(void)
+{
+    pivots_of_a_band(1);
+    pivots_of_a_band(5);
 }
 
 /* 1 + d - 1 = d is no pivot if it is at most a last digit of 1 + d. */
 static void a_pivot_of_one_digit_is_none(void)
 {
-    struct matrix *A = matrix_alloc(BANDED, 2, 1);
-    for (int digits = -4; digits <= 4; digits++) {
-        double b[2] = {1.0, 1.0};
+    for (int k = 0; k < 18; k++) {
+        struct matrix *A = matrix_alloc(BANDED, 3, 1 + k % 2);
+        const int digits = k / 2 - 4;
+        double b[3] = {1.0, 1.0, 1.0};
         int negative;
-        matrix_zero(A);
-        matrix_add(A, 0, 0, 1.0);
+        for (int i = 0; i < 3; i++) matrix_add(A, i, i, 1.0);
         matrix_add(A, 1, 0, 1.0);
-        matrix_add(A, 1, 1, 1.0 + digits * DBL_EPSILON);
+        matrix_add(A, 1, 1, digits * DBL_EPSILON);
         ck_assert_int_eq(matrix_solve_indefinite(A, b, &negative),
                          digits < 0 || digits > 1 ? OK : NOT_SPD);
+        matrix_free(A);
         if (digits == 0 || digits == 1) continue;
         ck_assert_int_eq(negative, digits < 0);
-        ck_assert(b[0] == 1.0 && b[1] == 0.0);
+        ck_assert(b[0] == 1.0 && b[1] == 0.0 && b[2] == 1.0);
     }
-    matrix_free(A);
 }
 
 static void a_combination_is_entry_by_entry(void)
