@@ -97,6 +97,10 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
     const size_t points = (size_t)body->points;
     body->room =
         allocate(BODY_ROOM * 2 * (size_t)mesh->n_vertex, sizeof(double));
+    body->past.v = body->room + 8 * 2 * (size_t)mesh->n_vertex;
+    for (int j = 2; j <= PAST_ORDER; j++)
+        body->past.d[j] =
+            body->past.v + (size_t)(j - 1) * 2 * (size_t)mesh->n_vertex;
     body->equation = allocate(2 * (size_t)mesh->n_vertex, sizeof(int));
     for (int r = 0; r < 2 * mesh->n_vertex; r++)
         body->equation[r] = held[r / 2] ? -1 : 0;

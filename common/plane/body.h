@@ -77,6 +77,19 @@ struct kept {
     int systems, least; /* of the last step that they served, of the shortest */
 };
 
+/*
+ * The last velocity of the steps that guess by extrapolation, its backward
+ * differences d2, d3, ... (d1 is the caller's), and how many of them would have
+ * met the last step best [alg:extrapolated].  step.h looks whether they belong
+ * to the state that it is given.
+ */
+enum { PAST_ORDER = 6 };
+struct past {
+    double dt; /* of these steps (s); 0: none */
+    int order; /* of the next guess, 2 .. PAST_ORDER */
+    double *v, *d[PAST_ORDER + 1]; /* [2 n_vertex] (m/s), d from 2 on */
+};
+
 struct body {
     const struct mesh *mesh;  /* borrowed */
     struct material material; /* not LINEAR */
@@ -100,6 +113,7 @@ struct body {
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     struct kept kept; /* what is in it */
+    struct past past; /* in room, behind what step.h works in */
     double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:
                    * of a small body's step new zeros are two per cent */
     body_addition *add; /* NULL, from body_alloc(): nothing besides */
@@ -110,7 +124,7 @@ struct body {
  * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
  * triangles, whose band is wider; measured, then fixed. */
 enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
-enum { BODY_ROOM = 8 }; /* vectors over all vertices */
+enum { BODY_ROOM = 8 + PAST_ORDER }; /* vectors over all vertices */
 
 /*
  * A body of linear triangles.  held[a] != 0: both components of vertex a are

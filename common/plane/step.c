@@ -200,16 +200,6 @@ static void turn(const struct body *body, const double u[], double by[2])
     by[1] = now[1] * then[0] - now[0] * then[1];
 }
 
-/* What comes after an increment with the same factors as that before it, if it
- * falls as this one did; INFINITY: nobody knows, or nobody asks. */
-static double next_increment(const struct step_control *control, int same,
-                             double increment, double before)
-{
-    return control->chord == KEPT_ACROSS && same && isfinite(before)
-               ? increment * increment / before
-               : INFINITY;
-}
-
 /* As step_solve(), by at most `most` systems; the first of them with the
  * factors that there are, unless fresh. */
 static struct step_report newton(struct body *body,
@@ -221,13 +211,12 @@ static struct step_report newton(struct body *body,
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
     struct step_report report = {.increment = INFINITY,
                                  .storage = body->K->storage};
-    double scale = body->kept.scale, turned[2] = {1.0, 0.0}, next = INFINITY;
+    double scale = body->kept.scale, turned[2] = {1.0, 0.0};
     int as_it_is = 0, halved = 0;
 
     if (!fresh) turn(body, u, turned);
     for (;;) {
-        const int small = report.increment <= control->tolerance ||
-                          next <= 0.1 * control->tolerance;
+        const int small = report.increment <= control->tolerance;
         const int with_K = fresh && !small;
         report.status =
             body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, room.q);
@@ -261,8 +250,6 @@ static struct step_report newton(struct body *body,
         else
             for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         if (report.status != OK) break;
-        next = next_increment(control, !fresh && !halved, report.increment,
-                              before);
         fresh = !control->chord || halved || as_it_is ||
                 report.increment > 0.3 * before;
     }
@@ -337,6 +324,52 @@ void step_boundary(const struct body *body, const double g[], int lift,
         }
 }
 
+/* next := where the velocities so far lead, w + dt (d1 + ... + d(order - 1)):
+ * dj are their backward differences, d1 the caller's, the others the body's, 0
+ * where v is not what its last step left [alg:extrapolated]. */
+static void extrapolate(struct body *body, double dt, const double v[],
+                        const double v_before[], const double w[],
+                        double next[])
+{
+    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
+    struct past *past = &body->past;
+    if (past->dt != dt || memcmp(past->v, v, n_dof * sizeof *v) != 0) {
+        for (int j = 2; j <= PAST_ORDER; j++)
+            memset(past->d[j], 0, n_dof * sizeof *v);
+        past->order = 2;
+    }
+    for (size_t r = 0; r < n_dof; r++) {
+        double sum = v[r] - v_before[r];
+        for (int j = 2; j < past->order; j++) sum += past->d[j][r];
+        next[r] = w[r] + dt * sum;
+    }
+}
+
+/* The step from v has ended with the velocity `end`, whose d(k) is the error of
+ * the guess of order k (over dt).  The order goes up from 2 to each that would
+ * have been at least twice as close. */
+static void remember(struct body *body, double dt, const double v[],
+                     const double v_before[], const double end[])
+{
+    const int n_dof = 2 * body->mesh->n_vertex;
+    struct past *past = &body->past;
+    double error[PAST_ORDER + 1] = {0.0};
+    for (int r = 0; r < n_dof; r++) {
+        double old = v[r] - v_before[r], new = end[r] - v[r];
+        for (int j = 2; j <= PAST_ORDER; j++) {
+            new -= old;
+            old = past->d[j][r];
+            past->d[j][r] = new;
+            error[j] += new * new;
+        }
+        past->v[r] = end[r];
+    }
+    past->dt = dt;
+    past->order = 2;
+    for (int j = 3; j <= PAST_ORDER; j++)
+        if (error[j] < 0.25 * error[past->order]) past->order = j;
+}
+
 struct step_report step_backward_euler(struct body *body,
                                        const struct step_control *control,
                                        double dt, const double g[],
@@ -348,18 +381,20 @@ struct step_report step_backward_euler(struct body *body,
     double *w = body->room + 6 * n_dof; /* behind what step_solve() takes */
     double *next = w + n_dof;
     for (int r = 0; r < n_dof; r++) {
-        w[r] = next[r] = u[r] + dt * v[r];
-        if (guess == FROM_LAST) next[r] = u[r];
-        if (guess == EXTRAPOLATED) next[r] += dt * (v[r] - v_before[r]);
+        w[r] = u[r] + dt * v[r];
+        next[r] = guess == FROM_LAST ? u[r] : w[r];
     }
+    if (guess == EXTRAPOLATED) extrapolate(body, dt, v, v_before, w, next);
     step_boundary(body, g, control->lift, next);
     const struct step_report report = step_solve(
         body, control, (struct incremental){dt, w, f}, next);
-    if (report.status == OK)
-        for (int r = 0; r < n_dof; r++) {
-            if (v_before) v_before[r] = v[r];
-            v[r] = (next[r] - u[r]) / dt;
-            u[r] = next[r];
-        }
+    if (report.status != OK) return report;
+    for (int r = 0; r < n_dof; r++) w[r] = (next[r] - u[r]) / dt;
+    if (guess == EXTRAPOLATED) remember(body, dt, v, v_before, w);
+    for (int r = 0; r < n_dof; r++) {
+        if (v_before) v_before[r] = v[r];
+        v[r] = w[r];
+        u[r] = next[r];
+    }
     return report;
 }

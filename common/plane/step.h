@@ -13,7 +13,9 @@
 enum guess {
     FROM_LAST,     /* u0, as the notes have it */
     FROM_VELOCITY, /* u0 + dt v0 */
-    EXTRAPOLATED   /* u0 + dt (2 v0 - v_before) */
+    EXTRAPOLATED   /* u0 + dt (2 v0 - v_before), or on through up to seven
+                    * states when that met the last step better: step.c has
+                    * their velocities in the body [alg:extrapolated] */
 };
 enum projection { NEVER, ON_DEMAND, ALWAYS };
 enum chord {
@@ -24,9 +26,7 @@ enum chord {
                      * more than KEPT_SYSTEMS systems and two more than the
                      * shortest with them; they turn as the body does.  A solve
                      * that fails with those of an earlier step begins again
-                     * with new ones; one whose next increment would be below a
-                     * tenth of the tolerance, when it fell as the last one did
-                     * with the same factors, does without it [alg:kept] */
+                     * with new ones [alg:kept] */
 };
 enum { KEPT_SYSTEMS = 4 };
 

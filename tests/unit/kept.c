@@ -1,4 +1,5 @@
-/* kept.c - laws of step.h, where factors serve more than one step. */
+/* kept.c - laws of step.h, of what one step leaves to the next: factors, and
+ * what the guess knows of the velocities before. */
 #include "plane/scene.h"
 
 #include "unit.h"
@@ -65,6 +66,25 @@ static void old_factors_find_the_same_step(void)
             scene_free(s);
             scene_free(other);
         }
+}
+
+/* What each step leaves does not add up: ninety are as right as one. */
+static void a_long_way_ends_where_new_factors_do(void)
+{
+    const struct step_control newton = step_method("lift"), kept = across();
+    for (int k = 0; k < COUNT(scenes); k++) {
+        struct scene *s = scene_of(scenes[k], CUBIC);
+        struct scene *other = scene_of(scenes[k], CUBIC);
+        body_store(s->body, SPARSE);
+        for (int step = 0; step < 90; step++) {
+            scene_step(s, &kept);
+            scene_step(other, &newton);
+        }
+        ck_assert_int_eq(s->steps, 90);
+        ck_assert(apart(s->n_dof, s->u, other->u) <= 1e-10);
+        scene_free(s);
+        scene_free(other);
+    }
 }
 
 /* New factors in the first step, and after one that took more than four systems
@@ -309,8 +329,90 @@ static void a_scene_at_rest_has_no_factors(void)
     scene_free(other);
 }
 
+/* One step from the parabola through the last three states. */
+static struct step_report parabola(struct scene *s)
+{
+    const struct step_control control = step_method("lift");
+    const size_t n = (size_t)s->n_dof;
+    double *w = calloc(n, sizeof *w), *u = calloc(n, sizeof *u);
+    const double dt = s->set.dt;
+    for (size_t r = 0; r < n; r++) {
+        w[r] = s->u[r] + dt * s->v[r];
+        u[r] = w[r] + dt * (s->v[r] - s->v_before[r]);
+    }
+    step_boundary(s->body, s->g, 1, u);
+    const struct step_report report = step_solve(
+        s->body, &control, (struct incremental){dt, w, s->f}, u);
+    for (size_t r = 0; r < n; r++) {
+        s->v_before[r] = s->v[r];
+        s->v[r] = (u[r] - s->u[r]) / dt;
+        s->u[r] = u[r];
+    }
+    free(w);
+    free(u);
+    return report;
+}
+
+/* In smooth motion the guess is closer than the parabola; when both ends jump
+ * to and fro, from which nothing follows, it is never far from it. */
+static void the_guess_is_as_good_as_the_parabola_or_better(void)
+{
+    const struct step_control lift = step_method("lift");
+    for (int k = 0; k <= COUNT(scenes); k++) {
+        const int jolted = k == COUNT(scenes);
+        struct scene *s[2];
+        int systems[2] = {0, 0};
+        for (int way = 0; way < 2; way++) {
+            s[way] = scene_of(jolted ? STRETCH : scenes[k], CUBIC);
+            for (int step = 1; step <= 60; step++) {
+                const double t = step / 30.0;
+                scene_hold(s[way], !jolted ? t : step % 16 < 8 ? 0.0 : 0.5);
+                const struct step_report r =
+                    way ? parabola(s[way])
+                        : step_backward_euler(s[0]->body, &lift,
+                                              s[0]->set.dt, s[0]->g, s[0]->f,
+                                              s[0]->u, s[0]->v,
+                                              s[0]->v_before);
+                ck_assert_int_eq(r.status, OK);
+                systems[way] += r.iterations;
+            }
+        }
+        ck_assert(apart(s[0]->n_dof, s[0]->u, s[1]->u) <= 1e-9);
+        ck_assert_int_le(20 * systems[0], (jolted ? 20 : 18) * systems[1]);
+        for (int way = 0; way < 2; way++) scene_free(s[way]);
+    }
+}
+
+/* After steps of another state or length the guess is the parabola again, and
+ * every digit is that of a body that has made none. */
+static void the_guess_knows_whose_velocities_they_were(void)
+{
+    for (int event = 0; event < 3; event++) {
+        const struct step_control lift = step_method("lift");
+        struct scene *s = scene_of(SPIN, CUBIC), *other = scene_of(SPIN, CUBIC);
+        for (int step = 0; step < 20; step++) scene_step(s, &lift);
+        if (event == 1) s->v[7] += 1e-3;
+        if (event == 2) s->set.dt = other->set.dt = 1.0 / 25.0;
+        copy_state(s, other);
+        const struct step_report r = scene_step(s, &lift);
+        const struct step_report q = scene_step(other, &lift);
+        ck_assert(r.status == OK && q.status == OK);
+        ck_assert_int_le(r.iterations, event ? q.iterations : q.iterations - 1);
+        if (event)
+            ck_assert_mem_eq(s->u, other->u, (size_t)s->n_dof * sizeof *s->u);
+        scene_free(s);
+        scene_free(other);
+    }
+}
+
 static const struct unit_law laws[] = {
+    {"the_guess_is_as_good_as_the_parabola_or_better",
+     the_guess_is_as_good_as_the_parabola_or_better},
+    {"the_guess_knows_whose_velocities_they_were",
+     the_guess_knows_whose_velocities_they_were},
     {"old_factors_find_the_same_step", old_factors_find_the_same_step},
+    {"a_long_way_ends_where_new_factors_do",
+     a_long_way_ends_where_new_factors_do},
     {"factors_are_new_when_the_last_step_was_long",
      factors_are_new_when_the_last_step_was_long},
     {"an_increment_that_does_not_fall_has_new_factors",
