@@ -221,7 +221,8 @@ void hand_draw(struct hand *hand, struct view_picture *picture,
     for (const char *c = columns; c && n < 4 + NUMBERS; c = strchr(c, ' ')) {
         c += *c == ' ';
         const double x = number[n - 4];
-        row[n] = x == floor(x) ? cell_number(x) : cell_rounded(6, x);
+        row[n] = x != floor(x) ? cell_rounded(6, x) : cell_number(x);
+        if (!isfinite(x)) row[n] = cell_if(0, x);
         n++;
     }
     table_row_of(n, row);

@@ -43,8 +43,8 @@ void hand_slot(const char *slot);
 
 /* Show the frame, and print its numbers as a row of the table `frames`, whose
  * columns are frame, x, y, down and these (separated by a space), to six digits
- * where they are not whole.  The caption gets a last line: which slots are the
- * student's. */
+ * where they are not whole, and missing where they are not finite.  The caption
+ * gets a last line: which slots are the student's. */
 void hand_draw(struct hand *hand, struct view_picture *picture,
                const char *columns, const double number[]);
 
