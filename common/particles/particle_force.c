@@ -1,6 +1,7 @@
 /* particle_force.c - see particle_force.h. */
 #include "particles/particle_force.h"
 
+#include <assert.h>
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -202,46 +203,72 @@ int particle_band(const struct particle_body *body, const int equation[])
     return band;
 }
 
-/* Column `column` of the next function, with dP = D q_b for this unknown. */
-static void add_column(const struct support *s, double volume, mat2 dP,
-                       int column, const int equation[], const double sign[],
-                       struct matrix *K)
+/* The unknowns of a particle's nodes, -1 where there is none: their number in K,
+ * where their diagonal entry is, and q with their sign. */
+struct its_unknowns {
+    int number[2 * SUPPORT_MAX];
+    double *diagonal[2 * SUPPORT_MAX], q[2 * SUPPORT_MAX][2];
+};
+
+/* Add block (a, b), a >= b, of K and its transpose entry by entry: an unknown may
+ * be missing, the nodes' may stand in any order, and two may share one. */
+static void add_entries(const struct its_unknowns *of, int a, int b,
+                        double block[2][2])
 {
-    for (int a = 0; a < s->n; a++)
-        for (int i = 0; i < 2; i++) {
-            const int row = 2 * s->node[a] + i;
-            const double *q = s->gradient[a];
-            if (equation[row] < 0) continue;
-            const double both = sign ? sign[row] * sign[column] : 1.0;
-            matrix_add(K, equation[row], equation[column],
-                       both * volume *
-                           (dP.m[i][0] * q[0] + dP.m[i][1] * q[1]));
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++) {
+            const int row = of->number[2 * a + i];
+            const int column = of->number[2 * b + k], below = row - column;
+            if (row < 0 || column < 0) continue;
+            if (below >= 0) of->diagonal[2 * b + k][below] += block[i][k];
+            if (a != b && below <= 0)
+                of->diagonal[2 * a + i][-below] += block[i][k];
         }
 }
 
-/* K += T^T (V q_a D q_b) T, T what the unknowns do to the nodes. */
+/* K += T^T (V q_a D q_b) T, T what the unknowns do to the nodes.  D is
+ * symmetric; of a banded K the lower half counts. */
 static void add_particle(const struct support *s, double volume,
-                         const mat2 D[4], const int equation[],
-                         const double sign[], struct matrix *K)
+                         const mat2 D[4], const struct its_unknowns *of)
 {
-    for (int b = 0; b < s->n; b++)
-        for (int k = 0; k < 2; k++) {
-            const int column = 2 * s->node[b] + k;
-            const double *q = s->gradient[b];
-            if (equation[column] < 0) continue;
-            /* dP for a unit displacement of component k: dF = e_k (x) q */
-            const mat2 dP = mat2_add(mat2_scale(q[0], D[2 * k]),
-                                     mat2_scale(q[1], D[2 * k + 1]));
-            add_column(s, volume, dP, column, equation, sign, K);
+    for (int b = 0; b < s->n; b++) {
+        double *const *column = &of->diagonal[2 * b];
+        mat2 dP[2]; /* V dP for a unit of each unknown: dF = e_k (x) q */
+        for (int k = 0; k < 2; k++)
+            for (int i = 0; i < 4; i++)
+                dP[k].m[i / 2][i % 2] =
+                    volume *
+                    (D[2 * k].m[i / 2][i % 2] * of->q[2 * b + k][0] +
+                     D[2 * k + 1].m[i / 2][i % 2] * of->q[2 * b + k][1]);
+        for (int a = b; a < s->n; a++) {
+            const int *at = &of->number[2 * a], *from = &of->number[2 * b];
+            const int below = at[0] - from[0];
+            double block[2][2];
+            for (int i = 0; i < 2; i++)
+                for (int k = 0; k < 2; k++)
+                    block[i][k] = dP[k].m[i][0] * of->q[2 * a + i][0] +
+                                  dP[k].m[i][1] * of->q[2 * a + i][1];
+            if (from[0] < 0 || from[1] != from[0] + 1 || at[1] != at[0] + 1 ||
+                below < (a > b)) {
+                add_entries(of, a, b, block);
+                continue;
+            }
+            column[0][below] += block[0][0];
+            column[0][below + 1] += block[1][0];
+            if (a > b) column[1][below - 1] += block[0][1];
+            column[1][below] += block[1][1];
         }
+    }
 }
 
 enum status particle_stiffness(const struct particle_body *body,
                                const double u[], const int equation[],
                                const double sign[], struct matrix *K)
 {
+    assert(K->storage == BANDED || K->storage == PLAIN);
     for (int p = 0; p < body->particles->n; p++) {
         struct support s;
+        struct its_unknowns of;
         mat2 F, D[4]; /* D[2k + L] = dP for dF = e_k (x) e_L */
         const enum status status = at_particle(body, p, u, &s, &F);
         if (status != OK) return status;
@@ -251,7 +278,14 @@ enum status particle_stiffness(const struct particle_body *body,
                 unit.m[k][L] = 1.0;
                 D[2 * k + L] = dpk1(body, F, unit);
             }
-        add_particle(&s, body->particles->volume[p], D, equation, sign, K);
+        for (int r = 0; r < 2 * s.n; r++) {
+            const int all = 2 * s.node[r / 2] + r % 2, e = equation[all];
+            of.number[r] = e;
+            of.diagonal[r] = e < 0 ? NULL : &K->a[matrix_place(K, e, e)];
+            for (int j = 0; j < 2; j++)
+                of.q[r][j] = (sign ? sign[all] : 1.0) * s.gradient[r / 2][j];
+        }
+        add_particle(&s, body->particles->volume[p], D, &of);
     }
     return OK;
 }

@@ -193,7 +193,8 @@ double particle_frequency(const struct particle_body *body)
     double *u = allocate(n_dof, sizeof *u), *m = allocate(n_dof, sizeof *m);
     double *value = allocate(n_dof, sizeof *value), omega = NAN;
     unknowns_number(body->grid, NO_WALL, map);
-    struct matrix *K = matrix_alloc(DENSE, map->n, 0), *A = matrix_copy(K);
+    struct matrix *K = matrix_alloc(BANDED, map->n, map->n);
+    struct matrix *A = matrix_alloc(DENSE, map->n, 0);
     for (int r = 0; r < map->n_dof; r++)
         if (map->equation[r] >= 0)
             m[map->equation[r]] = body->grid->mass[r / 2];

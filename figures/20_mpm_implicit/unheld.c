@@ -35,7 +35,7 @@ static int zero_modes(struct cloud c)
     double u[256] = {0.0}, value[128]; /* of some 20 nodes */
     int zeros = 0;
     unknowns_number(c.grid, NO_WALL, map);
-    struct matrix *K = matrix_alloc(DENSE, map->n, 0);
+    struct matrix *K = matrix_alloc(BANDED, map->n, map->n);
     claim(particle_stiffness(&body, u, map->equation, map->sign, K) == OK &&
               matrix_eigenvalues(K, value) == OK, "at rest");
     while (value[zeros] < 1e-11 * value[map->n - 1]) zeros++;

@@ -254,13 +254,13 @@ static void the_matrix_is_the_product(void)
 
         const int band = particle_band(&s.body, equation);
         ck_assert_int_lt(band, n);
-        for (int dense = 0; dense < 2; dense++) {
-            struct matrix *K = matrix_alloc(dense ? DENSE : BANDED, n, band);
+        for (int full = 0; full < 2; full++) {
+            struct matrix *K = matrix_alloc(BANDED, n, full ? n : band);
             ck_assert(particle_stiffness(&s.body, s.u, equation, sign, K) ==
                       OK);
             matrix_multiply(K, y, Ky);
             for (int e = 0; e < n; e++) close_to(Ky[e], folded[e], 1e-11);
-            if (dense) { /* the band is not wider than it must be */
+            if (full) { /* the band is not wider than it must be */
                 int widest = 0;
                 for (int i = 0; i < n; i++)
                     for (int j = 0; j < i; j++)
