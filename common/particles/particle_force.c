@@ -203,15 +203,15 @@ int particle_band(const struct particle_body *body, const int equation[])
     return band;
 }
 
-/* The unknowns of a particle's nodes, -1 where there is none: their number in K,
- * where their diagonal entry is, and q with their sign. */
+/* The unknowns of a particle's nodes, -1 where there is none: their number in
+ * K, the place of their diagonal entry, and q with their sign. */
 struct its_unknowns {
     int number[2 * SUPPORT_MAX];
     double *diagonal[2 * SUPPORT_MAX], q[2 * SUPPORT_MAX][2];
 };
 
-/* Add block (a, b), a >= b, of K and its transpose entry by entry: an unknown may
- * be missing, the nodes' may stand in any order, and two may share one. */
+/* Add block (a, b), a >= b, of K and its transpose entry by entry: an unknown
+ * may be missing, they may stand in any order, and two nodes may share one. */
 static void add_entries(const struct its_unknowns *of, int a, int b,
                         double block[2][2])
 {

@@ -90,7 +90,7 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
 /*
  * K += the matrix of the unknowns y that the nodes move by: u_r = sign[r]
  * y_(equation[r]), 0 where equation[r] < 0; sign NULL: all 1.  Two nodes may
- * share an unknown, as at a mirror.  K is banded, not factored, and has at least
+ * share an unknown, as at a mirror.  K is banded, not factored, and of at least
  * the half bandwidth that particle_band() tells (INT_MAX if a particle is
  * OUTSIDE).
  */

@@ -73,7 +73,7 @@ int main(void)
     table_end();
     table_begin("fits", "rate n");
     for (int k = 0; k < 2; k++) {
-        const double rate[] = {5e9, 40e9}; /* flops per second */
+        const double rate[] = {3e9, 40e9}; /* flops per second */
         int n = 1;
         while (most * banded(n + 1) <= rate[k] / 30.0) n++;
         table_row(rate[k], n);
