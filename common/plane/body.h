@@ -74,6 +74,7 @@ struct kept {
     int moving;       /* they have inertia */
     double dt, scale; /* of their step (s); max K_ii */
     double turned[2]; /* body_turned() at their u */
+    double by[2];     /* how far this step has turned it since then */
     int systems, least; /* of the last step that they served, of the shortest */
 };
 
@@ -113,6 +114,7 @@ struct body {
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     struct kept kept; /* what is in it */
+    int exact;        /* 1: factors that are kept stay in double precision */
     struct past past; /* in room, behind what step.h works in */
     double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:
                    * of a small body's step new zeros are two per cent */

@@ -105,11 +105,40 @@ enum status step_search(const struct body *body, struct incremental Phi,
     return status;
 }
 
-/* b := -R^T q of the free unknowns, R = (c -s; s c) at all vertices. */
-static void right_side(const struct body *body, const double q[],
-                       const double turned[2], double b[])
+/* Are the factors in K still good for a step of Phi [alg:kept]? */
+static int is_usable(const struct body *body, struct incremental Phi)
 {
-    const double c = turned[0], s = turned[1];
+    const struct kept *kept = &body->kept;
+    return kept->usable && body->K->storage == SPARSE && body->K->factor &&
+           (kept->systems <= KEPT_SYSTEMS ||
+            kept->systems <= kept->least + 1) &&
+           kept->dt == Phi.dt && kept->moving == (Phi.w != NULL);
+}
+
+/* K, assembled at u, has been factored. */
+static void keep(struct body *body, struct incremental Phi, const double u[])
+{
+    body->kept.usable = 1;
+    body->kept.moving = Phi.w != NULL;
+    body->kept.dt = Phi.dt;
+    body->kept.least = INT_MAX - 1;
+    body_turned(body, u, body->kept.turned);
+}
+
+/* How far u has turned the body since K was factored. */
+static void turn(struct body *body, const double u[])
+{
+    struct kept *kept = &body->kept;
+    double now[2];
+    body_turned(body, u, now);
+    kept->by[0] = now[0] * kept->turned[0] + now[1] * kept->turned[1];
+    kept->by[1] = now[1] * kept->turned[0] - now[0] * kept->turned[1];
+}
+
+/* b := -R^T q of the free unknowns, R = (c -s; s c) at all vertices. */
+static void right_side(const struct body *body, const double q[], double b[])
+{
+    const double c = body->kept.by[0], s = body->kept.by[1];
     for (int r = 0; r < 2 * body->mesh->n_vertex; r += 2) {
         const int k = body->equation[r];
         if (k < 0) continue;
@@ -120,45 +149,40 @@ static void right_side(const struct body *body, const double q[],
 
 /*
  * Factor K, which has been assembled at u, and b := -K^-1 q.  When it is not
- * SPD: project it, or (*as_it_is) solve without its factors, or give up.
+ * SPD: project it, or solve without factors that could be kept, or give up.
  */
 static enum status factor(struct body *body, const struct step_control *control,
                           struct incremental Phi, const double u[], double q[],
-                          struct step_report *report, int *as_it_is, double b[])
+                          struct step_report *report, double b[])
 {
-    static const double not_turned[2] = {1.0, 0.0};
-    *as_it_is = 0;
+    const int on_demand = control->projection == ON_DEMAND;
+    body->kept.by[0] = 1.0, body->kept.by[1] = 0.0;
     report->factorisations++;
     report->projections += control->projection == ALWAYS;
-    right_side(body, q, not_turned, b);
-    if (matrix_factor_solve(body->K, b) == OK) return OK;
-    if (control->projection == ON_DEMAND) {
+    right_side(body, q, b);
+    enum status status = matrix_factor_solve(body->K, b);
+    if (status != OK && on_demand) {
         report->factorisations++;
         report->projections++;
         body_assemble(body, Phi, u, PROJECTED, q);
-        right_side(body, q, not_turned, b);
-        return matrix_factor_solve(body->K, b);
+        right_side(body, q, b);
+        status = matrix_factor_solve(body->K, b);
     }
-    if (control->projection == ALWAYS || control->line_search) return NOT_SPD;
+    if (status == OK && control->chord) keep(body, Phi, u);
+    if (status == OK || control->projection != NEVER || control->line_search)
+        return status;
     report->indefinite++;
-    *as_it_is = 1;
     body_assemble(body, Phi, u, EXACT, q);
-    right_side(body, q, not_turned, b);
+    right_side(body, q, b);
     return matrix_solve_indefinite(body->K, b, NULL);
 }
 
-/* du := -K^-1 q, 0 at prescribed vertices, from b where it is solved; else K is
- * as it was when it was factored, but turned since then: R K R^T.  Returns the
- * largest |du|, INFINITY where du is not finite. */
-static double increment(const struct body *body, const double q[], int solved,
-                        const double turned[2], double b[], double du[])
+/* du := R b, 0 at prescribed vertices.  Returns the largest |du|, INFINITY
+ * where du is not finite. */
+static double increment(const struct body *body, const double b[], double du[])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
-    const double c = turned[0], s = turned[1];
-    if (!solved) {
-        right_side(body, q, turned, b);
-        matrix_solve(body->K, b);
-    }
+    const double c = body->kept.by[0], s = body->kept.by[1];
     for (int r = 0; r < n_dof; r += 2) {
         const int k = body->equation[r];
         du[r] = k >= 0 ? c * b[k] - s * b[k + 1] : 0.0;
@@ -167,97 +191,55 @@ static double increment(const struct body *body, const double q[], int solved,
     return body_max_free(body, du);
 }
 
-/* Are the factors in K still good for a step of Phi [alg:kept]? */
-static int is_usable(const struct body *body,
-                     const struct step_control *control, struct incremental Phi)
-{
-    const struct kept *kept = &body->kept;
-    return control->chord == KEPT_ACROSS && kept->usable &&
-           (kept->systems <= KEPT_SYSTEMS ||
-            kept->systems <= kept->least + 1) &&
-           kept->dt == Phi.dt && kept->moving == (Phi.w != NULL) &&
-           (body->K->storage != SPARSE || body->K->factor);
-}
-
-/* K has just been assembled at u and, usable, factored; by := no turn. */
-static void keep(struct body *body, struct incremental Phi, const double u[],
-                 double scale, int usable, double by[2])
-{
-    by[0] = 1.0, by[1] = 0.0;
-    body->kept = (struct kept){.usable = usable, .moving = Phi.w != NULL,
-                               .dt = Phi.dt, .scale = scale,
-                               .least = INT_MAX - 1};
-    body_turned(body, u, body->kept.turned);
-}
-
-/* by := how far u has turned the body since K was factored. */
-static void turn(const struct body *body, const double u[], double by[2])
-{
-    const double *then = body->kept.turned;
-    double now[2];
-    body_turned(body, u, now);
-    by[0] = now[0] * then[0] + now[1] * then[1];
-    by[1] = now[1] * then[0] - now[0] * then[1];
-}
-
-/* As step_solve(), by at most `most` systems; the first of them with the
- * factors that there are, unless fresh. */
-static struct step_report newton(struct body *body,
-                                 const struct step_control *control,
-                                 struct incremental Phi, struct room room,
-                                 int most, int fresh, double u[])
+/* As step_solve(), the first system with new factors if `fresh`, else with
+ * those that there are; report goes on. */
+static void newton(struct body *body, const struct step_control *control,
+                   struct incremental Phi, struct room room, int fresh,
+                   double u[], struct step_report *report)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const enum tangent kind = control->projection == ALWAYS ? PROJECTED : EXACT;
-    struct step_report report = {.increment = INFINITY,
-                                 .storage = body->K->storage};
-    double scale = body->kept.scale, turned[2] = {1.0, 0.0};
-    int as_it_is = 0, halved = 0;
+    double *scale = &body->kept.scale, *q = room.q, *b = room.trial;
+    int halved = 0;
 
-    if (!fresh) turn(body, u, turned);
+    report->increment = INFINITY;
+    if (!fresh) turn(body, u);
     for (;;) {
-        const int small = report.increment <= control->tolerance;
-        const int with_K = fresh && !small;
-        report.status =
-            body_assemble(body, Phi, u, with_K ? kind : NO_TANGENT, room.q);
-        if (report.status != OK) break;
-        if (with_K) scale = matrix_max_diagonal(body->K);
-        report.residual = body_max_free(body, room.q) / scale;
-        if (small && report.residual <= control->tolerance) break;
+        const double before = report->increment;
+        const int small = before <= control->tolerance;
+        report->status = body_assemble(body, Phi, u,
+                                       fresh && !small ? kind : NO_TANGENT, q);
+        if (report->status != OK) return;
+        if (fresh && !small) *scale = matrix_max_diagonal(body->K);
+        report->residual = body_max_free(body, q) / *scale;
+        if (small && report->residual <= control->tolerance) return;
         /* |du| cannot change u any more, and still q is not small */
-        report.status = STALLED;
-        if (report.increment <= DBL_EPSILON) break;
-        report.status = MAX_ITERATIONS;
-        if (report.iterations == most) break;
+        report->status = STALLED;
+        if (before <= DBL_EPSILON) return;
+        report->status = MAX_ITERATIONS;
+        if (report->iterations == control->max_iterations) return;
 
-        if (fresh && small)
-            body_assemble(body, Phi, u, kind, room.q);
-        report.status = fresh ? factor(body, control, Phi, u, room.q, &report,
-                                       &as_it_is, room.trial)
-                              : OK;
-        if (fresh && report.status == OK && control->chord == KEPT_ACROSS)
-            keep(body, Phi, u, scale, !as_it_is, turned);
-        if (report.status != OK) break;
-        const double before = report.increment;
-        const double size = increment(body, room.q, fresh, turned, room.trial,
-                                      room.du);
-        report.status = isinf(size) ? NONFINITE : OK;
-        if (report.status != OK) break;
-        report.iterations++;
-        report.increment = size;
+        report->status = OK;
+        if (fresh && small) body_assemble(body, Phi, u, kind, q);
+        if (fresh) {
+            report->status = factor(body, control, Phi, u, q, report, b);
+        } else {
+            right_side(body, q, b);
+            matrix_solve(body->K, b);
+        }
+        if (report->status != OK) return;
+        const double size = increment(body, b, room.du);
+        report->status = isinf(size) ? NONFINITE : OK;
+        if (report->status != OK) return;
+        report->iterations++;
+        report->increment = size;
         if (control->line_search)
-            report.status = line_search(body, Phi, room, u, &halved);
+            report->status = line_search(body, Phi, room, u, &halved);
         else
             for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
-        if (report.status != OK) break;
-        fresh = !control->chord || halved || as_it_is ||
-                report.increment > 0.3 * before;
+        if (report->status != OK) return;
+        fresh = !body->kept.usable || halved || size > 0.3 * before;
     }
-    if (report.status != OK) body->kept.usable = 0;
-    body->kept.systems = report.iterations;
-    if (report.iterations < body->kept.least)
-        body->kept.least = report.iterations;
-    return report;
 }
 
 struct step_report step_solve(struct body *body,
@@ -268,22 +250,25 @@ struct step_report step_solve(struct body *body,
     double *memory = body->room, *start = memory + 5 * n_dof;
     const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
-    const int old = is_usable(body, control, Phi);
-    const int most = control->max_iterations;
+    struct kept *kept = &body->kept;
+    struct step_report report = {.storage = body->K->storage};
+    if (report.storage == SPARSE)
+        matrix_keep_single(body->K, control->chord && !body->exact);
+    const int old = control->chord && is_usable(body, Phi);
+    kept->usable = old;
     memcpy(start, u, n_dof * sizeof *u);
-    struct step_report report =
-        newton(body, control, Phi, room, most, !old, u);
+    newton(body, control, Phi, room, !old, u, &report);
+    kept->systems = report.iterations;
     /* it may be the old factors' fault */
-    if (old && report.status != OK && report.iterations < most) {
-        const struct step_report first = report;
+    if (old && report.status != OK &&
+        report.iterations < control->max_iterations) {
         memcpy(u, start, n_dof * sizeof *u);
-        report =
-            newton(body, control, Phi, room, most - first.iterations, 1, u);
-        report.iterations += first.iterations;
-        report.factorisations += first.factorisations;
-        report.projections += first.projections;
-        report.indefinite += first.indefinite;
+        kept->usable = 0;
+        newton(body, control, Phi, room, 1, u, &report);
+        kept->systems = report.iterations - kept->systems;
     }
+    if (report.status != OK) kept->usable = 0;
+    if (kept->systems < kept->least) kept->least = kept->systems;
     return report;
 }
 

@@ -18,16 +18,8 @@ enum guess {
                     * their velocities in the body [alg:extrapolated] */
 };
 enum projection { NEVER, ON_DEMAND, ALWAYS };
-enum chord {
-    NEW_FACTORS,    /* for every system */
-    KEPT_IN_STEP,   /* kept while max|du| falls below 0.3 times the one before
-                     * [alg:chord] */
-    KEPT_ACROSS     /* ... and on into the next step, unless the last one took
-                     * more than KEPT_SYSTEMS systems and two more than the
-                     * shortest with them; they turn as the body does.  A solve
-                     * that fails with those of an earlier step begins again
-                     * with new ones [alg:kept] */
-};
+/* Factors serve later steps, too, unless the last one took more systems than
+ * this and two more than the shortest with them [alg:kept]. */
 enum { KEPT_SYSTEMS = 4 };
 
 struct step_control {
@@ -35,7 +27,12 @@ struct step_control {
     int max_iterations; /* cap on linear systems solved */
     enum guess guess;
     int lift;        /* spread the jump of the boundary values: step_boundary */
-    enum chord chord; /* how long factors are kept */
+    int chord;       /* 0: new factors for every system.  1: they are kept while
+                      * max|du| falls below 0.3 times the one before
+                      * [alg:chord]; a sparse K also from step to step, rounded
+                      * to single precision [alg:kept], and a step that fails
+                      * with those of an earlier one begins again with new ones
+                      * */
     int line_search; /* halve the increment until Phi decreases */
     enum projection projection; /* NEVER: what is indefinite is solved as it
                                  * is, or NOT_SPD with line_search;

@@ -18,11 +18,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CELLS = 40, STEPS = 60, SCENES_HERE = 4, WAYS = 3 };
+enum { CELLS = 40, STEPS = 60, SCENES_HERE = 4 };
+enum { NEW, WITHIN, ACROSS, WAYS }; /* factors */
 static const enum reading reading[SCENES_HERE] = {STRETCH, RIGID, TRACTION,
                                                   SPIN};
 static const char *const way[WAYS] = {
-    [KEPT_IN_STEP] = "within a step", [KEPT_ACROSS] = "across steps"};
+    [WITHIN] = "within a step", [ACROSS] = "across steps"};
 
 struct count {
     int systems, factorisations, most; /* most: systems of a step */
@@ -31,7 +32,7 @@ struct count {
 };
 
 /* answer: [n_dof], written by new factors. */
-static struct count run(enum reading scene, enum chord chord, double nu,
+static struct count run(enum reading scene, int factors, double nu,
                         double answer[])
 {
     struct scene_setting set = scene_notes(scene, CUBIC, CELLS);
@@ -39,13 +40,14 @@ static struct count run(enum reading scene, enum chord chord, double nu,
     struct count c = {0};
     set.nu = nu;
     if (scene == STRETCH) set.reach = 0.5;
-    control.chord = chord;
+    control.chord = factors != NEW;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, SPARSE);
     const struct sparse *K = s->body->pattern;
     const double with_K = work_elements(s->body, EXACT);
     const double without = work_elements(s->body, NO_TANGENT);
     while (s->steps < STEPS) {
+        if (factors == WITHIN) s->body->kept.usable = 0;
         const struct step_report r = scene_step(s, &control);
         claim(r.status == OK, "step %d of %s", s->steps, scene_name(scene));
         const double flops = r.factorisations * (K->flops + with_K - without) +
@@ -57,7 +59,7 @@ static struct count run(enum reading scene, enum chord chord, double nu,
         if (r.iterations > c.most) c.most = r.iterations;
         if (flops > c.worst) c.worst = flops;
     }
-    if (chord == NEW_FACTORS)
+    if (factors == NEW)
         memcpy(answer, s->u, (size_t)s->n_dof * sizeof *answer);
     for (int r = 0; r < s->n_dof; r++)
         c.apart = fmax(c.apart, fabs(s->u[r] - answer[r]));
@@ -73,7 +75,7 @@ int main(void)
     for (int t = 0; t < 2; t++)
         for (int k = 0; k < SCENES_HERE; k++)
             for (int w = 0; w < WAYS; w++)
-                c[t][k][w] = run(reading[k], (enum chord)w, t ? 0.45 : 0.3,
+                c[t][k][w] = run(reading[k], w, t ? 0.45 : 0.3,
                                  answer);
     free(answer);
     table_begin_note("kept", "scene factors systems most factorisations mflop "
@@ -81,27 +83,27 @@ int main(void)
                      "n = %d, per step; times_fewer: flops than within a step",
                      CELLS);
     for (int k = 0; k < SCENES_HERE; k++)
-        for (int w = KEPT_IN_STEP; w < WAYS; w++) {
+        for (int w = WITHIN; w < WAYS; w++) {
             const struct count *of = &c[0][k][w];
             table_row(scene_name(reading[k]), way[w],
                       (double)of->systems / STEPS, of->most,
                       (double)of->factorisations / STEPS,
                       1e-6 * of->flops / STEPS, 1e-6 * of->worst,
-                      c[0][k][KEPT_IN_STEP].flops / of->flops);
+                      c[0][k][WITHIN].flops / of->flops);
         }
     table_end();
     table_begin("tissue", "scene times_fewer worst_times_more");
     for (int k = 0; k < SCENES_HERE; k++) {
-        const struct count *in = &c[1][k][KEPT_IN_STEP];
-        const struct count *on = &c[1][k][KEPT_ACROSS];
+        const struct count *in = &c[1][k][WITHIN];
+        const struct count *on = &c[1][k][ACROSS];
         table_row(scene_name(reading[k]), in->flops / on->flops,
                   on->worst / in->worst);
     }
     table_end();
     for (int t = 0; t < 2; t++)
         for (int k = 0; k < SCENES_HERE; k++) {
-            const struct count *in = &c[t][k][KEPT_IN_STEP];
-            const struct count *on = &c[t][k][KEPT_ACROSS];
+            const struct count *in = &c[t][k][WITHIN];
+            const struct count *on = &c[t][k][ACROSS];
             const double gain = in->flops / on->flops;
             const double worst = on->worst / in->worst;
             /* what is left of a step is left in v, too, and moves what nothing

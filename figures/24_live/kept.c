@@ -2,10 +2,12 @@
  * kept.c - does a pull lose its frames by the law, or by the kept factors?
  *
  * The first rung alone, with 40 systems, from the last state, as in pull.c:
- * with kept factors, which is what it has, and with new ones for every system.
+ * with factors that are kept within a frame, with new ones for every system,
+ * and with those of the frame before, too, which is what it has from n = 36 on.
  * Tables: log (a side in the hand, LOG: how many of 8 pulls, at 0.5 to 7.5
  * m/s, lose one of the first three frames, the most systems that frame 1 needs
- * with new factors, and the frames lost of 10 at 7.5 m/s), cubic (the least
+ * with new factors, and the frames lost of 10 at 7.5 m/s; across: all frames
+ * that are lost with old ones), cubic (the least
  * speed, in steps of 0.1 m/s, that loses one of the first three frames), patch
  * (a patch in the hand: frames lost of 40).
  */
@@ -21,11 +23,12 @@
 
 /* The first rung in place of the second one, which live_frame_by() lets one
  * choose; a frame in which it fails is made one that cannot be accepted. */
-static enum status alone(struct live *live, enum chord chord, double u[],
+static enum status alone(struct live *live, int chord, int across, double u[],
                          double v[], struct live_report *report)
 {
     struct step_control control = LIVE_ALONE;
     control.chord = chord;
+    if (!across) live->body->kept.usable = 0;
     const struct state *now = &live->now;
     const size_t n = (size_t)live->n_dof;
     double *w = allocate(n, sizeof *w);
@@ -46,13 +49,19 @@ static enum status alone(struct live *live, enum chord chord, double u[],
 static enum status with_kept(struct live *live, double u[], double v[],
                              struct live_report *report)
 {
-    return alone(live, KEPT_IN_STEP, u, v, report);
+    return alone(live, 1, 0, u, v, report);
 }
 
 static enum status with_new(struct live *live, double u[], double v[],
                             struct live_report *report)
 {
-    return alone(live, NEW_FACTORS, u, v, report);
+    return alone(live, 0, 0, u, v, report);
+}
+
+static enum status across_frames(struct live *live, double u[], double v[],
+                                 struct live_report *report)
+{
+    return alone(live, 1, 1, u, v, report);
 }
 
 struct pulled {
@@ -87,18 +96,21 @@ static struct pulled pull(int n, enum law law, enum grab grab, live_rung *rung,
 static void print_log(void)
 {
     static const int n[] = {40, 42, 44, 64};
-    table_begin("log", "n kept new systems kept_lost new_lost");
+    table_begin("log", "n kept new systems kept_lost new_lost across");
     for (int k = 0; k < COUNT(n); k++) {
-        int kept = 0, fresh = 0, most = 0;
+        int kept = 0, fresh = 0, most = 0, across = 0;
         for (double speed = 0.5; speed <= 7.5; speed += 1.0) {
             const struct pulled one = pull(n[k], LOG, SIDE, with_new, speed, 3);
             kept += pull(n[k], LOG, SIDE, with_kept, speed, 3).lost > 0;
+            across += pull(n[k], LOG, SIDE, across_frames, speed, 3).lost;
             fresh += one.lost > 0;
             if (one.systems > most) most = one.systems;
         }
         const int kept_10 = pull(n[k], LOG, SIDE, with_kept, 7.5, 10).lost;
         const int new_10 = pull(n[k], LOG, SIDE, with_new, 7.5, 10).lost;
-        table_row(n[k], kept, fresh, most, kept_10, new_10);
+        across += pull(n[k], LOG, SIDE, across_frames, 7.5, 10).lost;
+        table_row(n[k], kept, fresh, most, kept_10, new_10, across);
+        claim(across == 0, "LOG: those of the frame before lose none");
         claim(fresh == 0 && new_10 == 0 && most <= 8 &&
                   (kept > 0) == (n[k] > 40) && kept_10 == (n[k] > 42 ? 10 : 0),
               "LOG: kept factors lose frames from n = 42 on, new ones none "

@@ -160,12 +160,11 @@ static PetscErrorCode measure(int n, double ms[METHODS])
     set.reach = 0.5;
     for (int k = 0; k < METHODS; k++) {
         control[k] = step_method("lift");
-        control[k].chord = k == KEPT ? KEPT_ACROSS : KEPT_IN_STEP;
+        control[k].chord = 1;
         s[k] = scene_alloc(&set);
         for (int step = 0; step < START; step++)
             if (scene_step(s[k], &control[k]).status != OK) die("n = %d", n);
-        if (k == KEPT && s[k]->body->K->storage == SPARSE)
-            matrix_keep_single(s[k]->body->K, 1);
+        s[k]->body->exact = k != KEPT;
         if (k < OURS) PetscCall(peer_make(s[k], &peer[k]));
     }
     for (int turn = 0; turn < (n < 128 ? ROUNDS : 1); turn++)
@@ -173,6 +172,7 @@ static PetscErrorCode measure(int n, double ms[METHODS])
             for (int step = 0; step <= IN_A_ROW; step++) {
                 const double before = clock_seconds();
                 enum status status = OK;
+                if (k == OURS) s[k]->body->kept.usable = 0;
                 if (k < OURS)
                     PetscCall(peer_step(&peer[k], s[k], k == NOTES));
                 else

@@ -33,7 +33,7 @@ struct tally {
 };
 
 /* answer: [n_dof], written when record. */
-static struct tally run(int n, int g, enum chord chord, int record,
+static struct tally run(int n, int g, int chord, int record,
                         double answer[])
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
@@ -41,10 +41,12 @@ static struct tally run(int n, int g, enum chord chord, int record,
     struct tally tally = {.status = OK};
     set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
+    s->body->exact = 1;
     control.guess = start[g].guess;
     control.lift = start[g].lift;
     control.chord = chord;
     while (s->steps < STEPS && tally.status == OK) {
+        s->body->kept.usable = 0; /* each step begins with new ones */
         const struct step_report report = scene_step(s, &control);
         tally.status = report.status;
         tally.systems += report.iterations;
@@ -69,7 +71,7 @@ int main(void)
         double *answer = allocate(2 * (size_t)vertices, sizeof *answer);
         for (int g = GUESSES - 1; g >= 0; g--)
             for (int chord = 0; chord < 2; chord++)
-                tally[k][g][chord] = run(size[k], g, (enum chord)chord,
+                tally[k][g][chord] = run(size[k], g, chord,
                                          g == GUESSES - 1 && !chord, answer);
         free(answer);
     }

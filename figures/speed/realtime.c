@@ -35,13 +35,14 @@ static double slowest(int k, int n)
     struct times t = {0};
     int late = 0;
     set.reach = 0.5;
-    control.chord = k == KEPT ? KEPT_ACROSS : KEPT_IN_STEP;
+    control.chord = 1;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, k == BAND ? BANDED : SPARSE);
-    if (k >= SINGLE) matrix_keep_single(s->body->K, 1);
+    s->body->exact = k < SINGLE;
     scene_step(s, &control); /* memory is touched */
     scene_rest(s);
     for (int step = 0; step < FRAMES && late < 2; step++) {
+        if (k != KEPT) s->body->kept.usable = 0;
         const double before = clock_seconds();
         if (scene_step(s, &control).status != OK) die("n = %d fails", n);
         times_record(&t, clock_seconds() - before, 1);
@@ -91,16 +92,17 @@ static struct swing swing(int n, int most, int single, int hurry)
     struct step_control control = step_method("all");
     struct swing swing = {.t = {0}};
     set.reach = 0.5;
-    control.chord = KEPT_IN_STEP;
+    control.chord = 1;
     control.max_iterations = most;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, SPARSE);
-    matrix_keep_single(s->body->K, single);
+    s->body->exact = !single;
     advance(s, &control); /* memory is touched */
     scene_rest(s);
     double worst = 0.0;
     while (s->steps < SWING && !(hurry && worst > set.dt)) {
         const double before = clock_seconds();
+        s->body->kept.usable = 0;
         const struct step_report report = advance(s, &control);
         const double seconds = clock_seconds() - before;
         if (report.status != OK && report.status != MAX_ITERATIONS)

@@ -54,6 +54,7 @@ static void run(int k, struct scene *s, int first, int last, double path[],
     body_store(s->body, k == DISSECTED ? SPARSE : BANDED);
     struct readable *r = readable_alloc(s->body, s->set.dt);
     control.chord = k >= BEST;
+    s->body->exact = 1;
     double *const now[3] = {s->u, s->v, s->v_before};
     for (size_t i = 0; i < 3; i++)
         memcpy(now[i], &path[(size_t)(first - 1) * state + i * n_dof],
@@ -61,6 +62,7 @@ static void run(int k, struct scene *s, int first, int last, double path[],
     for (int step = first; step <= last; step++) {
         double *at = &path[(size_t)step * state], apart = 0.0;
         scene_hold(s, step * s->set.dt);
+        s->body->kept.usable = 0; /* kept within a step, as `best` does */
         const double before = clock_seconds();
         const struct step_report report =
             k < BLOCKED

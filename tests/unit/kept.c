@@ -15,13 +15,15 @@ static struct scene *scene_of(enum reading reading, enum law law)
 {
     struct scene_setting set = scene_notes(reading, law, CELLS);
     if (reading == STRETCH) set.reach = 0.5;
-    return scene_alloc(&set);
+    struct scene *s = scene_alloc(&set);
+    body_store(s->body, SPARSE);
+    return s;
 }
 
 static struct step_control across(void)
 {
     struct step_control control = step_method("lift");
-    control.chord = KEPT_ACROSS;
+    control.chord = 1;
     return control;
 }
 
@@ -47,11 +49,10 @@ static void old_factors_find_the_same_step(void)
 {
     const struct step_control newton = step_method("lift"), kept = across();
     for (int k = 0; k < COUNT(scenes); k++)
-        for (int how = 0; how < 3; how++) { /* band, sparse, single */
+        for (int exact = 0; exact < 2; exact++) {
             struct scene *s = scene_of(scenes[k], CUBIC);
             struct scene *other = scene_of(scenes[k], CUBIC);
-            body_store(s->body, how ? SPARSE : BANDED);
-            if (how == 2) matrix_keep_single(s->body->K, 1);
+            s->body->exact = exact;
             int factorisations = 0;
             for (int step = 0; step < 40; step++) {
                 copy_state(s, other);
@@ -75,11 +76,8 @@ static void a_long_way_ends_where_new_factors_do(void)
     for (int k = 0; k < COUNT(scenes); k++) {
         struct scene *s = scene_of(scenes[k], CUBIC);
         struct scene *other = scene_of(scenes[k], CUBIC);
-        body_store(s->body, SPARSE);
-        for (int step = 0; step < 90; step++) {
-            scene_step(s, &kept);
-            scene_step(other, &newton);
-        }
+        for (int step = 0; step < 90; step++)
+            scene_step(s, &kept), scene_step(other, &newton);
         ck_assert_int_eq(s->steps, 90);
         ck_assert(apart(s->n_dof, s->u, other->u) <= 1e-10);
         scene_free(s);
@@ -227,7 +225,7 @@ static void old_factors_turn_with_the_body(void)
 }
 
 enum event {
-    NOTHING, STORED, ASSEMBLED, OTHER_STEP, NO_INERTIA, ROUNDED, IN_STEP,
+    NOTHING, STORED, ASSEMBLED, OTHER_STEP, NO_INERTIA, ROUNDED, BAND,
     FAILED, N_EVENT
 };
 
@@ -238,7 +236,7 @@ static void factors_are_forgotten(void)
         struct scene *s = scene_of(RIGID, CUBIC);
         struct step_control kept = across();
         struct step_report r = {.iterations = 9};
-        body_store(s->body, SPARSE);
+        if (event == BAND) body_store(s->body, BANDED);
         for (int k = 0; k < 20 && r.iterations > KEPT_SYSTEMS; k++)
             r = scene_step(s, &kept);
         ck_assert_int_eq(r.status, OK);
@@ -254,8 +252,7 @@ static void factors_are_forgotten(void)
         if (event == ASSEMBLED) body_assemble(s->body, Phi, s->u, EXACT, q);
         if (event == OTHER_STEP) Phi.dt *= 2.0;
         if (event == NO_INERTIA) Phi.w = NULL;
-        if (event == ROUNDED) matrix_keep_single(s->body->K, 1);
-        if (event == IN_STEP) kept.chord = KEPT_IN_STEP;
+        if (event == ROUNDED) s->body->exact = 1;
         if (event == FAILED) {
             struct step_control hasty = kept;
             hasty.max_iterations = 0;
@@ -363,16 +360,15 @@ static void the_guess_is_as_good_as_the_parabola_or_better(void)
         struct scene *s[2];
         int systems[2] = {0, 0};
         for (int way = 0; way < 2; way++) {
-            s[way] = scene_of(jolted ? STRETCH : scenes[k], CUBIC);
+            struct scene *q = scene_of(jolted ? STRETCH : scenes[k], CUBIC);
+            s[way] = q;
             for (int step = 1; step <= 60; step++) {
                 const double t = step / 30.0;
-                scene_hold(s[way], !jolted ? t : step % 16 < 8 ? 0.0 : 0.5);
+                scene_hold(q, !jolted ? t : step % 16 < 8 ? 0.0 : 0.5);
                 const struct step_report r =
-                    way ? parabola(s[way])
-                        : step_backward_euler(s[0]->body, &lift,
-                                              s[0]->set.dt, s[0]->g, s[0]->f,
-                                              s[0]->u, s[0]->v,
-                                              s[0]->v_before);
+                    way ? parabola(q)
+                        : step_backward_euler(q->body, &lift, q->set.dt, q->g,
+                                              q->f, q->u, q->v, q->v_before);
                 ck_assert_int_eq(r.status, OK);
                 systems[way] += r.iterations;
             }
@@ -396,7 +392,6 @@ static void the_guess_knows_whose_velocities_they_were(void)
         copy_state(s, other);
         const struct step_report r = scene_step(s, &lift);
         const struct step_report q = scene_step(other, &lift);
-        ck_assert(r.status == OK && q.status == OK);
         ck_assert_int_le(r.iterations, event ? q.iterations : q.iterations - 1);
         if (event)
             ck_assert_mem_eq(s->u, other->u, (size_t)s->n_dof * sizeof *s->u);
