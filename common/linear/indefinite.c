@@ -4,14 +4,12 @@
 #include <float.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The same of half bandwidth 1: a bar's system for each of Newton's steps. */
 static enum status tridiagonal(int n, size_t stride, const double a[],
-                               double b[], int *negative)
+                               double d[], double b[], int *negative)
 {
-    double *d = allocate((size_t)n, sizeof *d);
     int failed = 0;
     if (negative) *negative = 0;
     for (int j = 0; j < n; j++) { /* D_jj, and L y = b */
@@ -29,31 +27,28 @@ static enum status tridiagonal(int n, size_t stride, const double a[],
     b[n - 1] /= d[n - 1];
     for (int j = n - 2; j >= 0; j--) /* D L^T x = y */
         b[j] = (b[j] - a[(size_t)j * stride + 1] * b[j + 1]) / d[j];
-    free(d);
     return failed ? NOT_SPD : OK;
 }
 
 enum status indefinite_solve(int n, int p, size_t stride, const double a[],
-                             double b[], int *negative)
+                             double room[], double b[], int *negative)
 {
-    if (p == 1) return tridiagonal(n, stride, a, b, negative);
+    if (p == 1) return tridiagonal(n, stride, a, room, b, negative);
     /* GSL wants rows of p + 1 numbers, without room behind them */
     const size_t rows = (size_t)n, row = (size_t)p + 1;
-    double *copy = allocate(rows * row, sizeof *copy);
-    gsl_matrix_view view = gsl_matrix_view_array(copy, rows, row);
+    gsl_matrix_view view = gsl_matrix_view_array(room, rows, row);
     gsl_vector_view x = gsl_vector_view_array(b, rows);
     for (size_t j = 0; j < rows; j++)
-        memcpy(&copy[j * row], &a[j * stride], row * sizeof *copy);
+        memcpy(&room[j * row], &a[j * stride], row * sizeof *room);
     gsl_error_handler_t *old = gsl_set_error_handler_off();
     int failed = gsl_linalg_ldlt_band_decomp(&view.matrix) ||
                  gsl_linalg_ldlt_band_svx(&view.matrix, &x.vector);
     gsl_set_error_handler(old);
     if (negative) *negative = 0;
     for (size_t j = 0; j < rows; j++) {
-        const double D_jj = copy[j * row], A_jj = a[j * stride];
+        const double D_jj = room[j * row], A_jj = a[j * stride];
         if (!(fabs(D_jj) > DBL_EPSILON * fabs(A_jj))) failed = 1;
         if (negative) *negative += D_jj < 0.0;
     }
-    free(copy);
     return failed ? NOT_SPD : OK;
 }

@@ -103,6 +103,7 @@ void matrix_free(struct matrix *A)
     if (!A) return;
     free(A->a);
     free(A->factor);
+    free(A->room);
     free(A);
 }
 
@@ -207,18 +208,19 @@ enum status matrix_factor_solve(struct matrix *A, double b[])
     return status;
 }
 
-enum status matrix_solve_indefinite(const struct matrix *A, double b[],
+enum status matrix_solve_indefinite(struct matrix *A, double b[],
                                     int *negative)
 {
-    if (A->storage == SPARSE) {
-        double *memory = allocate_lines(A->sparse->size(A->pattern, 0));
-        const enum status status = A->sparse->solve_indefinite(
-            A->pattern, A->a, memory, b, negative);
-        free(memory);
-        return status;
-    }
+    const int is_sparse = A->storage == SPARSE;
     assert(A->storage != DENSE);
-    return indefinite_solve(A->n, A->p, A->stride, A->a, b, negative);
+    if (!A->room)
+        A->room = allocate_lines(is_sparse ? A->sparse->size(A->pattern, 0)
+                                           : (size_t)A->n * (size_t)(A->p + 1));
+    return is_sparse
+               ? A->sparse->solve_indefinite(A->pattern, A->a, A->room, b,
+                                             negative)
+               : indefinite_solve(A->n, A->p, A->stride, A->a, A->room, b,
+                                  negative);
 }
 
 void matrix_combine(const struct matrix *A, double s, const struct matrix *B,

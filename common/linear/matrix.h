@@ -65,6 +65,8 @@ struct matrix {
     const struct sparse *pattern;       /* and so is this */
     int single;     /* sparse: L is rounded to single precision */
     double *factor; /* sparse: room to work and L, or NULL; owned */
+    double *room;   /* in which matrix_solve_indefinite() works, made by its
+                     * first call, or NULL; owned */
 };
 
 /* What a matrix costs, see matrix_cost(). */
@@ -161,7 +163,7 @@ enum status matrix_factor_solve(struct matrix *A, double b[]);
  *
  * Source: Golub & Van Loan, sec. 4.1.2 (L D L^T), 8.1.5 (inertia).
  */
-enum status matrix_solve_indefinite(const struct matrix *A, double b[],
+enum status matrix_solve_indefinite(struct matrix *A, double b[],
                                     int *negative);
 
 /* C := A + s B, of one storage, order and half bandwidth (asserted), none of
