@@ -79,7 +79,8 @@ static void stress_forces(const struct ladder_state *s,
  * buckles; from -N = buckles on the part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
- * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
+ * [eq:left-inertia], and 1 where f.u or u.M u is not positive; Mu is M u for
+ * the density 1.
  */
 static void load_parts(const struct ladder_state *s, const double Mu[],
                        double part[N_PART])

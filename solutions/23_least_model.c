@@ -110,7 +110,8 @@ static void stress_forces(const struct ladder_state *s,
  * buckles; from -N = buckles on the part is 1.  0 where along and across are 0.
  *
  * part[INERTIA] = min(1, 1 / (omega T)), omega^2 = f.u / u.M u
- * [eq:left-inertia], and 1 where u = 0; Mu is M u for the density 1.
+ * [eq:left-inertia], and 1 where f.u or u.M u is not positive; Mu is M u for
+ * the density 1.
  */
 static void load_parts(const struct ladder_state *s, const double Mu[],
                        double part[N_PART])
@@ -142,7 +143,8 @@ static void load_parts(const struct ladder_state *s, const double Mu[],
         part[DIMENSION] = (across + missed * along) / (across + along);
     part[INERTIA] = 1.0;
     /* f = K u at rest: f.u / u.M u is Rayleigh's quotient of u. */
-    if (mass > 0.0) part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
+    if (work > 0.0 && mass > 0.0)
+        part[INERTIA] = fmin(1.0, 1.0 / (sqrt(work / mass) * T));
     /* END 23d */
 }
 

@@ -68,7 +68,7 @@ double estimate_frequency(const struct ladder_state *s)
         mass += s->u[r] * Mu[r];
     }
     free(Mu);
-    return mass > 0.0 ? sqrt(fabs(work) / mass) : 0.0;
+    return work > 0.0 && mass > 0.0 ? sqrt(work / mass) : 0.0;
 }
 
 double estimate_inertia(const struct ladder_state *s)

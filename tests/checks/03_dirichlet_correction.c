@@ -83,12 +83,16 @@ static void known_values_move_to_the_right(void)
 {
     for (int n_fixed = 1; n_fixed <= COUNT(full_node); n_fixed++) {
         double *b = full_load();
-        const double *b0 = full_load();
-        move_known_values(full, full_matrix(), b, n_fixed,
-                          guarded_indices(n_fixed, full_node),
-                          guarded_copy(n_fixed, full_g));
+        const double *b0 = full_load(), *A = full_matrix();
+        const double *g = guarded_copy(n_fixed, full_g);
+        move_known_values(full, A, b, n_fixed,
+                          guarded_indices(n_fixed, full_node), g);
+        for (int k = 0; k < n_fixed; k++)
+            expect(g[k] == full_g[k], "g[%d] is const and has changed", k);
         for (int i = 0; i < full; i++) {
             double want = b0[i];
+            expect(A[i * full + full - 1] == full_entry(i, full - 1),
+                   "A[%d][%d] is const and has changed", i, full - 1);
             if (place_of(i, n_fixed) >= 0) continue;
             for (int k = 0; k < n_fixed; k++)
                 want -= full_entry(i, full_node[k]) * full_g[k];

@@ -261,6 +261,11 @@ static void order_and_constant_are_recovered(void)
                          "constant of err = %g h^%g, measured at h1 = %g and "
                          "h2 = %g", C, s, h1, h2);
         }
+    /* lengths that differ by a thousandth: the digits of err count as many */
+    const double near = 1.001 * h[0];
+    const double e_near = C * pow(near, p);
+    expect_close(observed_order(h[0], e[0], near, e_near, 1e-12).order, p,
+                 1e-11, p, "order from two lengths 0.1 %% apart");
     for (int k = 0; k < COUNT(none); k++) {
         const struct order zero = observed_order(none[k][0], none[k][1],
                                                  none[k][2], none[k][3], 1e-12);

@@ -93,6 +93,7 @@ the solution, included | file | #include "../solutions/03_dirichlet_correction.c
 the solution, included by another path | file | #include "..//solutions/.//../solutions/03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by way of /proc | file | #include "/proc/self/cwd/solutions/./03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by a macro | file | #define ALL <../solutions/03_dirichlet_correction.c> @@ #include ALL | WRONG (refused)|WRONG (does not compile)
+the solution, included by a link | file | #include "../linked.h" | WRONG (refused)
 a known mistake, included | file | #include "../build/mistakes/03_dirichlet_correction/all.c" | WRONG (refused)
 includes itself twice | file | #include __FILE__ @@ #include __FILE__ | WRONG (refused)|WRONG (does not compile)
 macros of ten to the ten | file | #define A(x) x x x x x x x x x x @@ #define B(x) A(A(A(A(A(A(A(A(A(A(x)))))))))) @@ static const int many = B(+1); | WRONG (refused)
@@ -188,6 +189,7 @@ prepare() { # prepare COPY
     BUILD="$BUILD" sh tests/tools/copy.sh "$1" "$slug" || exit 1
     cd "$1" || exit 1
     "$MAKE" status BUILD=build >/dev/null
+    ln -s "solutions/$slug.c" linked.h
     state >../state."$(basename "$1")"
 }
 # Of one loop both limits are those of every judge; the others are ended by one

@@ -6,7 +6,8 @@
 # CONTRACT and CALLS are those of contract.awk.  The last line of the program is
 # "program_has" and the names of these functions, where macros of the program have
 # put what it means by them.  No macro is left after that.  What is not a header may
-# not be included, however its path is spelt: a line marker with 1 begins a file.
+# not be included, however its path is spelt: a line marker with 1 begins a file.  A
+# link is none, nor is a second name of a solution's file.
 # Where a struct has other members than in the contract, the program's contract is
 # left in HEADER.  The status is 1 for what is refused, and where a function of the
 # contract is missing.
@@ -27,8 +28,8 @@ FNR == 1 { # the structs of the contract: where their text begins, and ends
 /^# [0-9]+ ".*" 1( 3)?( 4)?$/ {
     path = $0
     gsub(/^# [0-9]+ "|" 1[ 134]*$/, "", path)
-    if (path !~ /\.h$/ && path !~ /^<.*>$/ && path != program && path != "./" program ||
-        path ~ /^\/(dev|proc)\//) {
+    own = path == program || path == "./" program || path ~ /^<.*>$/
+    if (!own && (path !~ /\.h$/ || path ~ /^\/(dev|proc)\// || is_link(path))) {
         print "refused: it includes what is no header, " path > "/dev/stderr"
         exit refused = 1
     }
@@ -56,6 +57,14 @@ struct != "" {
     struct = struct "\n" $0
     if (struct !~ /^struct +[A-Za-z_0-9]+[ \n]*(\{|$)/) struct = ""
     else if (match(struct, /\}/)) changed(word[2], substr(struct, 1, RSTART))
+}
+# Only of what is neither the library's nor the system's.
+function is_link(path) {
+    if (path ~ /^(common|\/usr|\/opt|\/Applications|\/Library)\// && path !~ /\.\./)
+        return 0
+    if (path ~ /[^A-Za-z0-9_.+\/-]/) return 1
+    return system("[ ! -L " path " ] && for f in solutions/*.c; do " \
+        "[ ! " path " -ef $f ] || exit 1; done")
 }
 function changed(tag, text,    at) {
     struct = ""
