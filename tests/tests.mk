@@ -85,8 +85,9 @@ lint: ; @sh tests/tools/lint.sh | sh tests/tools/count.sh
 
 UNITS := $(patsubst tests/unit/%.c,%,$(filter-out %/unit.c,\
              $(wildcard tests/unit/*.c)))
-CHECK_CFLAGS = $(shell pkg-config --cflags check 2>/dev/null)
-CHECK_LIBS   = $(shell pkg-config --libs check 2>/dev/null || echo -lcheck)
+ask_check    = $(shell pkg-config --cflags --libs check 2>/dev/null || echo -lcheck)
+CHECK_CFLAGS = $(filter -I% -D% -pthread,$(call once,check))
+CHECK_LIBS   = $(filter-out -I% -D%,$(call once,check))
 UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
 $(BUILD)/unit/%.o: tests/unit/%.c $(RULES)
