@@ -220,7 +220,7 @@ help:
 	@echo
 	@echo '  for teachers:     verify-07  mutants-07  starters  workbook-07  workbook'
 	@echo '  and authors       lint  memcheck  clean  (CONTRIBUTING.md says how)'
-	@echo '  make new-26 NAME=spring      the files of a new lesson'
+	@echo '  make new-27 NAME=spring      the files of a new lesson'
 	@echo '  make grade DIR=submissions   judge a class, a folder per student'
 	@echo '  make check-07 JSON=file      the verdict for machines, too'
 
@@ -603,7 +603,7 @@ choose: $(BUILD)/choose
 	    sh tests/tools/figure.sh figures/scene.gp $$p.tsv $$p.svg && \
 	    echo "Drawn: $$p.svg"; fi; exit $$status
 
-# The files of a new lesson: make new-26 NAME=spring
+# The files of a new lesson: make new-27 NAME=spring
 new-%:
 	@sh tests/tools/new.sh '$*' '$(NAME)'
 	@$(SHARED)$(MAKE) workbook-$* figures/$*_$(NAME)/order.svg

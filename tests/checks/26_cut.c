@@ -535,44 +535,58 @@ static void masses_and_forces_are_shared_out(void)
 
 /* ---- the two together ---------------------------------------------------- */
 
-/* K of the whole body, and of the cut one with its copies added up again: the
- * vertices of the whole are the old ones of open_cut(). */
+/* The whole body and the cut one: the vertices of the whole are those of the
+ * mesh, old[] has them for those of the cut. */
+struct two_bodies {
+    struct tissue_whole w;
+    struct tissue s[2];
+    struct body *body[2];
+    int old[216];
+};
+
+static struct two_bodies bodies_drawn(int k)
+{
+    struct two_bodies two = {.w = whole_mesh(leaning(6))};
+    const struct mesh *mesh = two.w.mesh;
+    int marks[216], t[216], none[216] = {0};
+    marks_drawn(&two.w, k, marks);
+    two.s[0] = any_state(&two.w, none);
+    memcpy(two.s[0].mesh->triangle, mesh->triangle, sizeof none);
+    for (int a = 0; a < 49; a++) {
+        two.s[0].held[a] = a % 7 == 0;
+        for (int i = 0; i < 2; i++)
+            two.s[0].mesh->X[2 * a + i] = mesh->X[2 * a + i];
+    }
+    two.s[1] = empty(72, t, open_cut(&two.w, marks, t));
+    memcpy(two.s[1].mesh->triangle, t, sizeof t);
+    carry(&two.w, &two.s[0], &two.s[1]);
+    for (int c = 0; c < 216; c++) two.old[t[c]] = mesh->triangle[c];
+    for (int m = 0; m < 2; m++)
+        two.body[m] = body_alloc(two.s[m].mesh, material_notes(CUBIC),
+                                 two.w.rho, LUMPED, two.s[m].held);
+    return two;
+}
+
+/* K of the whole body is that of the cut one, with its copies added up. */
 static void glued_again_K_is_the_old_one(void)
 {
     for (int k = 0; k < COUNT(drawn); k++) {
-        struct tissue_whole w = whole_mesh(leaning(6));
-        int marks[216], t[216], none[216] = {0};
-        marks_drawn(&w, k, marks);
-        struct tissue s[2];
+        const struct two_bodies two = bodies_drawn(k);
         struct matrix *K[2];
-        int *old = NULL;
-        s[0] = any_state(&w, none);
-        memcpy(s[0].mesh->triangle, w.mesh->triangle, sizeof none);
-        for (int a = 0; a < 49; a++) {
-            s[0].held[a] = a % 7 == 0;
-            for (int i = 0; i < 2; i++)
-                s[0].mesh->X[2 * a + i] = w.mesh->X[2 * a + i];
-        }
-        const int n = open_cut(&w, marks, t);
-        s[1] = empty(72, t, n);
-        carry(&w, &s[0], &s[1]);
-        old = allocate((size_t)n, sizeof *old);
-        for (int c = 0; c < 216; c++) old[t[c]] = w.mesh->triangle[c];
-        struct body *body[2];
         for (int m = 0; m < 2; m++) {
-            body[m] = body_alloc(s[m].mesh, material_notes(CUBIC), w.rho,
-                                 LUMPED, s[m].held);
-            K[m] = body_matrix(body[m]);
-            expect(body_stiffness(body[m], s[m].u, EXACT, K[m]) == OK,
+            K[m] = body_matrix(two.body[m]);
+            expect(body_stiffness(two.body[m], two.s[m].u, EXACT, K[m]) == OK,
                    "%s: K is not finite", drawn[k].name);
         }
         struct matrix *glued = matrix_alloc(DENSE, K[0]->n, 0);
-        const int *whole_one = body[0]->equation, *cut_one = body[1]->equation;
-        for (int p = 0; p < 2 * n; p++)
-            for (int q = 0; q < 2 * n; q++)
+        const int *whole_one = two.body[0]->equation;
+        const int *cut_one = two.body[1]->equation;
+        const int rows = 2 * two.s[1].mesh->n_vertex;
+        for (int p = 0; p < rows; p++)
+            for (int q = 0; q < rows; q++)
                 if (cut_one[p] >= 0 && cut_one[q] >= 0)
-                    matrix_add(glued, whole_one[2 * old[p / 2] + p % 2],
-                               whole_one[2 * old[q / 2] + q % 2],
+                    matrix_add(glued, whole_one[2 * two.old[p / 2] + p % 2],
+                               whole_one[2 * two.old[q / 2] + q % 2],
                                matrix_get(K[1], cut_one[p], cut_one[q]));
         for (int i = 0; i < K[0]->n; i++)
             for (int j = 0; j < K[0]->n; j++)
@@ -583,10 +597,35 @@ static void glued_again_K_is_the_old_one(void)
         matrix_free(glued);
         for (int m = 0; m < 2; m++) {
             matrix_free(K[m]);
-            body_free(body[m]);
+            body_free(two.body[m]);
         }
-        free(old);
-        whole_free(w);
+        whole_free(two.w);
+    }
+}
+
+/* The eigenvalues of K at rest that vanish beside the largest: three for a part
+ * that no vertex holds, and none for the others. */
+static void a_loose_part_has_three_motions(void)
+{
+    for (int k = 0; k < COUNT(drawn); k++) {
+        const struct two_bodies two = bodies_drawn(k);
+        struct matrix *K = body_matrix(two.body[1]);
+        double value[240];
+        double *zero = allocate(2 * (size_t)two.s[1].mesh->n_vertex,
+                                sizeof *zero);
+        int motions = 0;
+        expect(body_stiffness(two.body[1], zero, EXACT, K) == OK &&
+                   matrix_eigenvalues(K, value) == OK,
+               "%s: K is not finite", drawn[k].name);
+        for (int i = 0; i < K->n; i++)
+            motions += fabs(value[i]) < 1e-10 * value[K->n - 1];
+        expect(motions == 3 * drawn[k].added.parts,
+               "%s: K has %d motions without a force, not %d", drawn[k].name,
+               motions, 3 * drawn[k].added.parts);
+        free(zero);
+        matrix_free(K);
+        for (int m = 0; m < 2; m++) body_free(two.body[m]);
+        whole_free(two.w);
     }
 }
 
@@ -750,6 +789,7 @@ static const struct claim claims[] = {
     {"masses_and_forces_are_shared_out", masses_and_forces_are_shared_out,
      "26c"},
     {"glued_again_K_is_the_old_one", glued_again_K_is_the_old_one, "26c"},
+    {"a_loose_part_has_three_motions", a_loose_part_has_three_motions, "26c"},
     {"jumps_solve_the_bordered_system", jumps_solve_the_bordered_system, "26d"},
     {"a_singular_border_is_not_spd", a_singular_border_is_not_spd, "26d"},
     {"nothing_jumps_at_the_instant", nothing_jumps_at_the_instant, NULL},

@@ -12,7 +12,7 @@ stop() { echo "make new: $1" >&2; exit 2; }
 case $nn in [0-9][0-9]) ;; *) stop "a lesson has a number of two digits" ;; esac
 case $name in
 '' | [!a-z]* | *[!a-z0-9_]*)
-    stop "NAME is a word of a-z, 0-9 and _, as in make new-26 NAME=spring" ;;
+    stop "NAME is a word of a-z, 0-9 and _, as in make new-27 NAME=spring" ;;
 esac
 for f in */"$nn"_*; do
     [ ! -e "$f" ] || stop "lesson $nn is there: $f"
