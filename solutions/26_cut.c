@@ -44,9 +44,9 @@ static double distance(const double blade[4], double x, double y)
 
 /*
  * Given a straight blade, fill chain[] with the vertices of the cheapest path
- * along edges, first, ..., last, and return how many there are [alg:cut-path].
- * An edge costs its length and the distance() of its middle from the blade.
- * Where two paths cost the same, either will do.
+ * along edges, first, ..., last, and return how many there are [alg:cut-path];
+ * 1 where first is last.  An edge costs its length and the distance() of its
+ * middle from the blade.  Where two paths cost the same, either will do.
  */
 static int path(const struct mesh *mesh, const double blade[4], int first,
                 int last, int chain[])
