@@ -7,9 +7,8 @@
  * tridiagonal system without assembly, by matrix.h with half bandwidth 1 and by
  * GSL's tridiagonal and banded solvers.
  *
- * They take turns; medians.  Free memory stays with the process, so that no line
- * waits for pages of the system in each call.  An answer that is not one ends
- * the study.
+ * They take turns; medians.  Free memory stays with the process, so that no
+ * line waits for pages of the system in each call.  A wrong answer ends it.
  */
 #include "bar/bar_fast.h"
 #include "bar/bar_gsl.h"
