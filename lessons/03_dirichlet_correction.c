@@ -6,7 +6,7 @@
  *
  * Problem.  Linear elements for -beta u'' = f on (0, 1), n equal elements,
  * assembled without boundary conditions: A u = b is singular.  The values of u
- * at some nodes are given.  Correct A and b [eq:dirichlet-correction], solve,
+ * at some nodes are given.  Correct A and b [alg:prescribed], solve,
  * and find what force holds each prescribed node in place [eq:reaction].
  *
  *     | a00 a01  .  . | u0 |   | b0 |      what becomes of both where u0 = g

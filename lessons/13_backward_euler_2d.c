@@ -76,8 +76,8 @@ static enum status equation(const struct body *body, double dt,
 }
 
 /*
- * One step of backward Euler by Newton's method [alg:body-newton], from s->u
- * (lifted: [eq:lift-2d]) with s->g at the held vertices.  Done: max|q| of the
+ * One step of backward Euler [alg:step], by Newton's method from s->u (lifted:
+ * [eq:lift-2d]) with s->g at the held vertices.  Done: max|q| of the
  * free vertices <= tolerance weight, and in the iteration before max|du| <=
  * tolerance (m); so there is at least one, even where q is 0 to begin with.
  * Then v = (u_new - u) / dt at every vertex, and u = u_new [eq:backward-euler].

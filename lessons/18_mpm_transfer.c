@@ -32,8 +32,8 @@ static int weights(int order, double h, double x, double w[], double dw[])
     return first;
 }
 
-/* P2G: given p, fill in mass and v of all nodes, 0 where there is none; PIC and
- * FLIP have B = 0.  Statuses as grid_support(), which uses your weights. */
+/* P2G [alg:transfer]: given p, fill in mass and v of all nodes, 0 where nothing
+ * is; PIC and FLIP have B = 0.  Statuses of grid_support() by your weights. */
 static enum status p2g(const struct particles *p, struct grid *grid)
 {
     /* SLOT 18b(p, grid): clear the grid, then each particle.  grid_support()
@@ -44,8 +44,8 @@ static enum status p2g(const struct particles *p, struct grid *grid)
     return OK;
 }
 
-/* G2P: given grid->v of P2G and grid->next after the forces, update v and B by
- * the scheme, B = 0 but for APIC, and x after the time dt. */
+/* G2P [alg:transfer]: given grid->v of P2G and grid->next after the forces,
+ * update v and B by the scheme, B = 0 but for APIC, and x after the time dt. */
 static enum status g2p(const struct grid *grid, enum transfer scheme, double dt,
                        struct particles *p)
 {

@@ -102,7 +102,7 @@ static mat2 projected_dpk1(const struct material *material, mat2 F,
 /* Given u, return q and du [eq:newton]: K du = -q at the free unknowns, du = 0
  * at the held ones.  NEVER solves with K as it is, whatever it is; ALWAYS with
  * projected elements; ON_DEMAND with these only where K as it is cannot be
- * factored.  *definite: can it?  Not OK: du means nothing. */
+ * factored [alg:on-demand].  *definite: can it?  Not OK: du means nothing. */
 static enum status direction(struct body *body, enum projection projection,
                              const double u[], double q[], double du[],
                              int *definite)

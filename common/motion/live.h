@@ -131,10 +131,10 @@ enum status live_start(const struct live *live, struct incremental Phi,
                        const double g[], const double u[]);
 
 /*
- * The second rung: u, v := the end of the frame, or 0 for v where the frame is
- * unfinished or the hand was held back.  Of the report it sets `part` and adds
- * to `systems`, up to FRAME_SYSTEMS, of which the last is not for a lift; the
- * status is that of step_solve() with LIVE_DOWNHILL.
+ * The second rung [alg:downhill]: u, v := the end of the frame, or 0 for v
+ * where it is unfinished or the hand was held back.  Of the report it sets
+ * `part` and adds to `systems`, up to FRAME_SYSTEMS, of which the last is not
+ * for a lift; the status is that of step_solve() with LIVE_DOWNHILL.
  */
 enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);

@@ -42,7 +42,7 @@ pre code, td code { overflow-wrap: normal; }
 table { border-collapse: collapse; font-size: .85em; line-height: 1.4; }
 th, td { padding: .3em .7em .3em 0; vertical-align: top; text-align: left;
          border-bottom: 1px solid #ddd; }
-td:has(a:target) { background: #fff3c4; }
+td:has(a:target), p:has(a[id^="alg-"]:target) { background: #fff3c4; }
 td a.label { font-size: 1em; }
 details { margin: .4em 0; padding-left: .8em; border-left: 3px solid #ddd; }
 @media (min-width: 1000px) { img[src="figures/map.svg"] { width: 900px; max-width: none;
@@ -96,8 +96,8 @@ END {
         print text
     }
 }'
-# Labels are links to their row of the equations (tests/tools/workbook.sh); so are
-# those that stand as code in the index of the notes.  Pictures of one panel are
+# Labels are links (tests/tools/workbook.sh); those that stand as code in the index
+# of the notes become links to their row of the equations.  Pictures of one panel are
 # small enough for a phone; wider ones are scrolled there.
 after='
 BEGIN {
@@ -126,12 +126,11 @@ function changed(part, name, file) {
         sub(/\[.*/, "", part)
         return part label(name, "[" name "]")
     }
-    if (part ~ /^<a href="[^"]*#answer-/) { # what is asked for, as [eq:name](...)
+    if (part ~ /^<a href=/) {
         sub(/>.*/, ">", part)
         sub(/<a /, "<a class=\"label\" ", part)
         return part "[" name "]</a>"
     }
-    if (part ~ /^<a href=/) return label(name, "[" name "]")
     if (part ~ /^<code>/ && indexed && name in row) return label(row[name], part)
     return part
 }

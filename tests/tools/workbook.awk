@@ -16,7 +16,9 @@
 #
 #   <!-- labels -->              behind the text, by itself: what makes a link of
 #   <!-- end -->                 every [eq:name] in it, to its row in the file
-#                                `table`, "" for this one, which has an anchor
+#                                `table`, "" for this one, which has an anchor; of
+#                                an [alg:name] to its lines, where `lines`,
+#                                "alg-name FILE ...", has the chapter with them
 #
 # The line "Previous: ..." of a chapter is replaced by `leading`, if there is one.
 # `minutes` is "01 115 02 140 ...", and sums of lessons are filled in as hours:
@@ -32,6 +34,7 @@
 BEGIN {
     for (i = split("⁰ ¹ ² ³ ⁴ ⁵ ⁶ ⁷ ⁸ ⁹", digit_list, " "); i > 0; i--)
         superscript[i - 1] = digit_list[i]
+    for (i = split(lines, place, " "); i > 0; i -= 2) chapter[place[i - 1]] = place[i]
 }
 
 function stop(text) {
@@ -160,6 +163,16 @@ function anchored(row,    label) {
     return "| <a id=\"" id(label) "\"></a>[" label "]" row
 }
 function id(label) { sub(/:/, "-", label); return label }
+# Where a label leads to.
+function aim(name,    up) {
+    if (!(name in chapter)) return table "#" name
+    if (chapter[name] == FILENAME) return "#" name
+    up = table
+    sub(/workbook\.md$/, "", up)
+    up = up chapter[name] "#" name
+    if (FILENAME ~ /^lessons\//) sub(/^\.\.\/lessons\//, "", up)
+    return up
+}
 
 # The sum of the minutes of lessons, "1-2 9", in hours and halves.
 function hours(lessons,    n, k, i, part, range, each, sum, half) {
@@ -239,6 +252,6 @@ END {
     if (!blank) print ""
     print "<!-- labels -->"
     for (i = 1; i <= n_cited; i++)
-        print "[" order[i] "]: " table "#" id(order[i])
+        print "[" order[i] "]: " aim(id(order[i]))
     print "<!-- end -->"
 }

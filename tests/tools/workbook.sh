@@ -58,6 +58,7 @@ if [ $# = 0 ]; then
     done
 fi
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
+lines=$(grep -o '<a id="alg-[^"]*"' lessons/[0-9]*.md | sed 's/\(.*\):.*"\(.*\)"/\2 \1/')
 new=$(mktemp) || exit 2
 part=
 trap 'rm -f "$new" "$part"' EXIT
@@ -79,7 +80,7 @@ for file; do
     [ "$file" = "$equations" ] ||
         table=$(dirname "$file" | sed 's|[^/.][^/]*|..|g; s|^\.$||; s|..$|&/|')$equations
     awk -f tests/tools/workbook.awk -v data="${BUILD:-build}/data" \
-        -v table="$table" -v leading="$(leading "$file")" \
+        -v table="$table" -v lines="$(echo $lines)" -v leading="$(leading "$file")" \
         -v minutes="$minutes" -v only="$command" "$file" >"$new" || { said=2; continue; }
     if cmp -s "$new" "$file"; then continue; fi
     if [ "$command" != check ] && [ "$command" != led ]; then
