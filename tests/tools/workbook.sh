@@ -58,7 +58,7 @@ if [ $# = 0 ]; then
     done
 fi
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
-lines=$(grep -o '<a id="alg-[^"]*"' lessons/[0-9]*.md figures/*/README.md |
+lines=$(grep -o '<a id="alg-[^"]*"' lessons/[0-9]*.md solutions/*.md figures/*/README.md |
     sed 's/\(.*\):.*"\(.*\)"/\2 \1/')
 new=$(mktemp) || exit 2
 part=
