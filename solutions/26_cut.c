@@ -279,17 +279,21 @@ static void print_state(double t, const char *name, const struct tissue *s,
               tissue_opening(s->mesh, s->u));
 }
 
-/* At rest under its forces, from u = 0; so many parts are loose. */
+/* At rest under its forces, from u = 0; so many parts are loose.  *whole is the
+ * elastic energy of the whole body, which sets it. */
 static void print_rest(const char *name, const struct tissue *s,
-                       struct body *body, int loose)
+                       struct body *body, int loose, double *whole)
 {
-    double elastic, *u = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *u);
+    double elastic = 0.0;
+    double *u = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *u);
     const struct step_control newton = step_method("search");
     const enum status status =
         step_solve(body, &newton, at_rest(s->f), u).status;
     const int solved = status == OK && body_energy(body, u, &elastic) == OK;
+    if (*whole == 0.0) *whole = elastic;
     table_row(name, status_name(status), loose ? "loose" : MISSING,
-              cell_if(solved, solved ? elastic : 0.0),
+              cell_if(solved, elastic),
+              cell_if(solved && *whole > 0.0, elastic / *whole),
               cell_if(solved, tissue_opening(s->mesh, u)));
     free(u);
 }
@@ -398,8 +402,10 @@ int main(int argc, char *argv[])
     int loose[2];
     for (int k = 0; k < 2; k++) loose[k] = print_mesh(names[k], &s[k]);
     table_end();
-    table_begin("rest", "body status reason elastic opening");
-    for (int k = 0; k < 2; k++) print_rest(names[k], &s[k], body[k], loose[k]);
+    table_begin("rest", "body status reason elastic times opening");
+    double elastic = 0.0; /* of the whole body */
+    for (int k = 0; k < 2; k++)
+        print_rest(names[k], &s[k], body[k], loose[k], &elastic);
     table_end();
     table_begin("update", "of unknowns jumps agree factor_flops "
                 "update_flops");
