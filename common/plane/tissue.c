@@ -73,22 +73,27 @@ void tissue_mark(const struct mesh *mesh, int n, const int chain[], int cut[])
     }
 }
 
-int tissue_parts(const struct tissue *s, int *loose)
+void tissue_label(const struct mesh *mesh, int part[])
 {
-    const size_t n = (size_t)s->mesh->n_vertex;
-    int *part = allocate(n, sizeof *part), *holds = allocate(n, sizeof *holds);
-    int parts = 0;
-    for (int a = 0; a < s->mesh->n_vertex; a++) part[a] = a;
+    for (int a = 0; a < mesh->n_vertex; a++) part[a] = a;
     for (int again = 1; again;) { /* until each has the first of its part */
         again = 0;
-        for (int c = 0; c < 3 * s->mesh->n_triangle; c++) {
+        for (int c = 0; c < 3 * mesh->n_triangle; c++) {
             int end[2];
-            ends(s->mesh->triangle, c, end);
+            ends(mesh->triangle, c, end);
             int *a = &part[end[0]], *b = &part[end[1]];
             again |= *a != *b;
             *a = *b = *a < *b ? *a : *b;
         }
     }
+}
+
+int tissue_parts(const struct tissue *s, int *loose)
+{
+    const size_t n = (size_t)s->mesh->n_vertex;
+    int *part = allocate(n, sizeof *part), *holds = allocate(n, sizeof *holds);
+    int parts = 0;
+    tissue_label(s->mesh, part);
     for (int a = 0; a < s->mesh->n_vertex; a++) holds[part[a]] += s->held[a];
     *loose = 0;
     for (int a = 0; a < s->mesh->n_vertex; a++) {

@@ -45,6 +45,9 @@ int tissue_nearest(const struct mesh *mesh, const double x[2]);
  * chain[0..n-1] are the ends of; other marks stay. */
 void tissue_mark(const struct mesh *mesh, int n, const int chain[], int cut[]);
 
+/* part[a] := the first vertex of the part that vertex a hangs together with. */
+void tissue_label(const struct mesh *mesh, int part[]);
+
 /* How many parts hang together; *loose of them are not held, for which two of
  * its vertices have to be. */
 int tissue_parts(const struct tissue *tissue, int *loose);
