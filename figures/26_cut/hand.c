@@ -232,6 +232,20 @@ static void patient_alloc(struct patient *p)
     p->J = allocate(corners, sizeof *p->J);
 }
 
+static void patient_free(struct patient *p)
+{
+    body_free(p->body);
+    p->body = NULL;
+    if (p->before.mesh) tissue_free(p->before);
+    tissue_free(p->s);
+    tissue_free(p->square);
+    free(p->whole.across);
+    free(p->whole.pulled);
+    void *room[] = {p->cut, p->cut_before, p->held, p->ring,
+                    p->g,   p->x,          p->q,    p->J};
+    for (int k = 0; k < COUNT(room); k++) free(room[k]);
+}
+
 static void patient_place_all(struct patient *p)
 {
     for (int r = 0; r < 2 * p->s.mesh->n_vertex; r++)
@@ -351,6 +365,7 @@ int main(int argc, char *argv[])
                  p.knife ? "knife: hold and draw" : "hand: drag a vertex");
         hand_draw(hand, &picture, COLUMNS, number);
     }
+    patient_free(&p);
     return hand_close(hand);
 }
 #endif

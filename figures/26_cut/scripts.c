@@ -48,6 +48,7 @@ int main(void)
             vertices = number[VERTICES];
         }
         lost += p.lost;
+        patient_free(&p);
         hand_close(hand);
     }
     table_begin("scripts", "scripts frames lost");
