@@ -1,24 +1,25 @@
 # map.awk - the map of the course, an SVG on stdout.
 #
 #     awk -f figures/map.awk lessons/[0-9]*.md figures/*/README.md
-#     awk -v free=1 -f ...      "column row" of a place for one more
+#     awk -v free=1 -f ...      "column row" of a place for one more room
 #
 # All is read from the head of each chapter, before its first section: minutes,
 # and what it rests on, from the paragraph there, and from the comment behind it
 #
-#     <!-- map 4 2 2; Neo-Hookean bar; L2 2.1 to 2.5; PS -->
+#     <!-- map 1 5 2; Neo-Hookean bar; L2 2.1 to 2.5; PS -->
 #
-# the place (column 1 to 6, row from 1), the part of the course (`-` for what is
+# the place (column 1 to 5, row from 1), the part of the course (`-` for what is
 # only read), a short title, and the section of the notes, which is not drawn,
-# or after which lesson it may be read.  There are as many rows as the chapters
-# ask for.  An arrow is drawn where no other way leads there, round about where
-# boxes are in its way.  A chapter without a place and two in one are errors.
+# or after which lesson it may be read.  Column 1 is the course, from above; a
+# room stands in the row of the lesson of the course that it is entered from.
+# An arrow leads to a room from the room before it in its row if it rests on
+# that, otherwise from the course; what else it rests on is named in its box.
 
 BEGIN {
     split("Poisson|Material, bar|Moving square|Its limits|" \
         "Particles|Cost and use", part, "|")
     split("#CFE3F0 #FBE3CF #CDEBDD #F2DCEA #FCEFC0 #E4E4E4", fill, " ")
-    width = 134; height = 76; left = 8; top = 8; right = 150.8; down = 114
+    width = 160; height = 72; left = 8; top = 8; right = 181; down = 96
 }
 
 function bad(text) {
@@ -34,7 +35,7 @@ function placed(    word, k, text) {
     split(substr(text, 1, k - 1), word, " ")
     text = substr(text, k + 2)
     k = index(text, ";")
-    if (!k || word[1] !~ /^[1-6]$/ || word[2] !~ /^[1-9][0-9]*$/ || \
+    if (!k || word[1] !~ /^[1-5]$/ || word[2] !~ /^[1-9][0-9]*$/ || \
         word[3] !~ /^([1-6]|-)$/)
         bad(FILENAME ": column row part; title; section")
     column[nn] = word[1]; row[nn] = word[2]; kind[nn] = word[3] + 0
@@ -68,13 +69,6 @@ inside && /\*$/ {
 }
 heading && /^<!-- map / { placed() }
 
-# whether a box stands in these columns and rows, but for those of a and b
-function occupied(c0, c1, r0, r1, a, b,    c, r) {
-    for (c = c0 < c1 ? c0 : c1; c <= c0 || c <= c1; c++)
-        for (r = r0 < r1 ? r0 : r1; r <= r0 || r <= r1; r++)
-            if (at[c, r] != "" && at[c, r] != a && at[c, r] != b) return 1
-    return 0
-}
 # whether lesson a rests on lesson b, directly or not
 function needs(a, b,    k, i, word) {
     k = split(rests[a], word, " ")
@@ -82,27 +76,27 @@ function needs(a, b,    k, i, word) {
         if (word[i] == b || needs(word[i], b)) return 1
     return 0
 }
-# whether the arrow from b to a runs over a box, in the first ways of arrow()
-function over(b, a) {
-    if (row[a] == row[b])
-        return occupied(column[b], column[a], row[a], row[a], a, b)
-    if (row[a] < row[b])
-        return occupied(column[b], column[a], row[b], row[b], a, b) || \
-               occupied(column[a], column[a], row[a], row[b], a, b)
-    if (column[b] == 6)
-        return occupied(6, 6, row[b], row[a], a, b) || \
-               occupied(6, column[a], row[a], row[a], a, b)
-    return row[a] > row[b] + 1 && \
-           occupied(column[b], column[a], row[b] + 1, row[a] - 1, a, b)
+# the room of its own row, before it, on which a room rests; or the course
+function entry(a,    c) {
+    for (c = column[a] - 1; c > 1; c--)
+        if (needs(a, at[c, row[a]])) return at[c, row[a]]
+    return at[1, row[a]]
 }
-function crossings(    i, sum) {
-    for (i = 1; i <= arrows; i++) sum += over(tail[i], tip[i])
-    return sum + 0
+# rooms of other rows that a room rests on, and none that these rest on
+function besides(a,    k, i, j, word, text, other) {
+    k = split(rests[a], word, " ")
+    for (i = 1; i <= k; i++) {
+        if (column[word[i]] == 1 || row[word[i]] == row[a]) continue
+        other = 0
+        for (j = 1; j <= k; j++) if (needs(word[j], word[i])) other = 1
+        if (!other) text = text (text == "" ? "after " : ", ") word[i]
+    }
+    return text
 }
 # after how many letters of a title its first line ends
 function two_lines(text,    k, best) {
-    if (length(text) <= 12) return length(text)
-    for (k = 1; k <= 12; k++)
+    if (length(text) <= 18) return length(text)
+    for (k = 1; k <= 18; k++)
         if (substr(text, k + 1, 1) == " ") best = k
     return best ? best : length(text)
 }
@@ -111,39 +105,22 @@ function say(x, y, size, anchor, text, more) {
     printf "<text x=\"%g\" y=\"%g\" font-size=\"%d\"%s>%s</text>\n", x, y, \
         size, more, text
 }
-# from lesson b to lesson a, which rests on it
-function arrow(b, a,    x0, y0, x1, y1, way) {
-    x0 = X[b]; y0 = Y[b]; x1 = X[a]; y1 = Y[a]
-    if (over(b, a) && row[a] == row[b] - 1) { # between the two rows
-        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 16, y0, y0 - 12, \
-            x1 + width / 2, y1 + height + 2)
-    } else if (over(b, a) && row[a] == row[b]) { # below what lies between
-        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 8, y0 + height, \
-            y0 + height + 12, x1 + width / 2, y1 + height + 2)
-    } else if (over(b, a)) { # round about: below b, left of the column of a
-        way = sprintf("M%g,%g V%g H%g V%g H%g V%g", x0 + width / 2 - 8, \
-            y0 + height, y0 + height + 12, x1 - 9, \
-            y1 > y0 ? y1 - 12 : y1 + height + 12, x1 + width / 2, \
-            y1 > y0 ? y1 - 2 : y1 + height + 2)
-    } else if (y0 == y1) {             # beside
-        way = sprintf("M%g,%g H%g", x0 + (x1 > x0 ? width : 0), \
-            y0 + height / 2, x1 + (x1 > x0 ? -2 : width + 2))
-    } else if (y1 < y0 || column[b] == 6) { # sideways, then up or down
-        way = y1 < y0 \
-            ? sprintf("M%g,%g H%g V%g", x0 + width, y0 + height / 2, \
-                x1 + width / 2, y1 + height + 2) \
-            : sprintf("M%g,%g V%g H%g", x0 + width / 2, y0 + height, \
-                y1 + height / 2, x1 + width + 2)
-    } else if (column[a] < column[b] - 1) { # level, below other arrows
-        way = sprintf("M%g,%g V%g H%g V%g", x0 + width / 2 - 24, y0 + height, \
-            y0 + height + 22, x1 + width / 2 + 28, y1 - 2)
-    } else {                           # down
-        way = sprintf("M%g,%g C%g,%g %g,%g %g,%g", x0 + width / 2, y0 + height, \
-            x0 + width / 2, y0 + height + 24, x1 + width / 2, y1 - 26, \
-            x1 + width / 2, y1 - 2)
-    }
+function line(way, thick) {
     print "<path d=\"" way "\" fill=\"none\" stroke=\"#222\" " \
-        "stroke-width=\"1.5\" marker-end=\"url(#tip)\"/>"
+        "stroke-width=\"" thick "\" marker-end=\"url(#tip)\"/>"
+}
+# from b to a: down the course, beside it, or below what lies between
+function arrow(b, a) {
+    if (column[a] == 1)
+        line(sprintf("M%g,%g V%g", X[b] + width / 2, Y[b] + height, \
+            Y[a] - 3), 4)
+    else if (column[a] == column[b] + 1)
+        line(sprintf("M%g,%g H%g", X[b] + width, Y[b] + height / 2, \
+            X[a] - 2), 1.5)
+    else
+        line(sprintf("M%g,%g V%g H%g V%g", X[b] + width - 20, \
+            Y[b] + height, Y[b] + height + 12, X[a] + width / 2, \
+            Y[a] + height + 2), 1.5)
 }
 
 END {
@@ -151,68 +128,59 @@ END {
     for (i = 1; i <= n; i++) {
         nn = id[i]
         if (!(nn in row)) bad(file[i] ": no place on the map")
+        if (at[1, row[nn]] == "") bad(file[i] ": a row without a lesson")
         if (kind[nn] && !minutes[nn]) bad(file[i] ": no minutes")
-        X[nn] = left + right * (column[nn] - 1) - (column[nn] == 6 ? 2 : 0)
+        X[nn] = left + right * (column[nn] - 1)
         Y[nn] = top + down * (row[nn] - 1)
-        sum[kind[nn]] += minutes[nn]
-        if (kind[nn]) total += minutes[nn]
+        sum[column[nn] == 1] += kind[nn] ? minutes[nn] : 0
     }
-    for (i = 1; i <= n; i++) {
-        k = split(rests[id[i]], word, " ")
-        for (j = 1; j <= k; j++) {
-            other = 0
-            for (l = 1; l <= k; l++)
-                if (l != j && needs(word[l], word[j])) other = 1
-            if (!other) { tail[++arrows] = word[j]; tip[arrows] = id[i] }
-        }
-    }
-    for (r = 2; free && r <= rows + 1; r++)
-        for (c = 2; c <= 6; c++) {
-            if (at[c, r] != "") continue
-            before = crossings()
-            at[c, r] = "a new one"
-            if (crossings() == before) { print c, r; exit }
-            at[c, r] = ""
-        }
-    bottom = 2 * top + down * (rows - 1) + height + 2
-    if (bottom < 515) bottom = 515 # what stands on the left
+    for (r = rows; free && r; r--)
+        for (c = 2; c <= 5; c++)
+            if (at[c, r] == "") { print c, r; exit }
+    bottom = 2 * top + down * (rows - 1) + height + 14
     print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"900\" " \
         "height=\"" bottom "\" viewBox=\"0 0 900 " bottom "\" " \
         "font-family=\"Helvetica, Arial, sans-serif\">"
     print "<title>The map of the course</title>"
     print "<defs><marker id=\"tip\" viewBox=\"0 0 10 8\" refX=\"9\" " \
-        "refY=\"4\" markerWidth=\"8\" markerHeight=\"7\" orient=\"auto\" " \
+        "refY=\"4\" markerWidth=\"10\" markerHeight=\"9\" orient=\"auto\" " \
         "markerUnits=\"userSpaceOnUse\">" \
         "<path d=\"M0,0 L10,4 L0,8 z\" fill=\"#222\"/></marker></defs>"
     print "<rect width=\"900\" height=\"" bottom "\" fill=\"#ffffff\"/>"
-    for (i = 1; i <= arrows; i++) arrow(tail[i], tip[i])
+    for (i = 1; i <= n; i++) {
+        nn = id[i]
+        if (column[nn] > 1 && kind[nn]) arrow(entry(nn), nn)
+        else if (column[nn] == 1 && row[nn] > 1) arrow(at[1, row[nn] - 1], nn)
+    }
     for (i = 1; i <= n; i++) {
         nn = id[i]
         printf "<rect x=\"%g\" y=\"%g\" width=\"%d\" height=\"%d\" rx=\"5\" " \
             "fill=\"%s\" stroke=\"#222\"%s/>\n", X[nn], Y[nn], width, height, \
-            kind[nn] ? fill[kind[nn]] : "#ffffff", \
-            kind[nn] ? "" : " stroke-dasharray=\"5 4\""
+            kind[nn] ? fill[kind[nn]] : "#ffffff", !kind[nn] ? \
+            " stroke-dasharray=\"5 4\"" : column[nn] == 1 ? \
+            " stroke-width=\"3\"" : ""
         if (kind[nn]) {
             say(X[nn] + 7, Y[nn] + 22, 18, "", nn, " font-weight=\"bold\"")
             say(X[nn] + width - 7, Y[nn] + 22, 18, "end", minutes[nn] " min", \
                 "")
         } else say(X[nn] + 7, Y[nn] + 22, 18, "", "read " where[nn], "")
         k = two_lines(title[nn])
-        say(X[nn] + 7, Y[nn] + 44, 18, "", substr(title[nn], 1, k), "")
-        say(X[nn] + 7, Y[nn] + 65, 18, "", substr(title[nn], k + 2), "")
+        say(X[nn] + 7, Y[nn] + 43, 18, "", substr(title[nn], 1, k), "")
+        more = substr(title[nn], k + 2)
+        if (more == "" && column[nn] > 1) more = besides(nn)
+        if (more != "") say(X[nn] + 7, Y[nn] + 64, 18, "", more, "")
     }
-    y = top + down + 12
+    # beside the first lessons, which have no rooms
+    x = left + right + 40; y = top + 22
+    say(x, y, 20, "", sprintf("The course: %.0f hours", sum[1] / 60), \
+        " font-weight=\"bold\"")
+    say(x, y + 27, 20, "", sprintf("Rooms beside it: %.0f hours", \
+        sum[0] / 60), "")
     for (i = 1; i <= 6; i++) {
-        printf "<rect x=\"%g\" y=\"%g\" width=\"13\" height=\"13\" rx=\"2\" " \
-            "fill=\"%s\" stroke=\"#222\"/>\n", left, y, fill[i]
-        say(left + 19, y + 13, 18, "", part[i], "")
-        say(left + 19, y + 33, 18, "", sprintf("%d h %02d", sum[i] / 60, \
-            sum[i] % 60), " fill=\"#444\"")
-        y += 52
+        c = x + 220 * ((i - 1) % 3); r = y + 50 + 30 * int((i - 1) / 3)
+        printf "<rect x=\"%g\" y=\"%g\" width=\"15\" height=\"15\" rx=\"2\" " \
+            "fill=\"%s\" stroke=\"#222\"/>\n", c, r, fill[i]
+        say(c + 22, r + 14, 18, "", part[i], "")
     }
-    say(left, y + 17, 18, "", sprintf("in all %.0f h", total / 60), "")
-    print "<path d=\"M" left "," y + 46 " h22\" stroke=\"#222\" " \
-        "stroke-width=\"1.5\" marker-end=\"url(#tip)\"/>"
-    say(left + 28, y + 51, 18, "", "needed for", "")
     print "</svg>"
 }

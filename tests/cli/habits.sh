@@ -106,7 +106,7 @@ habits() {
     fi
 
     cp solutions/$slug.c $mine
-    says 'next: lesson 04, Two flux ends: .*(lessons/04_neumann' \
+    says 'next: lesson 08, Element by element, .*(lessons/08_element' \
         "a pass says what is next, $1" "$MAKE" check-$nn
     "$MAKE" hint-$nn >said 2>&1
     [ "$(grep -c 'hint-03 SLOT=3[abc]$' said)" = 3 ] && ! grep -q '^Hint' said

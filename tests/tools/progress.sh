@@ -15,9 +15,16 @@ last_result() {
 }
 passed() { last_result; [ "$word$old" = OK ]; }
 
+# The lessons of the course, then the rooms beside it.
 status() {
-    for file in solutions/[0-9][0-9]_*.c; do
-        lesson "$(basename "$file" .c)"
+    echo 'The course:'
+    for file in $(sh tests/tools/workbook.sh course) rooms \
+        $(sh tests/tools/workbook.sh rooms); do
+        if [ "$file" = rooms ]; then
+            echo 'Rooms beside it (each is entered from a lesson of the course):'
+            continue
+        fi
+        lesson "$(basename "$file" .md)"
         if ! begun; then
             say='not begun'
         elif passed; then

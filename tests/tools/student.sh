@@ -242,13 +242,11 @@ check() {
     [ $status != 0 ] || following
     return $status
 }
-# What comes after this lesson: the one behind it, or what there is to read.
+# What comes after this lesson, as its chapter says: the next of the course, for a room
+# the next room or the way back to the course, or what there is to read.
 following() {
-    after= now=
-    for file in solutions/[0-9][0-9]_*.c; do
-        [ "$now" != "solutions/$slug.c" ] || after=$(basename "$file" .c)
-        now=$file
-    done
+    after=$(sed -n '/^Previous: \|^\[Contents/s/.*| next: \[lesson [0-9]*\](\(.*\)\.md)$/\1/p' \
+        "lessons/$slug.md")
     if [ -n "$after" ]; then
         echo "next: lesson ${after%%_*}, $(title "$after") (lessons/$after.md)"
     else

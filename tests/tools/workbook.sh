@@ -6,6 +6,7 @@
 # each chapter to its neighbours, and the sums of minutes in TEACHING.md.
 # workbook.sh led - say where that is stale.
 # workbook.sh chapters - the chapters, in the order of the book.
+# workbook.sh course - the lessons of the course; workbook.sh rooms - those beside it.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -17,30 +18,55 @@ figures/speed/README.md
 figures/work_precision/README.md
 figures/many/README.md"
 if [ "$command" = chapters ]; then echo "$chapters"; exit; fi
-case $command in lead | led) set -- $chapters lessons/TEACHING.md ;; esac
-# leads: of each chapter its line to those before and behind, as FILE|LINE
+case $command in course | rooms)
+    for file in $(ls lessons/[0-9]*.md); do
+        case $command$(sed -n 's/^<!-- map \([0-9]\) .*/\1/p' "$file") in
+        course1 | rooms[2-9]) echo "$file" ;;
+        esac
+    done
+    exit ;;
+lead | led) set -- $chapters lessons/TEACHING.md ;; esac
+# walk: the chapters in the order in which one goes through the rooms: down the course
+# (column 1 of the map), after each lesson its rooms, then what there is to read
+walk() {
+    awk 'FNR == 1 { if (FILENAME ~ /^figures/) place = "99 9 " ++last; else place = "" }
+        /^<!-- map / && place == "" { place = $4 " " $3 " 0" }
+        /^## / && place != "" && place != "-" { print place, FILENAME; place = "-" }' $chapters |
+        sort -n -k 1,1 -k 2,2 -k 3,3
+}
+# leads: of each chapter its line to those before and behind, as FILE|LINE; a lesson of
+# the course leads to the next of the course, a room to the next room, or back to the course
 leads() {
-    awk -v chapters="$(echo $chapters)" '
+    walk | awk '
         function link(from, to,    name) {
-            name = to ~ /^lessons/ ? "lesson " substr(to, 9, 2) : title[to]
+            name = to ~ /^lessons/ ? "lesson " substr(to, 9, 2) : title(to)
             if (from ~ /^lessons/ && to ~ /^lessons/) sub(/.*\//, "", to)
             else if (from ~ /^figures/ && to ~ /^figures/) sub(/^figures/, "..", to)
             else to = up to
             return "[" name "](" to ")"
         }
-        FNR == 1 { title[FILENAME] = $0; sub(/^# /, "", title[FILENAME])
-                   sub(/:.*/, "", title[FILENAME]) }
+        function title(name,    text) {
+            getline text <name
+            close(name)
+            sub(/^# /, "", text)
+            sub(/:.*/, "", text)
+            return text
+        }
+        { file[NR] = $4; course[NR] = $2 == 1 || $1 == 99 }
         END {
-            n = split(chapters, file, " ")
-            for (k = 1; k <= n; k++) {
+            for (k = 1; k <= NR; k++) {
+                before = k - 1
+                if (course[k]) while (before && !course[before]) before--
+                behind = k + 1
+                if (course[k]) while (behind <= NR && !course[behind]) behind++
                 up = file[k] ~ /^lessons/ ? "../" : "../../"
                 line = "ontents, notation and equations](" up "workbook.md)"
-                if (k == 1) line = "[C" line
-                else line = "Previous: " link(file[k], file[k - 1]) " | [c" line
-                if (k < n) line = line " | next: " link(file[k], file[k + 1])
+                if (!before) line = "[C" line
+                else line = "Previous: " link(file[k], file[before]) " | [c" line
+                if (behind <= NR) line = line " | next: " link(file[k], file[behind])
                 print file[k] "|" line
             }
-        }' $chapters
+        }'
 }
 # minutes: "01 115 02 140 ...", from the heads of the lessons
 minutes() {
