@@ -141,7 +141,7 @@ static double dilatation(const struct mesh *mesh, const int corner[4],
 
 /* Given the area of a quadratic triangle, return load[a] = int N_a, of a body
  * force 1, and mass[a], its mass on the diagonal, density 1, > 0, in the ratio
- * of the int N_a^2 (exercise 6). */
+ * of the int N_a^2 (exercise 5). */
 static void shares(double area, double load[6], double mass[6])
 {
     /* SLOT 25e(area, load, mass): what do the six add up to? */
