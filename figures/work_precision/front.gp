@@ -1,11 +1,10 @@
 # front.gp - error against counted flops of every setting in two scenes (grey), the
 # front, whose corners say law, method, n x steps and the element unless it is an
-# even linear one, what the balance rule takes, the floor of the reference, with the
-# errors below it shaded; how
+# even linear one, the floor of the reference, with the errors below it shaded; how
 # many settings fail, and how many of these are explicit.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason element grade floor; asked 0: the front, -1: that of
-#               even linear triangles, else the rule)
+#               even linear triangles)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 580,800
@@ -55,7 +54,6 @@ do for [s = 1:2] {
         textcolor rgb "#555555"
     set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.965 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.915 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.815 tc rgb "#CC79A7"
     set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.865 tc rgb "#009E73"
     set object 1 rectangle from graph 0, graph 0 to graph 1, first known(s) \
         behind fillcolor rgb "#E8E8E8" fillstyle solid noborder
@@ -75,8 +73,6 @@ do for [s = 1:2] {
          corners using (here(s) && column("flops") >= 2e4 && column("flops") < 5e4 ? column("flops") : NaN): \
              "error":(two(strcol("label"))) with labels right offset -0.8,-0.5 font ",13", \
          corners using (here(s) && column("flops") >= 5e4 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels right offset -0.8,-0.5 font ",13", \
-         data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
-             with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
+             with labels right offset -0.8,-0.5 font ",13"
 }
 unset multiplot

@@ -1,11 +1,10 @@
 # front_all.gp - as front.gp, for all six scenes: error against counted flops of every setting in six scenes (grey), the
 # front, whose corners say law, method, n x steps and the element unless it is an
-# even linear one, what the balance rule takes, the floor of the reference, with the
-# errors below it shaded; how
+# even linear one, the floor of the reference, with the errors below it shaded; how
 # many settings fail, and how many of these are explicit.
 # Reads   data  tables settings, front (scene asked law method error flops
 #               reason element grade floor; asked 0: the front, -1: that of
-#               even linear triangles, else the rule)
+#               even linear triangles)
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 1160,1160
@@ -66,7 +65,6 @@ do for [s = 1:6] {
     set label 3 (s == 1 ? "grey: other settings, thinned" : "") at graph 0.03, 0.95 tc rgb "#777777"
     set label 4 (s == 1 ? "green: the front" : "") at graph 0.03, 0.86 tc rgb "#009E73"
     set label 7 (s == 1 ? "dotted: even, linear triangles" : "") at graph 0.03, 0.80 tc rgb "#009E73"
-    set label 5 (s == 1 ? "ring: the rule, from three meshes" : "") at graph 0.03, 0.74 tc rgb "#CC79A7"
     set object 1 rectangle from graph 0, graph 0 to graph 1, first known(s) \
         behind fillcolor rgb "#E8E8E8" fillstyle solid noborder
     set label 6 "known to" at 6e3, known(s) * 10**(0.034 * room(s))
@@ -85,8 +83,6 @@ do for [s = 1:6] {
          corners(s) using (here(s) && column("flops") >= 2e4 && column("flops") < 5e4 ? column("flops") : NaN): \
              "error":(two(strcol("label"))) with labels right offset -0.8,-0.5, \
          corners(s) using (here(s) && column("flops") >= 5e4 ? column("flops") : NaN):"error":(strcol("label")) \
-             with labels right offset -0.8,(s == 5 ? -0.85 : -0.5), \
-         data index "front" using (here(s) && column("asked") > 0 ? column("flops") : NaN):"error" \
-             with points pt 6 ps 1.3 lw 2 lc rgb "#CC79A7"
+             with labels right offset -0.8,(s == 5 ? -0.85 : -0.5)
 }
 unset multiplot

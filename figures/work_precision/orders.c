@@ -11,8 +11,7 @@
  *
  * In space: static, differences of meshes.  Predicted: 2 for the log law; for
  * the linear one, n = 64 to 256, twice the power of r that u has at the corner
- * between a held and a free side [eq:corner].  Table coarse: what the log law
- * shows on the meshes of the rule [alg:balance], which are coarser.
+ * between a held and a free side [eq:corner].
  */
 #include "base/study.h"
 #include "base/table.h"
@@ -84,22 +83,6 @@ static void in_space(enum work_scene scene, enum law law, struct count *count)
           fine / work_distance(&run[2], NULL), count);
 }
 
-/* The order on the coarsest three meshes. */
-static double print_coarse(enum work_scene scene)
-{
-    struct work_setting set = {scene, LOG, 0, 0, 1, BACKWARD_EULER, 1e-9,
-                               LINEAR_TRIANGLE, 1.0};
-    struct work run[3];
-    for (int k = 0; k < 3; k++) {
-        set.n = work_coarsest(scene) << k;
-        run[k] = work_run(&set);
-    }
-    const double order = study_order(work_distance(&run[0], &run[1]),
-                                     work_distance(&run[1], &run[2]), 2.0);
-    table_row(work_scene_name(scene), cell_rounded(4, order));
-    return order;
-}
-
 int main(void)
 {
     static const enum work_scene held[] = {SLOW_PULL, FAST_PULL, BUCKLE, PUSH};
@@ -116,14 +99,6 @@ int main(void)
     table_row("space", count.curves - time.curves, count.within - time.within);
     table_row("all", count.curves, count.within);
     table_end();
-    table_begin("coarse", "scene measured");
-    const double slow = print_coarse(SLOW_PULL), fast = print_coarse(FAST_PULL);
-    const double push = print_coarse(PUSH);
-    table_end();
-    claim(fabs(slow - 1.51) < 0.04 && fabs(fast - 1.43) < 0.04 &&
-              fabs(push - 0.52) < 0.03, "on the meshes of the rule the log law "
-          "has about 1.5 in the slow pull, 1.4 in the fast one, 0.5 in the "
-          "push (%g, %g, %g)", slow, fast, push);
     claim(time.within == time.curves, "every exponent in time is the predicted "
           "one (%d of %d)", time.within, time.curves);
     claim(10 * count.within >= 9 * count.curves, "so are nine tenths of all "

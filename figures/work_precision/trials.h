@@ -23,7 +23,7 @@ struct trials {
     enum work_scene scene;
     struct work limit;
     double size, floor; /* of the limit (m); what is not known of it, rel. */
-    int count; /* of linear triangles, even: what the balance rule knows */
+    int count; /* of linear triangles, even */
     int all;   /* with the other elements, which come after them */
     struct work_setting set[TRIALS_MOST];
     struct work work[TRIALS_MOST];

@@ -1,8 +1,8 @@
-/* work.c - laws of common/motion/work.h, and of trials.h and rule.h of
+/* work.c - laws of common/motion/work.h, and of trials.h of
  * figures/work_precision/. */
 #include "base/study.h"
 #include "base/table.h"
-#include "figures/work_precision/rule.h"
+#include "figures/work_precision/trials.h"
 
 #include "unit.h"
 
@@ -295,40 +295,6 @@ static int same(const struct work_setting *a, const struct work_setting *b)
            a->tolerance == b->tolerance;
 }
 
-/* rule.h, of the column, which is run once for both. */
-static void parts_are_what_they_should_be(const struct trials *s)
-{
-    struct work_setting set = setting(BUCKLE, LOG, 1, 8, 32, IMPLICIT_MIDPOINT);
-    double part[N_PART], finer[N_PART];
-    set.tolerance = 1e-5;
-    rule_parts(s, 3, &set, part);
-    ck_assert(part[MODEL] == 0.0);
-    ck_assert(part[SOLVER] == 0.0);
-    ck_assert(part[SPACE] > 0.3 && part[TIME] > 0.0);
-    set.n = 32;
-    set.method = BACKWARD_EULER;
-    set.tolerance = 1e-2;
-    rule_parts(s, 3, &set, finer);
-    ck_assert(finer[SPACE] < 0.5 * part[SPACE]);
-    ck_assert(finer[TIME] > part[TIME] && finer[SOLVER] > 0.0);
-    /* the finest steps: what they leave is the solver's */
-    set.method = IMPLICIT_MIDPOINT;
-    set.steps = 0;
-    for (int k = 0; k < s->count; k++)
-        if (s->set[k].dynamic && s->set[k].method == set.method &&
-            s->set[k].n == 8 && s->set[k].steps > set.steps)
-            set.steps = s->set[k].steps;
-    rule_parts(s, 3, &set, finer);
-    ck_assert(finer[TIME] == 0.0 && finer[SOLVER] > 0.0);
-    /* a straight column; the coarsest mesh would not have seen it */
-    set = setting(BUCKLE, LINEAR, 0, 8, 1, BACKWARD_EULER);
-    set.tolerance = 1e-2;
-    const double whole = rule_parts(s, 3, &set, part);
-    ck_assert(whole > fabs(part[MODEL] - part[SPACE]));
-    ck_assert(whole < part[MODEL] + part[SPACE]);
-    ck_assert(part[MODEL] > 0.2 && part[TIME] == 0.0 && part[SOLVER] == 0.0);
-}
-
 static const struct trials *asked;
 static int row;
 
@@ -363,7 +329,7 @@ static void rows_say_what_was_tried(const struct trials *s)
     }
 }
 
-static void sweeps_know_parts_and_the_cheapest(void)
+static void sweeps_know_the_cheapest(void)
 {
     struct trials *s = trials_alloc(BUCKLE, 1);
     int dynamic = 0, leapt = 0;
@@ -395,125 +361,8 @@ static void sweeps_know_parts_and_the_cheapest(void)
     ck_assert_int_eq(leapt, 24);
     ck_assert_int_eq(trials_cheapest(s, s->count, 0.0), -1);
     ck_assert(s->floor > 0.0 && s->floor < 0.1 && s->size > 0.1);
-    parts_are_what_they_should_be(s);
     rows_say_what_was_tried(s);
     trials_free(s);
-}
-
-/* ---- rule.h -------------------------------------------------------------- */
-
-static void answers_are_balanced(const struct trials *s)
-{
-    double last = 0.0, part[N_PART];
-    ck_assert_int_eq(rule_take(s, 3, 0.0).taken, -1);
-    for (double error = 2.0; error > 0.03; error *= 0.7) {
-        const int k = rule_take(s, 3, error).taken;
-        ck_assert(k >= 0);
-        const double sum = rule_parts(s, 3, &s->set[k], part);
-        ck_assert(part[MODEL] <= error && sum <= error);
-        ck_assert_int_eq(s->work[k].status, OK);
-        ck_assert(s->work[k].flops >= last);
-        ck_assert(s->error[k] < 2.0 * error);
-        last = s->work[k].flops;
-        const int as_good = trials_cheapest(s, s->count, s->error[k]);
-        ck_assert(s->work[k].flops <= s->work[as_good].flops);
-    }
-}
-
-/* The least that three meshes cost: the midpoint rule with 32 steps. */
-static double least_probes(const struct trials *s)
-{
-    double flops = 0.0;
-    for (int k = 0; k < s->count; k++)
-        if (s->set[k].dynamic && s->set[k].method == IMPLICIT_MIDPOINT &&
-            s->set[k].steps == 32 &&
-            (s->set[k].law == LINEAR || s->set[k].tolerance < 1e-4))
-            flops += s->work[k].flops;
-    return flops;
-}
-
-static void probes_are_paid_for(const struct trials *s)
-{
-    const double least = least_probes(s);
-    ck_assert_int_eq(rule_take(s, 2, 0.0).taken, -1);
-    for (double error = 0.4; error > 0.05; error *= 0.5) {
-        const struct rule_choice two = rule_take(s, 2, error);
-        const struct rule_choice three = rule_take(s, 3, error);
-        ck_assert(three.flops >= least && three.probes >= 20);
-        ck_assert(two.taken >= 0 && s->error[two.taken] < 2.0 * error);
-        ck_assert(two.flops < 0.2 * three.flops);
-        ck_assert(3 * two.probes < 2 * three.probes);
-    }
-}
-
-static void the_rule_is_balanced(void)
-{
-    struct trials *s = trials_alloc(PUSH, 0);
-    answers_are_balanced(s);
-    probes_are_paid_for(s);
-    trials_free(s);
-}
-
-/* Runs that are made up, with an answer of one number, and what they need. */
-static struct trials made_up;
-
-static void make_up(enum law law, int dynamic, int n, double tolerance,
-                    double u, int factorisations)
-{
-    const int k = made_up.count++;
-    made_up.set[k] = setting(PUSH, law, dynamic, n, dynamic ? 32 : 1,
-                             dynamic ? IMPLICIT_MIDPOINT : BACKWARD_EULER);
-    made_up.set[k].tolerance = tolerance;
-    made_up.work[k] = (struct work){.status = OK, .steps = 1, .n_shared = 2,
-        .systems = factorisations, .factorisations = factorisations,
-        .flops = 1000.0 + k, .u = {u}};
-}
-
-/* On two meshes the error in space falls as at a corner, r = 2^(2 alpha); the
- * parts are those of the runs' numbers.  The taken run is no probe; a law that
- * needs one factorisation on the finer mesh costs less than one that needs 25
- * on the coarser; parts may cancel; the cubic law is left out; where a run is
- * missing nothing is known. */
-static void the_rule_knows_its_runs_alone(void)
-{
-    const struct material notes = material_notes(LINEAR);
-    const double r = pow(2.0, 2.0 * material_corner(&notes));
-    double part[N_PART];
-    made_up.scene = PUSH;
-    made_up.size = 0.5;
-    make_up(LOG, 0, 4, 1e-5, 1.3, 25);
-    make_up(LOG, 0, 4, 1e-2, 1.35, 25);
-    make_up(LOG, 0, 8, 1e-5, 1.1, 25);
-    make_up(LOG, 1, 8, 1e-5, 1.0, 25);
-    const double sum = rule_parts(&made_up, 2, &made_up.set[1], part);
-    close_to(part[SPACE], 2.0 * 0.2 * r / (r - 1.0), 1e-12);
-    close_to(part[MODEL], 2.0 * 0.1, 1e-12);
-    close_to(part[SOLVER], 2.0 * 0.05, 1e-12);
-    close_to(part[TIME], 0.0, 1e-15);
-    close_to(sum, part[SPACE] + part[MODEL] + part[SOLVER], 1e-12);
-    const double error = sum - 0.5 * part[SOLVER]; /* so that it is refined */
-    const struct rule_choice one = rule_take(&made_up, 2, error);
-    ck_assert_int_eq(one.taken, 0);
-    ck_assert_int_eq(one.probes, 3);
-    close_to(one.flops, 3006.0, 1e-9);
-    ck_assert_int_eq(rule_take(&made_up, 2, 1.01 * sum).taken, 1);
-    ck_assert_int_eq(rule_take(&made_up, 2, 0.19).taken, -1);
-    make_up(LINEAR, 0, 4, 1e-2, 1.6, 1);
-    make_up(LINEAR, 0, 4, 1e-5, 1.6, 1);
-    make_up(LINEAR, 0, 8, 1e-2, 1.05, 1);
-    make_up(LINEAR, 0, 8, 1e-5, 1.05, 1);
-    ck_assert_int_eq(rule_take(&made_up, 2, error).taken, 6);
-    make_up(CUBIC, 0, 4, 1e-2, 1.0, 1);
-    make_up(CUBIC, 0, 4, 1e-5, 1.0, 1);
-    make_up(CUBIC, 0, 8, 1e-5, 1.0, 1);
-    ck_assert_int_eq(rule_take(&made_up, 2, error).taken, 6);
-    made_up.work[3].u[0] = 1.2;
-    close_to(rule_parts(&made_up, 2, &made_up.set[1], part),
-             part[SPACE] - part[MODEL] + part[SOLVER], 1e-12);
-    made_up.count = 3;
-    ck_assert(rule_parts(&made_up, 2, &made_up.set[1], part) == INFINITY);
-    ck_assert(part[MODEL] == INFINITY && part[SPACE] < INFINITY);
-    ck_assert_int_eq(rule_take(&made_up, 2, 9.0).taken, -1);
 }
 
 static const struct unit_law laws[] = {
@@ -530,10 +379,7 @@ static const struct unit_law laws[] = {
     {"failures_have_no_answer", failures_have_no_answer},
     {"corrections_add_up", corrections_add_up},
     {"limits_are_limits", limits_are_limits},
-    {"sweeps_know_parts_and_the_cheapest",
-     sweeps_know_parts_and_the_cheapest},
-    {"the_rule_is_balanced", the_rule_is_balanced},
-    {"the_rule_knows_its_runs_alone", the_rule_knows_its_runs_alone},
+    {"sweeps_know_the_cheapest", sweeps_know_the_cheapest},
 };
 
 UNIT_MAIN("work", laws)
