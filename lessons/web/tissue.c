@@ -33,18 +33,32 @@ static struct mesh *strip(void)
     return mesh;
 }
 
-/* A new body: bone holds the lowest row, and the hand, where it is down, what
- * is near to it.  false: it has taken nothing. */
+/* The vertex that is nearest to the hand; live->grip is set. */
+static int nearest(const struct live *live)
+{
+    int best = 0;
+    for (int a = 1; a < live->mesh->n_vertex; a++)
+        if (hypot(live->grip[2 * a], live->grip[2 * a + 1]) <
+            hypot(live->grip[2 * best], live->grip[2 * best + 1]))
+            best = a;
+    return best;
+}
+
+/* Make a new body: bone holds the lowest row and the hand, if it is down, the
+ * vertices near it, beside the cut those of one lip alone.  Return whether it
+ * holds any. */
 static int hold(struct live *live, int down)
 {
     const struct mesh *mesh = live->mesh;
     int *held = allocate((size_t)mesh->n_vertex, sizeof *held), taken = 0;
+    for (int r = 0; r < live->n_dof; r++)
+        live->grip[r] = mesh->X[r] + live->now.u[r] - live->hand[r % 2];
+    const int first = nearest(live), beside = first > DEEP * (WIDE + 1);
     for (int a = 0; a < mesh->n_vertex; a++) {
-        for (int r = 2 * a; r < 2 * a + 2; r++)
-            live->grip[r] = mesh->X[r] + live->now.u[r] - live->hand[r % 2];
         const int near = down && a > WIDE &&
                          hypot(live->grip[2 * a], live->grip[2 * a + 1]) <=
-                             RADIUS;
+                             RADIUS &&
+                         !(beside && mesh->X[2 * a] * mesh->X[2 * first] < 0);
         held[a] = a <= WIDE || near;
         taken += near;
     }
