@@ -68,7 +68,8 @@ $(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge 
         $(BUILD)/solutions/%
 	$(Q)$(HERE) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && \
 	    $(MOVED)
-WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js tests/tools/web_small.js
+WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js tests/tools/web_front.js \
+             tests/tools/web_small.js
 # of the pictures as they are: a newer one is copied, none is drawn
 NEWER = $(shell find figures -name '*.[sg][vi][gf]' -newer $(WASM)/book/index.html \
             2>/dev/null)

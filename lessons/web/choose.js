@@ -76,6 +76,7 @@ const state = made('p', box, { class: 'state', role: 'status' });
 const answer = made('div', box, { class: 'answer', tabindex: '-1' });
 
 /* Set the fields to a scene's text; what it does not say is empty. */
+let filled = null; /* what the example says */
 function fill(text) {
     for (const word of words) for (const input of word.inputs) input.value = '';
     for (const line of text.split('\n')) {
@@ -83,6 +84,7 @@ function fill(text) {
         const word = words.find(one => one.word === said[0]);
         if (word) word.inputs.forEach((input, i) => { input.value = said[i + 1] || ''; });
     }
+    filled = written().text;
 }
 example.addEventListener('change', () => fill(self.choose.scenes[example.value]));
 example.value = 'flap' in self.choose.scenes ? 'flap' : example.value;
@@ -106,7 +108,8 @@ stop.addEventListener('click', () => running?.stop());
 
 form.addEventListener('submit', async event => {
     event.preventDefault();
-    const scene = written(), name = example.value + '.scene';
+    const scene = written();
+    const name = (scene.text === filled ? example.value : 'mine') + '.scene';
     wrong.textContent = '';
     answer.replaceChildren();
     for (const input of form.querySelectorAll('[aria-invalid]'))
@@ -130,7 +133,7 @@ form.addEventListener('submit', async event => {
             answer.focus({ preventScroll: true });
             answer.scrollIntoView({ block: 'start' });
         } else if (said.end === 'exit') {
-            wrong.textContent = said.err.trim() || 'The program has ended with status ' + said.status;
+            wrong.textContent = plainly(said.err, name) || 'The program has ended with status ' + said.status;
             mark(said.err, scene.at);
         }
     } catch (failure) {
@@ -141,6 +144,9 @@ form.addEventListener('submit', async event => {
     choose.disabled = false;
     stop.disabled = true;
 });
+/* The message without program, file and line: the field is marked. */
+const plainly = (message, name) => message.trim().replace(/^choose: /, '')
+    .replace(name + ': ', '').replace(/^line \d+: /, '');
 /* "line 3:", "does not say 'rho'", "--error": which field the program means. */
 function mark(message, at) {
     const line = message.match(/line (\d+):/), missing = message.match(/does not say '(\w+)'/);

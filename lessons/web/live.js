@@ -15,18 +15,38 @@
 (() => {
 const FRAME = 1000 / 30, SHOWN = 240;
 const KEYS = { space: ' ' };
+/* what the buttons do, by their keys */
+const MEANS = {
+    l: 'The law of the material. Under the log law no triangle can turn inside out; under the ' +
+        'cubic law it can, and the energy is finite.',
+    i: 'The time step. Backward Euler damps the motion, the implicit midpoint rule hardly does.',
+    s: 'Where Newton\'s method begins each frame: at the elastic lift of the last state, at ' +
+        'rows that follow the hand, or at the last state itself.',
+    p: 'What follows when the fast way fails: steps downhill in the energy, or nothing, and ' +
+        'the frame is lost.',
+    g: 'What the hand takes: the vertices near it, or the whole right side.',
+    e: 'Linear triangles, or quadratic ones on the same vertices.',
+    '+': 'Twice as many squares along each side.',
+    '-': 'Half as many squares along each side.',
+    r: 'Puts the body back to where it was at rest.',
+    ' ': 'Stops the time, or lets it go on.',
+    q: 'Ends the scene; then you can save the input of your hand and the tables.'
+};
 
 function live(box) {
     const data = box.dataset;
     const only = data.keys ? data.keys.split(' ') : null;
 
     const stage = made('div', box, { class: 'stage' });
+    const invitation = made('p', stage, { class: 'pull', 'aria-hidden': 'true',
+        text: data.pull || 'Pull here' });
     const id = 'live-help-' + document.querySelectorAll('.live .help').length;
     const canvas = made('canvas', stage, { tabindex: '0', role: 'application',
         'aria-label': data.label || 'A soft square, whose left side is held',
         'aria-describedby': id });
     const keys = made('div', box, { class: 'keys', role: 'group',
         'aria-label': 'What can be changed' });
+    const means = made('p', box, { class: 'help means', role: 'status' });
     const said = made('p', box, { class: 'said' });
     const count = made('p', box, { class: 'said' });
     const chart = made('canvas', box, { class: 'times', role: 'img',
@@ -46,7 +66,7 @@ function live(box) {
     const shownAt = [];  /* when they were drawn (ms) */
     const state = { frames: 0, lost: 0, knots: 0, stopped: false, closed: false,
                     due: 0, lines: [], status: null, fps: 0 };
-    box.live = { state, hand, press, canvas };
+    box.live = { state, hand, press, canvas, drawing };
 
     /* ---- the hand ---- */
     canvas.addEventListener('pointerdown', event => {
@@ -54,6 +74,7 @@ function live(box) {
         [hand.x, hand.y] = drawing.metres(event);
         hand.down = 1;
         hand.arrows = false;
+        invitation.remove();
         try { canvas.setPointerCapture(event.pointerId); } catch (e) { /* synthetic */ }
         canvas.focus({ preventScroll: true });
         event.preventDefault();
@@ -79,6 +100,7 @@ function live(box) {
         } else if (event.key === 'Enter') {
             hand.down = hand.down ? 0 : 1;
             hand.arrows = true;
+            invitation.remove();
         } else letter(event);
     });
     function letter(event) {
@@ -105,14 +127,17 @@ function live(box) {
                 const key = KEYS[one] || one;
                 if (only && !only.includes(one)) continue;
                 if (!buttons.has(key)) {
-                    const button = made('button', keys, { type: 'button' });
+                    const button = made('button', keys, { type: 'button', title: MEANS[key] });
                     button.addEventListener('click', () => press(key));
                     buttons.set(key, button);
                 }
-                const label = (one === '-' ? 'fewer' : does.trim() +
+                const label = (one === '-' ? 'fewer' : one === 'q' ? 'end and save' : does.trim() +
                     (one === '+' ? ', more' : '')) + ' [' + one + ']';
-                if (key !== ' ' && buttons.get(key).textContent !== label)
+                if (key !== ' ' && buttons.get(key).textContent !== label) {
+                    if (buttons.get(key).textContent)
+                        means.textContent = does.trim() + '. ' + MEANS[key];
                     buttons.get(key).textContent = label;
+                }
                 if (key === ' ' && !buttons.get(key).textContent)
                     buttons.get(key).textContent = label;
             }

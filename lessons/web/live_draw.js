@@ -68,7 +68,9 @@ self.liveDrawing = (box, canvas, chart, most) => {
     /* Size, and from pixels to metres. */
     let scale = 1, ratio = 1;
     function fit() {
-        const width = canvas.parentElement.clientWidth;
+        /* the buttons and the chart fit on the screen, too */
+        const width = Math.min(canvas.parentElement.clientWidth,
+                               Math.max(280, 0.5 * innerHeight * wide / high));
         ratio = window.devicePixelRatio || 1;
         scale = width / wide;
         for (const [c, w, h] of [[canvas, width, width * high / wide],
@@ -87,7 +89,7 @@ self.liveDrawing = (box, canvas, chart, most) => {
 
     let image = null, edges = null;
     function body(frame, hand) {
-        const style = getComputedStyle(box), x = frame.x, t = frame.triangle;
+        const x = frame.x, t = frame.triangle;
         const s = scale * ratio, px = [], n = x.length / 2;
         const paint = layers ? layered : stretched;
         if (!image || image.wide !== canvas.width || image.high !== canvas.height) {
@@ -120,11 +122,16 @@ self.liveDrawing = (box, canvas, chart, most) => {
         if (frame.J.length <= 2048)
             lines(edges.all, layers ? 'rgba(0,0,0,.13)' : 'rgb(120,120,120)', 0.7);
         lines(edges.rim, 'rgb(110,110,110)', 1);
-        ink.fillStyle = style.getPropertyValue('--ink') || '#141414';
+        /* dark with a light rim: seen on the body and on either ground */
+        const square = (size, colour) => {
+            ink.fillStyle = colour;
+            for (let a = 0; a < n; a++)
+                if (frame.held[a])
+                    ink.fillRect(px[2 * a] - size / 2, px[2 * a + 1] - size / 2, size, size);
+        };
         const size = Math.max(2.5, Math.min(5, scale / 22)) * ratio;
-        for (let a = 0; a < n; a++)
-            if (frame.held[a])
-                ink.fillRect(px[2 * a] - size / 2, px[2 * a + 1] - size / 2, size, size);
+        square(size + 2 * ratio, 'rgb(250,250,250)');
+        square(size, 'rgb(20,20,20)');
         ink.strokeStyle = 'rgb(200,0,0)';
         ink.lineWidth = 3 * ratio;
         let knots = 0;
@@ -136,12 +143,14 @@ self.liveDrawing = (box, canvas, chart, most) => {
             ink.stroke();
         }
         if (hand.down || hand.arrows) { /* where the hand wants to be */
-            ink.strokeStyle = style.getPropertyValue('--ink') || '#141414';
-            ink.lineWidth = 1.5 * ratio;
-            ink.beginPath();
-            ink.arc(canvas.width / 2 + s * hand.x,
-                    canvas.height / 2 - s * (hand.y - middle), 7 * ratio, 0, 2 * Math.PI);
-            ink.stroke();
+            for (const [width, colour] of [[3.5, 'rgb(250,250,250)'], [1.5, 'rgb(20,20,20)']]) {
+                ink.strokeStyle = colour;
+                ink.lineWidth = width * ratio;
+                ink.beginPath();
+                ink.arc(canvas.width / 2 + s * hand.x,
+                        canvas.height / 2 - s * (hand.y - middle), 7 * ratio, 0, 2 * Math.PI);
+                ink.stroke();
+            }
         }
         return knots;
     }

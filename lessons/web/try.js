@@ -47,11 +47,11 @@ function markField(message) {
 
 const guesses = [...form.querySelectorAll(".predict input")];
 const isNumber = (text) => /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?(\/\d+\.?\d*)?$/i.test(text);
-let open = guesses.length === 0; /* may it run? */
+const predicted = (field) => isNumber(field.value.trim());
+let shown = "nothing"; /* of what was measured: or "predicted", or "all" */
 
 function mayRun() {
-    button("run").disabled =
-        !(open || guesses.every((field) => isNumber(field.value.trim())));
+    button("run").disabled = running !== null;
     button("stop").disabled = running === null;
 }
 
@@ -61,20 +61,31 @@ function compared(text, measured) {
     const expected = bottom ? top / bottom : top;
     const off = Math.abs(expected - measured), part = off / Math.abs(measured);
     if (off <= 5e-7 * Math.abs(measured)) return "right";
+    if (Math.abs(expected + measured) <= 5e-7 * Math.abs(measured)) return "right but for its sign";
     if (part < 10) return `off by ${Number((100 * part).toPrecision(2))} %`;
-    return isFinite(part) ? `${Number((expected / measured).toPrecision(2))} times as large`
+    return isFinite(part) ? `${short(Number((expected / measured).toPrecision(2)))} times as large`
                           : `off by ${Number(off.toPrecision(3))}`;
 }
 
 function showMeasured() {
     for (const field of guesses) {
-        const measured = Number(field.dataset.measured), text = field.value.trim();
-        const verdict = isNumber(text) ? ": " + compared(text, measured) : "";
-        field.readOnly = true;
-        field.nextElementSibling.textContent =
-            `measured ${Number(measured.toPrecision(7))}${verdict}`;
+        const measured = Number(field.dataset.measured), output = field.nextElementSibling;
+        const verdict = predicted(field) ? ": " + compared(field.value.trim(), measured) : "";
+        output.textContent = shown === "all" || (shown === "predicted" && verdict)
+            ? `measured ${Number(measured.toPrecision(7))}${verdict}` : "";
     }
-    button("look")?.remove();
+    const look = button("look");
+    if (look) look.hidden = shown === "all" || (shown === "predicted" && guesses.every(predicted));
+}
+
+function keepPredictions() {
+    store.write(here.program, {predict: Object.fromEntries(
+        guesses.filter((field) => field.value.trim()).map((field) => [field.name, field.value.trim()]))});
+}
+
+function showPredictions() {
+    const {predict = {}} = store.read(here.program);
+    for (const field of guesses) field.value = predict[field.name] ?? "";
 }
 
 /* ---- what it prints --------------------------------------------------------- */
@@ -180,7 +191,8 @@ function sentence(result) {
     const {end, status, ms, err} = result;
     if (end !== "exit") return endWords(result, here.seconds);
     const took = `${ms < 10 ? ms.toFixed(1) : ms.toFixed(0)} ms`;
-    if (status === 0) return `Solved in ${took}.`;
+    if (status === 0)
+        return `Solved in ${took}.${guesses.every(predicted) ? "" : " What did you expect?"}`;
     if (status === 1) return `Not solved, after ${took}: ${lastLine(err)}` +
         (results.children.length > 0 ? " What it had found by then is below." : "");
     return lastLine(err);
@@ -205,7 +217,8 @@ async function run() {
         const {end, status} = result;
         say(sentence(result), end !== "exit" ? end : ["ok", "unsolved"][status] || "refused");
         if (end === "exit" && status === 2) markField(result.err);
-        else if (end === "exit") showMeasured();
+        else if (end === "exit" && shown === "nothing") shown = "predicted";
+        showMeasured();
         panel.result = result;
     } catch (error) {
         say(error.message, "crash");
@@ -218,7 +231,11 @@ form.onsubmit = (event) => {
     event.preventDefault();
     if (!button("run").disabled && !running) run();
 };
-form.oninput = () => { showCommand(); mayRun(); };
+form.oninput = ({target}) => {
+    if (guesses.includes(target)) keepPredictions();
+    showCommand();
+    showMeasured();
+};
 button("stop").onclick = () => { running?.stop(); button("run").focus(); };
 button("defaults").onclick = () => {
     for (const field of form.elements)
@@ -226,7 +243,12 @@ button("defaults").onclick = () => {
     markField(null);
     showCommand();
 };
-button("look")?.addEventListener("click", () => { open = true; mayRun(); button("run").focus(); });
+button("look")?.addEventListener("click", () => {
+    shown = "all";
+    showMeasured();
+    button("run").focus();
+});
 form.hidden = false;
+showPredictions();
 showCommand();
 mayRun();

@@ -60,6 +60,8 @@ void prediction_compare(const struct prediction *p, double measured,
     }
     if (off <= 5e-7 * fabs(measured)) /* of the digits that are printed */
         snprintf(how, sizeof how, "right");
+    else if (fabs(expected + measured) <= 5e-7 * fabs(measured))
+        snprintf(how, sizeof how, "right but for its sign");
     else if (part < 0.995)
         snprintf(how, sizeof how, "off by %.2g %%", 100.0 * part);
     else if (part < 10.0)

@@ -119,8 +119,8 @@ predicted() {
 }
 right='1: 4, measured 4, right. 2: -0.1339746, measured -0.1339746, right. 3: 8/2,'
 predicted 'right' "solutions/$slug.c" '4;-0.1339746;8/2' "$right measured 4, right."
-predicted 'wrong' "solutions/$slug.c" '5;0;1e9' \
-    '1: 5, measured 4, off by 25 %. 2: 0, measured -0.1339746, off by 100 %. 3: 1e9, measured 4, 2.5e+08 times as large.'
+predicted 'wrong' "solutions/$slug.c" '5;0.1339746;1e9' \
+    '1: 5, measured 4, off by 25 %. 2: 0.1339746, measured -0.1339746, right but for its sign. 3: 1e9, measured 4, 2.5e+08 times as large.'
 predicted 'words' "solutions/$slug.c" 'many;nan;' \
     '1: `many` is not a number, measured 4. 2: `nan` is not a number, measured -0.1339746. Notice:'
 predicted 'none' "solutions/$slug.c" '...;...;' 'You predicted nothing. Notice:'

@@ -24,11 +24,8 @@ function insert(page, after, words) {
     fs.writeFileSync(path, lines.join("\n"));
 }
 
-insert("index.html", 'figures/24_live/tissue.c"',
+insert("workbook.html", 'figures/24_live/tissue.c"',
     '<p><a href="web/tissue.html">Take such a strip in your hand</a>, here in the browser.</p>');
-insert("index.html", 'href="figures/24_live/motion.gif"',
-    '<p>Here in the browser: <a href="web/live.html">take the square in your hand</a>, or ' +
-    '<a href="web/choose.html">ask for the least model of your own scene</a>.</p>');
 insert("lessons/CHOOSE.html", '<h2 id="a-scene-of-your-own">',
     '<p><a href="../web/choose.html">The same as a form</a>, which runs here in the browser.</p>');
 insert("lessons/24_live.html", "take the square with the mouse",

@@ -13,6 +13,7 @@
 const fs = require("fs");
 const {execFileSync} = require("child_process");
 const small = require("./web_small.js");
+const {archive, front} = require("./web_front.js");
 const [book, build, site, ...lessons] = process.argv.slice(2);
 
 function fail(words) {
@@ -41,7 +42,8 @@ function field(lesson, line) {
             `<option${word === initial ? " selected" : ""}>${word}</option>`).join("") +
           "</select>"
         : `<input ${common} value="${escape(initial)}" autocomplete="off" spellcheck="false">`;
-    const hint = words ? allowed.slice(words[0].length).replace(/^; /, "") : allowed;
+    const hint = words ? allowed.slice(words[0].length).replace(/^; /, "")
+        : allowed.replace(/(?<![.\d])\d{6,}(?!\.)/g, (digits) => Number(digits).toExponential().replace("+", ""));
     return `<div class="field ${kind}"><label for="option-${name}"><code>${name}</code></label>
 ${input}<span class="hint" id="hint-${name}">${prose(help)}${hint && "; " + prose(hint)}</span></div>\n`;
 }
@@ -52,7 +54,7 @@ function questions(lesson, source) {
     return [...source.matchAll(/^ \* PREDICT (\w+) ([^:]*): \.\.\.$/gm)].map(([, key, asked]) => {
         if (!isFinite(measured.get(key) ?? NaN)) fail(`${lesson}: no number for PREDICT ${key}`);
         return `<div class="field"><label for="predict-${key}">${key}. ${prose(asked)}</label>
-<input id="predict-${key}" inputmode="text" autocomplete="off" data-measured="${measured.get(key)}">
+<input id="predict-${key}" name="${key}" inputmode="text" autocomplete="off" data-measured="${measured.get(key)}">
 <output for="predict-${key}"></output></div>\n`;
     }).join("");
 }
@@ -71,9 +73,9 @@ numbers of the reference.</p>
 <noscript><p>For this your browser must run JavaScript.</p></noscript>
 <form hidden>
 <fieldset class="predict"><legend>Predict first</legend>
-<p class="hint" id="predict-hint"><q>Run</q> waits for a number or a fraction in each, and then sets
-beside it what the reference gives, whatever the options below are.</p>
-${questions(lesson, source)}<p><button type="button" name="look">I only want to look</button></p></fieldset>
+<p class="hint" id="predict-hint">Write a number or a fraction before you run. Then what the reference
+gives, whatever the options below are, appears beside it. Your numbers are kept in this browser, and you may change them.</p>
+${questions(lesson, source)}<p><button type="button" name="look">Show what was measured</button></p></fieldset>
 <fieldset><legend>Options</legend>
 ${fields.join("")}<p class="hint">The same with your own program: <code class="command"></code></p></fieldset>
 <p><button name="run" aria-describedby="predict-hint">Run</button> <button type="button" name="stop">Stop</button>
@@ -82,7 +84,7 @@ ${fields.join("")}<p class="hint">The same with your own program: <code class="c
 </form>
 <div class="results"></div>
 </section>
-${["programs", "run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+${["store", "programs", "run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
 }
 
 const part = `${site}.part`;
@@ -92,29 +94,27 @@ fs.mkdirSync(part + "/web");
 fs.mkdirSync(part + "/programs");
 for (const name of fs.readdirSync("lessons/web"))
     fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
+const {index, workbook, moved} = front(read(part + "/index.html"), lessons,
+                                       archive(`${part}/elasticity-workbook.tar.gz`));
+fs.writeFileSync(part + "/index.html", index);
+fs.writeFileSync(part + "/workbook.html", workbook);
 for (const name of fs.readdirSync(part, {recursive: true}).map(String)) {
     if (name.endsWith(".svg"))
         fs.writeFileSync(`${part}/${name}`, small.picture(name, read(`${part}/${name}`)));
     if (!name.endsWith(".html")) continue;
     const up = "../".repeat(name.split("/").length - 1);
     const css = `<link rel="stylesheet" href="${up}book.css">`;
-    fs.writeFileSync(`${part}/${name}`, small.html(read(`${part}/${name}`)).replace(css,
+    fs.writeFileSync(`${part}/${name}`, moved(small.html(read(`${part}/${name}`))).replace(css,
         `<meta name="color-scheme" content="light dark">\n<link rel="icon" href="data:,">\n${css}\n` +
         `<link rel="stylesheet" href="${up}web/web.css">`));
 }
-/* the small pictures of the contents have their chapter's name */
-const front = read(part + "/index.html").replace(
-    /<img ((?:class="fits" )?src="[^"]*" width="120")>(<\/a><\/td>\s*<td><a [^>]*>)([^<]*)/g,
-    (whole, picture, between, title) => `<img ${picture} alt="A picture of ${title}">${between}${title}`);
-fs.writeFileSync(part + "/index.html", front.replace(/<\/h1>\s*<p>.*<\/p>/, (first) => `${first}
-<p>Here the lessons run: each chapter has a panel
-<a href="lessons/${lessons[0]}.html#try-it">Try it</a>, which asks for your predictions and then computes
-in your browser.</p>`));
 for (const lesson of lessons) {
     const page = `${part}/lessons/${lesson}.html`, text = read(page);
     const at = text.indexOf('<h2 id="measured">');
     if (at < 0) fail(`${page} has no section Measured`);
-    fs.writeFileSync(page, text.slice(0, at) + panel(lesson) + text.slice(at));
+    const ways = ', <a href="#try-it">Try it</a>';
+    fs.writeFileSync(page, text.slice(0, at).replace(/(<p class="nav">.*)<\/p>/, `$1${ways}</p>`) +
+                     panel(lesson) + text.slice(at));
 }
 fs.copyFileSync(`${build}/wasm/lessons.js`, `${part}/programs/lessons.js`);
 fs.rmSync(site, {recursive: true, force: true});

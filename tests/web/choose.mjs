@@ -104,14 +104,15 @@ try {
         const file = await page.evaluate(`document.querySelector('.least-model').fields.words
             .map(w => [w.word, w.inputs.map(i => i.value.trim()).join(' ')])
             .filter(([, v]) => v.trim()).map(([w, v]) => w + ' ' + v).join('\\n') + '\\n'`);
-        writeFileSync(join(folder, 'flap.scene'), file);
-        const there = run(['--scene', 'flap.scene'], folder);
+        writeFileSync(join(folder, 'mine.scene'), file);
+        const there = run(['--scene', 'mine.scene'], folder);
         const shown = await page.evaluate("document.querySelector('#wrong').textContent");
         const marked = await page.evaluate("document.activeElement.name === " +
             `${JSON.stringify(name)} && document.activeElement.getAttribute('aria-invalid')`);
         const whole = value === '0 0'; /* nothing is loaded: no field is at fault */
         const good = there.status === 2 && here && here.status === 2 &&
-            here.err.trim() === there.err && shown.trim() === there.err && (whole || marked === 'true');
+            here.err.trim() === there.err && shown.length > 9 && there.err.endsWith(shown) &&
+            !/scene|line \d/.test(shown) && (whole || marked === 'true');
         refused += good;
         if (!good) why += ` ${name} '${value}': "${shown}" and "${there.err}", ${marked};`;
     }

@@ -177,6 +177,31 @@ async function tissue(browser) {
     say(status === 0 && frames.length > 40 && lost === 0 && least < 0.95 && least > 0,
         'the tissue is pulled by the keyboard, no frame lost',
         `status ${status}, ${frames.length} frames, ${lost} lost, least J ${least}`);
+    await page.close();
+    await lips(browser);
+}
+
+/* At the edge of the right lip of the cut the hand takes vertices of that lip alone. */
+async function lips(browser) {
+    const page = await browser.page(url('web/tissue.html'));
+    await page.until("document.querySelector('.live').live.state.frames > 5");
+    const taken = await page.evaluate(`(async () => {
+        const { canvas, hand, drawing, press } = document.querySelector('.live').live;
+        Object.assign(hand, { x: 0.04, y: 0.45 });
+        canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+        const draw = drawing.body;
+        for (let k = 0; k < 9; k++) await new Promise(done => { drawing.body = (frame, hand) => {
+            const at = [...frame.rest], lowest = Math.min(...at.filter((y, r) => r % 2));
+            self.taken = [...frame.held].map((held, a) => held && at[2 * a + 1] > lowest ?
+                at[2 * a] : 0).filter(x => x !== 0);
+            done();
+            return draw(frame, hand);
+        }; });
+        press('q');
+        return self.taken;
+    })()`);
+    say(taken.length > 5 && taken.every(x => x > 0), 'a hand on the right lip of the cut takes ' +
+        'nothing of the left one', taken);
     say(page.errors.length === 0, 'no error on the page of the tissue', page.errors.join(' '));
     await page.close();
 }
