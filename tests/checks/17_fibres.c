@@ -618,29 +618,32 @@ static void strip_is_free_at_its_sides(void)
                  "at the end");
 }
 
-/* An active part of w = 0.1: Newton's method leaps to and fro across the kink
- * at l = 0.9, and sigma decides for how long.  The numbers of systems stay as
- * they are when sigma changes by 1e-9 of itself. */
+/* An active part of small w: Newton's method leaps to and fro across the kink
+ * at l = 1 - w, and sigma decides for how long.  The numbers of systems stay as
+ * they are when sigma changes by 1e-6 of itself. */
 static void strip_takes_newtons_steps(void)
 {
     const struct material material = material_notes(CUBIC);
     struct fibre narrow = {MUSCLE, 200.0, 0.0, 0.1, 1.0};
     const struct {
-        double sigma;
+        double w, sigma;
         int systems;
-    } is[] = {{456.0, 40}, {452.0, 44}, {420.0, 58}, {404.0, 110}};
+    } is[] = {{0.1, 456.0, 40}, {0.06, 368.0, 41}, {0.1, 452.0, 44},
+              {0.1, 420.0, 58}, {0.1, 404.0, 110}};
     for (int k = 0; k < COUNT(is); k++) {
         double *x = guarded_alloc(2);
         narrow.sigma = is[k].sigma;
+        narrow.width = is[k].w;
         const enum status want = is[k].systems <= CAP ? OK : MAX_ITERATIONS;
         const enum status status = strip(&material, &narrow, 0.0, x);
-        expect(status == want, "w = 0.1, sigma = %g, which takes %d systems, "
-               "of %d: the strip must end with %s, not %s", is[k].sigma,
-               is[k].systems, CAP, status_name(want), status_name(status));
+        expect(status == want, "w = %g, sigma = %g, which takes %d systems, "
+               "of %d: the strip must end with %s, not %s", is[k].w,
+               is[k].sigma, is[k].systems, CAP, status_name(want),
+               status_name(status));
         if (want == OK)
             expect_close(mat2_norm(strip_stress(&material, &narrow, x)), 0.0,
-                         SOLVED, 1e3, "w = 0.1, sigma = %g: |P| at the end",
-                         is[k].sigma);
+                         SOLVED, 1e3, "w = %g, sigma = %g: |P| at the end",
+                         is[k].w, is[k].sigma);
     }
 }
 
