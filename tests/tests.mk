@@ -291,5 +291,6 @@ memcheck: $$(READY)
 
 include tests/web.mk
 include tests/web_live.mk
+include tests/web_student.mk
 include tests/many.mk
 include tests/mutants.mk

@@ -37,14 +37,179 @@
  *
  * progress(phase, fraction) is called on the way: phases "load" (the compiler, on first
  * use; fraction from 0 to 1, of bytes), "lesson" (its files), "compile", "link", "run" or
- * "judge" (fraction: of the checks).  fraction is null where it is not known.
+ * "judge".  fraction is null where it is not known, which is after "load".
  *
  * student.size(slug) is a promise of {bytes, cached}: what the next call would load.
  */
 "use strict";
 (() => {
-globalThis.makeStudent = ({base}) => {
-    const none = async () => { throw new Error(`${base}: not there yet`); };
-    return {run: none, check: none, stop() {}, size: async () => ({bytes: 0, cached: false})};
+const here = globalThis.document?.currentScript?.src;
+const [LIMIT_CPU, LIMIT_OUTPUT] = [1, 3]; /* enum limit of tests/checks/child.h */
+const SECONDS_COMPILING = 60, SECONDS_JUDGE = 60, MOST_ENDED = 24;
+const COMPILER = ["clang.js", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
+                  "llvm.core3.wasm.gz", "llvm.core4.wasm.gz"];
+
+class Failure extends Error {
+    constructor(name, message) { super(message); this.name = name; }
+}
+const signals = {4: "an index beyond the end of an array, or below 0", 6: "Aborted",
+                 8: "Floating point exception", 11: "Segmentation fault"};
+
+globalThis.makeStudent = ({base, worker}) => {
+    if (globalThis.document) base = new URL(base, document.baseURI).href;
+    worker ||= (name) => new Worker(new URL(name, here),
+        {type: name === "student_compile.js" ? "module" : "classic"});
+    let compiler = null, current = null, last = null, queue = Promise.resolve();
+
+    /* Ask a worker; hear() is told of each message, and returns the answer when it is
+     * one.  The promise is rejected when the worker dies, by stop(), and by late(), which
+     * is called after so many seconds in which `hear` was not. */
+    function ask(who, message, seconds, hear, late) {
+        return new Promise((done, failed) => {
+            let timer;
+            const end = (settle, what) => {
+                clearTimeout(timer);
+                current = null;
+                settle(what);
+            };
+            const wait = (seconds) => {
+                clearTimeout(timer);
+                timer = setTimeout(() => { who.terminate(); end(done, late()); }, 1e3 * seconds);
+            };
+            wait(seconds);
+            current = () => {
+                who.terminate();
+                end(failed, new Failure("Stopped", "You have stopped it."));
+            };
+            who.onmessage = ({data}) => {
+                const answer = hear(data, wait);
+                if (answer) end(done, answer);
+            };
+            who.onerror = (event) => {
+                event.preventDefault?.();
+                who.terminate();
+                end(done, late(event.message || "it has ended by itself"));
+            };
+            who.postMessage(message);
+        });
+    }
+
+    async function compiled(slug, text, progress) {
+        if (last?.slug === slug && last.text === text) return last.answer;
+        let phase = "load";
+        const mine = compiler ||= worker("student_compile.js");
+        const drop = () => { if (compiler === mine) compiler = null; };
+        let answer;
+        try {
+            answer = await ask(mine, {base, slug, text}, 600, (data, wait) => {
+                if (!data.progress) return data;
+                if (data.progress[0] !== phase) wait(SECONDS_COMPILING);
+                [phase] = data.progress;
+                progress(...data.progress);
+            }, (died) => {
+                drop();
+                return phase === "compile" && !died
+                    ? {refused: "what it includes, or its macros, have no end"}
+                    : {failed: "Died", why: `The compiler has ended: ${died || "it took too long"}.`};
+            });
+        } catch (error) {
+            drop();
+            throw error;
+        }
+        if (answer.failed) throw new Failure(answer.failed, answer.why);
+        last = {slug, text, answer};
+        return answer;
+    }
+
+    /* Run a program: {status, limit, files, out, err}.  A child that takes too long, or
+     * with which the worker dies, has its end in a second run. */
+    async function execute(job, progress, seconds) {
+        for (const ended = {};;) {
+            let out = "", err = "";
+            const running = [], who = worker("student_judge.js");
+            const result = await ask(who, {...job, ended}, seconds, (data, wait) => {
+                if (data.out) out += data.out;
+                else if (data.err) err += data.err;
+                else if (data.result) return data.result;
+                else {
+                    if (data.begin !== undefined) running.push({k: data.begin});
+                    if (data.end !== undefined) running.pop();
+                    if (data.seconds) Object.assign(running.at(-1) || {}, {seconds: data.seconds});
+                    wait(running.at(-1)?.seconds || seconds);
+                    progress("judge", null);
+                }
+            }, (died) => ({late: true, died}));
+            who.terminate();
+            if (!result.late) return {...result, out, err};
+            const child = running.at(-1);
+            if (!child) return {status: null, limit: result.died ? 0 : LIMIT_CPU, files: {}, out, err,
+                                died: result.died};
+            if (Object.keys(ended).length === MOST_ENDED)
+                throw new Failure("Died", "The judge has not come to its end.");
+            ended[child.k] = result.died ? {status: -9, limit: 0}
+                                         : {status: -24, limit: LIMIT_CPU, seconds: child.seconds};
+        }
+    }
+
+    async function run(slug, text, args = [], {progress = () => {}, seconds = 30} = {}) {
+        const nothing = {status: null, stdout: "", stderr: "", diagnostics: "", end: "not compiled"};
+        const made = await compiled(slug, text, progress);
+        if (made.refused) return {...nothing, diagnostics: `lessons/${slug}.c is not run: ${made.refused}.\n`};
+        if (!made.code) return {...nothing, diagnostics: made.diagnostics || made.errors.join("\n") + "\n"};
+        progress("run", null);
+        const its = await execute({code: made.code, args: ["judge", "--run", ...args], files: {}},
+                                  () => {}, seconds);
+        const result = {...nothing, stdout: its.out, stderr: its.err, diagnostics: made.diagnostics};
+        if (its.limit === LIMIT_OUTPUT) return {...result, end: "flood"};
+        if (its.limit === LIMIT_CPU) return {...result, end: "limit"};
+        if (its.status >= 0 && its.status !== null) return {...result, status: its.status, end: "exit"};
+        const why = its.died || `signal ${-its.status} (${signals[-its.status] || "Killed"})`;
+        return {...result, stderr: its.err + why + "\n", end: "crash"};
+    }
+
+    async function check(slug, text, {progress = () => {}} = {}) {
+        const nn = slug.slice(0, 2), path = `lessons/${slug}.c`;
+        const said = (verdict, lines, shown, next) => ({verdict, slot: "", check: "", mistakes: [],
+            diagnostics: "", text: `${lines}\nVERDICT ${nn}: ${shown}    next: make ${next}-${nn}\n`});
+        if (!/\S/.test(text))
+            return said("UNFINISHED", `${path} is empty.`, "UNFINISHED (empty file)", "reset");
+        const made = await compiled(slug, text, progress);
+        if (made.refused)
+            return said("REFUSED", `  ${path} is not judged: ${made.refused}.`, "WRONG (refused)", "check");
+        if (!made.code)
+            return {...said("NOT COMPILED", made.errors.join("\n"), "WRONG (does not compile)", "check"),
+                    diagnostics: made.diagnostics};
+        progress("judge", null);
+        const its = await execute({code: made.code, want: ["result"],
+            files: {...made.files, [path]: new TextEncoder().encode(text)},
+            args: ["judge", "--file", path, "--source", "/" + path, "--reference", "/" + slug,
+                   "--mistakes", "/mistakes", "--kept", "/kept", "--result", "/result",
+                   "--work", "/work"]}, progress, SECONDS_JUDGE);
+        const [verdict, name, slot, mistakes] = (its.files.result || "").trim().split(" ");
+        if (!verdict) throw new Failure("Died", `The judge has ended: ${its.err || its.died || its.status}`);
+        return {verdict, text: its.out, slot: slot === "-" ? "" : slot, check: name === "-" ? "" : name,
+                mistakes: mistakes === "-" ? [] : mistakes.split(","), diagnostics: made.diagnostics};
+    }
+
+    const turn = (call) => (...given) => {
+        const mine = queue.then(() => call(...given));
+        queue = mine.catch(() => {});
+        return mine;
+    };
+    return {
+        run: turn(run),
+        check: turn(check),
+        stop() { current?.(); },
+        async size(slug) {
+            const response = await fetch(base + "sizes.json").catch(() => null);
+            if (!response?.ok) throw new Failure("Offline", `${base} cannot be read: a web server must bring it.`);
+            const sizes = await response.json();
+            const store = await globalThis.caches?.open("student").catch(() => null);
+            let bytes = 0;
+            for (const name of [...compiler ? [] : COMPILER, `${slug}.tar.gz`])
+                if (!await store?.match(base + name)) bytes += sizes[name];
+            return {bytes, cached: bytes === 0};
+        },
+    };
 };
 })();

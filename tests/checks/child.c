@@ -82,7 +82,8 @@ _Noreturn static void be_the_child(void (*body)(void *), void *context,
     attach(STDERR_FILENO, err, new_file);
     const int handed = running.inside ? 0 : running.handed;
     if (handed && dup2(handed, CHILD_DESCRIPTOR) < 0) _exit(2);
-    for (int fd = handed ? CHILD_DESCRIPTOR + 1 : 3; fd < 256; fd++) close(fd);
+    for (int fd = 3; fd < 256; fd++)
+        if (!handed || fd != CHILD_DESCRIPTOR) close(fd);
     child_set_limits();
     if (!running.inside && running.folder) {
         if (chdir(running.folder) < 0) _exit(2);

@@ -19,7 +19,7 @@ enum {
     MOST_FILES = 64,
     MOST_PROCESSES = 128,
     MEGABYTES_MEMORY = 1024, /* unless SANITIZED is in the environment */
-    CHILD_DESCRIPTOR = 3
+    CHILD_DESCRIPTOR = 4 /* in a page 3 is its folder */
 };
 
 /* What a child ran into, if anything. */

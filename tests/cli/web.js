@@ -383,6 +383,12 @@ async function main() {
         expect(bytes > 1e6 && bytes <= 9e6, `${bytes} bytes`);
         return (bytes / 1e6).toFixed(1) + " MB";
     });
+    await attempt("what compiles and judges has at most 35 MB", () => {
+        const bytes = files.filter((name) => name.includes("/student/"))
+            .reduce((sum, name) => sum + fs.statSync(name).size, 0);
+        expect(bytes > 20e6 && bytes <= 35e6, `${bytes} bytes`);
+        return (bytes / 1e6).toFixed(1) + " MB";
+    });
     await attempt("no page needs a network", () => {
         const loads = /<(script|link|img|iframe)[^>]* (src|href)="(https?:)?\/\/|@import|url\((?!#)/;
         const bad = files.filter((name) => /\.(html|css|js)$/.test(name) && !/\/programs\//.test(name) &&

@@ -1,7 +1,7 @@
 #!/bin/sh
 # deps_web.sh - install what only `make web` needs: emscripten, node-acorn, chromium
-# and pandoc; and fetch svgo and GSL's source into BUILD/source, where make clean
-# leaves them.
+# and pandoc; and fetch svgo, clang for the page, and GSL's source into BUILD/source,
+# where make clean leaves them.
 #
 # With apt and npm; GSL_SOURCE=, a tarball or a folder, is taken as it is.  The entry that
 # apt needs for sources is made in BUILD/source for the moment, and no file of the
@@ -11,9 +11,13 @@ LC_ALL=C
 export LC_ALL
 folder=${BUILD:-build}/source
 missing=
-svgo() { node tests/tools/web_small.js >/dev/null 2>&1; }
+packages='svgo@4 @yowasp/clang@22.0.0-git20542-10'
+packages_are_there() {
+    node tests/tools/web_small.js >/dev/null 2>&1 &&
+        [ -f "$folder/node_modules/@yowasp/clang/gen/bundle.js" ]
+}
 for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc npm=npm; do
-    [ $name != npm=npm ] || ! svgo || continue
+    [ $name != npm=npm ] || ! packages_are_there || continue
     command=${name#*=} package=${name%=*}
     if [ -n "$command" ]; then command -v "$command" >/dev/null 2>&1 && continue
     else [ -d "${NODE_PATH:-/usr/share/nodejs}/acorn" ] && continue; fi
@@ -22,13 +26,13 @@ done
 mkdir -p "$folder" || exit 1
 folder=$(cd "$folder" && pwd)
 source=$(sh tests/tools/web_gsl.sh source)
-if [ -z "$missing" ] && [ -n "$source" ] && svgo; then
-    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, svgo, GSL's source"
+if [ -z "$missing" ] && [ -n "$source" ] && packages_are_there; then
+    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, svgo, clang, GSL's source"
     exit 0
 fi
 if ! command -v apt-get >/dev/null 2>&1; then
     echo "deps-web: install emscripten 3.1 with node and acorn, chromium, pandoc, and" >&2
-    echo "          npm install --prefix $folder svgo@4; give GSL_SOURCE=, the tarball of GSL 2.7 or newer" >&2
+    echo "          npm install --prefix $folder $packages; give GSL_SOURCE=, the tarball of GSL 2.7 or newer" >&2
     exit 1
 fi
 log=$folder/deps.log
@@ -46,14 +50,14 @@ if [ -n "$missing" ]; then
         exit 1
     fi
 fi
-if ! svgo; then
-    echo "  deps     fetching svgo with npm"
-    if ! npm install --prefix "$folder" svgo@4 >"$log" 2>&1; then
+if ! packages_are_there; then
+    echo "  deps     fetching svgo and clang with npm"
+    if ! npm install --prefix "$folder" $packages >"$log" 2>&1; then
         tail -n 3 "$log" >&2
         echo "deps-web: npm failed; the whole log is $log" >&2
         exit 1
     fi
-    missing="$missing svgo"
+    missing="$missing svgo clang"
 fi
 if [ -z "$source" ]; then
     echo "  deps     fetching GSL's source with apt-get source"

@@ -1,7 +1,9 @@
 #!/bin/sh
 # web_gsl.sh source    where GSL's source is: GSL_SOURCE, or what make deps-web has
 #                      fetched into BUILD/source; nothing: nowhere
-# web_gsl.sh build     BUILD/wasm/gsl: its headers and libgsl.a, by emcc
+# web_gsl.sh build     BUILD/wasm/gsl: its headers, config.h and libgsl.a, by emcc
+# web_gsl.sh wasi      BUILD/wasi/libgsl.a, by CC, with these headers, and with what
+#                      the checks call
 #
 # Of GSL only what the programs call is compiled, of the files in the list below;
 # one that is missing there the linker asks for by what it defines.
@@ -21,13 +23,19 @@ err/error err/stream integration/glfixed linalg/cholesky linalg/householder
 linalg/ldlt_band linalg/symmtd matrix/init matrix/rowcol matrix/submatrix
 matrix/swap matrix/view rng/inline rng/mt rng/rng sort/sortvec specfunc/log
 sys/pow_int vector/copy vector/init vector/oper vector/subvector vector/view'
+for_checks='cblas/dgemm cblas/dger cblas/dswap eigen/gensymm eigen/gensymmv eigen/sort
+eigen/symmv integration/qag integration/qk integration/qk15 integration/qk21
+integration/qk31 integration/qk41 integration/qk51 integration/qk61
+integration/workspace linalg/inline linalg/lu matrix/matrix permutation/init
+permutation/permutation permutation/permute randist/shuffle sys/coerce sys/hypot
+sys/infnan vector/vector'
 : "${NODE_PATH:=/usr/share/nodejs}" # Debian's acorn, for any node
 export NODE_PATH
 # Far from here, because configure refuses a path with a blank or an apostrophe.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' 0
 trap 'exit 130' 1 2 15
-log=$build/wasm/gsl.log
+log=$build/wasm/gsl.$1.log
 mkdir -p "$build/wasm/gsl/gsl" && : >"$log" || exit 1
 failed() {
     tail -n 3 "$log" >&2
@@ -37,6 +45,16 @@ failed() {
 if [ -d "$source" ]; then cp -R "$source" "$work/source"
 else mkdir "$work/source" && tar -xzf "$source" --strip-components=1 -C "$work/source"
 fi >>"$log" 2>&1 || failed
+if [ "$1" = wasi ]; then
+    for file in $files $for_checks; do
+        echo "$CC -std=gnu17 -O2 -w -ffp-contract=off -DHAVE_CONFIG_H -I$build/wasm/gsl" \
+            "-I$work/source -I$work/source/${file%/*} -c $work/source/$file.c" \
+            "-o $work/$(echo "$file" | tr / _).o"
+    done | tr '\n' '\0' | xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ONLN)" sh -c \
+        >>"$log" 2>&1 && rm -f "$build/wasi/libgsl.a" &&
+        emar rcs "$build/wasi/libgsl.a" "$work"/*.o >>"$log" 2>&1 || failed
+    exit 0
+fi
 # For the host, which is another one with 32 bits, configure runs nothing.
 (cd "$work" && emconfigure source/configure --host=i686-pc-linux-gnu \
     --disable-shared --disable-dependency-tracking CFLAGS=-O2 &&
@@ -48,4 +66,5 @@ done | tr '\n' '\0' | (cd "$work" && xargs -0 -n 1 -P "$(getconf _NPROCESSORS_ON
     sh -c) >>"$log" 2>&1 || failed
 emar rcs "$work/libgsl.a" "$work"/*.o >>"$log" 2>&1 &&
     cp -L "$work"/gsl/*.h "$build/wasm/gsl/gsl" &&
+    cp "$work/config.h" "$build/wasm/gsl" &&
     cp "$work/libgsl.a" "$build/wasm/gsl" || failed

@@ -1,0 +1,35 @@
+/* student_node.mjs - student.js in node: its workers are threads, and `base` is a folder. */
+import fs from 'node:fs';
+import vm from 'node:vm';
+import path from 'node:path';
+import {Worker, isMainThread, parentPort, workerData} from 'node:worker_threads';
+import {fileURLToPath, pathToFileURL} from 'node:url';
+
+const web = path.join(path.dirname(fileURLToPath(import.meta.url)), '../../lessons/web');
+const plain = name => vm.runInThisContext(fs.readFileSync(path.join(web, name), 'utf8'), name);
+
+if (!isMainThread) {
+    globalThis.self = globalThis;
+    globalThis.postMessage = message => parentPort.postMessage(message);
+    globalThis.fetch = async url => new Response(fs.readFileSync(fileURLToPath(url)));
+    if (workerData === 'student_compile.js') await import(path.join(web, workerData));
+    else plain(workerData);
+    parentPort.on('message', data => self.onmessage({data}));
+}
+
+class Thread {
+    constructor(name) {
+        this.thread = new Worker(fileURLToPath(import.meta.url), {workerData: name});
+        this.thread.on('message', data => this.onmessage({data}));
+        this.thread.on('error', error => this.onerror({message: String(error)}));
+        this.thread.unref();
+    }
+    postMessage(message) { this.thread.postMessage(message); }
+    terminate() { this.thread.terminate(); }
+}
+
+/* A student for the files in this folder. */
+export function student(folder) {
+    plain('student.js');
+    return globalThis.makeStudent({base: pathToFileURL(path.resolve(folder)) + '/', worker: name => new Thread(name)});
+}

@@ -1,0 +1,83 @@
+# web_student.mk - what a page needs to compile and judge a student's file: the folder
+# build/web/student/, which lessons/web/student.js reads.
+#
+# The compiler is clang with wasm-ld as WebAssembly, the npm package @yowasp/clang.  What
+# the student's object is linked with is compiled beforehand, by emscripten's clang, with
+# the headers of that package: it has one libc with the student's.
+
+WASI := $(BUILD)/wasi
+YOWASP := $(BUILD)/source/node_modules/@yowasp/clang/gen
+ask_llvm = $(shell em-config LLVM_ROOT 2>/dev/null)
+WASI_EMULATED := SIGNAL GETPID PROCESS_CLOCKS MMAN
+WASI_FLAGS := $(STD) -Icommon $(WASI_EMULATED:%=-D_WASI_EMULATED_%) -include tests/web/posix.h
+WASI_CC = $(call once,llvm)/clang --target=wasm32-wasi -nostdinc \
+          -isystem $(WASI)/usr/include/wasm32-wasip1 \
+          -isystem $$($(call once,llvm)/clang -print-resource-dir)/include
+WASI_OBJECT = $(Q)$(HERE) && $(WASI_CC) $(WASI_FLAGS) -I$(WASM)/gsl -w -MMD -MP -MF $@.d -MT $@
+
+# Of the package what C for wasm32-wasi needs.
+$(WASI)/usr: $(YOWASP)/llvm-resources.tar tests/web_student.mk
+	$(call say,wasi,$@)
+	$(Q)rm -rf $@ && mkdir -p $@ && tar -C $@ -xf $< --wildcards --wildcards-match-slash \
+	    'include/wasm32-wasip1/*' 'include/__std*' 'include/__float*' 'include/std*.h' \
+	    'include/float.h' 'include/limits.h' 'include/inttypes.h' 'include/iso646.h' \
+	    'include/tgmath.h' 'lib/wasm32-wasip1/crt1-command.o' \
+	    'lib/wasm32-wasip1/libc.a' 'lib/wasm32-wasip1/libwasi-emulated-*.a' \
+	    'lib/wasm32-unknown-wasip1/libclang_rt.builtins.a' && \
+	    rm -rf $@/include/wasm32-wasip1/c++ && touch $@
+$(WASI)/libgsl.a: $(WASM)/gsl/libgsl.a $(WASI)/usr tests/tools/web_gsl.sh
+	$(call say,wasi,GSL)
+	$(Q)BUILD='$(BUILD)' CC='$(WASI_CC)' sh tests/tools/web_gsl.sh wasi
+
+WASI_LIBRARY := $(patsubst %.c,$(WASI)/%.o,$(filter-out \
+                    %_sdl.c %/window_web.c %/hand.c %/choose.c,$(wildcard common/*/*.c)))
+WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/tests/%,$(WASI)/tests/checks/%, \
+                  $(filter-out %/child.o %/confine.o %/sight.o,$(JUDGE)))
+-include $(wildcard $(WASI)/*/*/*.d)
+$(WASI_LIBRARY) $(WASI_JUDGE): $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
+        $(WASM)/gsl/libgsl.a
+	$(call say,wasi,$<)
+	$(WASI_OBJECT) -O2 -Itests/checks -DBUILD_FLAGS='"-O2"' -c $< -o $@
+$(WASI)/libworkbook.a: $(WASI_LIBRARY)
+$(WASI)/libjudge.a: $(WASI_JUDGE)
+$(WASI)/libworkbook.a $(WASI)/libjudge.a:
+	$(Q)rm -f $@ && emar rcs $@ $^
+$(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/%.h \
+        tests/web_student.mk $(WASI)/usr $(WASM)/gsl/libgsl.a
+	$(call say,wasi,$<)
+	$(WASI_OBJECT) -O1 -fsanitize=bounds -fsanitize-trap=bounds -I. -Itests/checks \
+	    -DPROGRAM='"$(word 2,$^)"' -c $< -o $@
+
+# Into the page: all that a lesson needs, and what all of them do.
+$(LESSONS:%=$(WASI)/%.tar.gz): $(WASI)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
+        $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/solutions/% $(BUILD)/solutions/%.judge \
+        $(BUILD)/mistakes/%/all.judge tests/tools/web_lesson.sh
+	$(call say,wasi,$@)
+	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< > $(PART) && $(MOVED)
+$(WASI)/library.tar.gz: $(WASI)/usr $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
+        $(wildcard common/*/*.h tests/checks/*.h tests/oracle/*.h)
+	$(call say,wasi,$@)
+	$(Q)$(WHOLE) tar -cf $(PART) --sort=name --owner=0 --group=0 --mtime=@0 \
+	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
+	    -C $(CURDIR)/$(WASI) usr libgsl.a libworkbook.a libjudge.a \
+	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@; rm -f $(PART)
+WASI_SITE := $(addprefix $(WASI)/site/,clang.js llvm.core.wasm.gz llvm.core2.wasm.gz \
+                 llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
+$(WASI)/site/clang.js: $(YOWASP)/bundle.js
+	$(Q)echo '{"type": "module"}' > $(WASI)/package.json # for node
+	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } > $@
+$(WASI)/site/%.wasm.gz: $(YOWASP)/%.wasm
+	$(call say,wasi,$@)
+	$(Q)$(HERE) && gzip -9n < $< > $@
+$(WASI)/site/%.tar.gz: $(WASI)/%.tar.gz
+	$(Q)$(HERE) && cp $< $@
+.PHONY: wasi
+wasi: $(WASI_SITE) ; @:
+
+# Into the pages that web.mk has made, with what of it the page would have to load.
+$(BUILD)/web/student/sizes.json: $(BUILD)/web/index.html $(WASI_SITE)
+	$(call say,web,$(@D))
+	$(Q)rm -rf $(@D) && mkdir -p $(@D) && cp $(WASI_SITE) $(@D) && cd $(@D) && \
+	    wc -c * | awk '$$2 != "total" { all = all sprintf(",\n\"%s\": %d", $$2, $$1) } \
+	    END { print "{" substr(all, 2) "\n}" }' > sizes.json
+web-pages: $(BUILD)/web/student/sizes.json
