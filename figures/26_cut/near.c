@@ -1,0 +1,139 @@
+/*
+ * near.c - how far from a cut may the body stay as it was?
+ *
+ * The square of lesson 26, linear, is held on its left side, pulled at its
+ * right one with 1 N/m, and cut once: within, or from its upper side.  The
+ * least model after the cut moves only the vertices within R of the blade, and
+ * leaves the others where they were.  Table near: what is missing of the opening,
+ * against the estimate c / (2 R), where c is half the length of a cut within,
+ * and the length of one from the side, behind which its image would be.
+ */
+int program_main(int argc, char *argv[]);
+#define PROGRAM "../../solutions/26_cut.c"
+#define main program_main
+#include PROGRAM
+#undef main
+
+#include "base/options.h"
+#include "base/study.h"
+#include "base/table.h"
+#include "plane/step.h"
+#include "plane/tissue.h"
+
+enum { N = 32, CUTS = 24, RADII = 3 };
+
+/* Cut number k; returns c. */
+static double draw(int k, double blade[4])
+{
+    const double length = 0.2 + 0.6 * fmod(0.6180339887 * k, 1.0);
+    const double x = -0.6 + 1.2 * fmod(0.7548776662 * k, 1.0);
+    const double lean = (-0.4 + 0.8 * fmod(0.5698402910 * k, 1.0)) * length;
+    const double top = k % 2 ? 1.0 : -0.5 + fmod(0.3 * k, 1.0) + length / 2.0;
+    blade[0] = x;
+    blade[1] = top;
+    blade[2] = x + lean;
+    blade[3] = top - length;
+    return k % 2 ? length : length / 2.0;
+}
+
+/* to := u + K^-1 (f - K u), of the vertices within R of the blade; linear
+ * elasticity.  Returns the order. */
+static int relax(const struct tissue *s, const double blade[4], double R,
+                 const double u[], double to[])
+{
+    const int vertices = s->mesh->n_vertex;
+    const size_t n = 2 * (size_t)vertices;
+    double *rest = allocate(n, sizeof *rest), *q = allocate(n, sizeof *q);
+    double *some = allocate(n, sizeof *some);
+    int *held = allocate((size_t)vertices, sizeof *held), order = 0;
+    for (int near = 0; near < 2; near++) { /* q = K u - f; the increment */
+        for (int a = 0; a < vertices; a++)
+            held[a] = s->held[a] ||
+                      (near && distance(blade, s->mesh->X[2 * a],
+                                        s->mesh->X[2 * a + 1]) > R);
+        struct body *body = body_alloc(s->mesh, material_notes(CUBIC), 1.0,
+                                       LUMPED, held);
+        if (body_stiffness(body, rest, EXACT, body->K) != OK) die("no K");
+        if (near == 0) {
+            body_gather(body, u, some);
+            matrix_multiply(body->K, some, to);
+            body_scatter(body, to, q);
+            for (size_t i = 0; i < n; i++) q[i] -= s->f[i];
+        } else if (body_increment(body, body->K, q, to) != OK)
+            die("not definite");
+        order = body->n_equation;
+        body_free(body);
+    }
+    for (size_t i = 0; i < n; i++) to[i] += u[i];
+    free(rest);
+    free(q);
+    free(some);
+    free(held);
+    return order;
+}
+
+/* The row of cut k; missing[] at R = c, 2 c, 4 c. */
+static void cut_once(int k, double missing[RADII])
+{
+    double blade[4], open[RADII + 1], order[RADII + 1];
+    const double c = draw(k, blade);
+    const struct tissue square = tissue_alloc(mesh_square(N));
+    const size_t corners = 3 * (size_t)square.mesh->n_triangle;
+    int *chain = allocate(corners, sizeof *chain);
+    int *cut = allocate(corners, sizeof *cut);
+    const struct tissue_whole whole = tissue_hold(&square, 1.0);
+    const struct tissue before = cut_body(&whole, cut, &square);
+    relax(&before, blade, INFINITY, square.u, before.u);
+    const int m = path(square.mesh, blade, tissue_nearest(square.mesh, blade),
+                       tissue_nearest(square.mesh, &blade[2]), chain);
+    tissue_mark(square.mesh, m, chain, cut);
+    const struct tissue s = cut_body(&whole, cut, &before);
+    double *u = allocate(2 * (size_t)s.mesh->n_vertex, sizeof *u);
+    for (int r = 0; r <= RADII; r++) {
+        const double R = r < RADII ? c * (1 << r) : INFINITY;
+        order[r] = relax(&s, blade, R, s.u, u);
+        open[r] = tissue_opening(s.mesh, u);
+    }
+    for (int r = 0; r < RADII; r++) missing[r] = 1.0 - open[r] / open[RADII];
+    table_row(k % 2 ? "side" : "within", c, cell_rounded(4, missing[0]),
+              cell_rounded(4, missing[1]), cell_rounded(4, missing[2]),
+              order[0], order[1], order[2], order[RADII]);
+    free(u);
+    tissue_free(s);
+    tissue_free(before);
+    tissue_free(square);
+    free(whole.across);
+    free(whole.pulled);
+    free(chain);
+    free(cut);
+}
+
+int main(void)
+{
+    double missing[RADII];
+    int misses = 0, above[RADII] = {0};
+    table_begin_note("near", "cut c one two four order_1 order_2 order_4 all",
+                     "missing at R = c, 2 c, 4 c; unknowns");
+    for (int k = 0; k < CUTS; k++) {
+        cut_once(k, missing);
+        for (int r = 0; r < RADII; r++) {
+            above[r] += missing[r] > 0.5 / (1 << r);
+            misses += missing[r] > 1.5 * 0.5 / (1 << r);
+        }
+    }
+    table_end();
+    table_begin_note("estimate", "R expected above of",
+                     "in c; c / (2 R), and in how many cuts more is missing");
+    for (int r = 0; r < RADII; r++)
+        table_row(1 << r, 0.5 / (1 << r), above[r], CUTS);
+    table_end();
+    table_begin_note("misses", "misses of", "more than 1.5 times the estimate");
+    table_row(misses, CUTS * RADII);
+    table_end();
+    claim(5 * misses <= CUTS * RADII, "at most a fifth lose 1.5 times the "
+          "estimate (%d of %d)", misses, CUTS * RADII);
+    claim(above[0] > CUTS / 3 && above[1] > CUTS / 3,
+          "the estimate is in the middle, not above all (%d, %d)", above[0],
+          above[1]);
+    return table_finish();
+}
