@@ -51,7 +51,7 @@ $(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/
 # Into the page: all that a lesson needs, and what all of them do.
 $(LESSONS:%=$(WASI)/%.tar.gz): $(WASI)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
         $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/solutions/% $(BUILD)/solutions/%.judge \
-        $(BUILD)/mistakes/%/all.judge tests/tools/web_lesson.sh
+        $(BUILD)/mistakes/%/all.judge tests/tools/web_lesson.sh tests/tools/web_kept.js
 	$(call say,wasi,$@)
 	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< > $(PART) && $(MOVED)
 $(WASI)/library.tar.gz: $(WASI)/usr $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
@@ -81,3 +81,11 @@ $(BUILD)/web/student/sizes.json: $(BUILD)/web/index.html $(WASI_SITE)
 	    wc -c * | awk '$$2 != "total" { all = all sprintf(",\n\"%s\": %d", $$2, $$1) } \
 	    END { print "{" substr(all, 2) "\n}" }' > sizes.json
 web-pages: $(BUILD)/web/student/sizes.json
+
+# By node alone: the judge in the page says what the native one says.
+$(T)/web-judge.result: $(T)/web-pages.result tests/web/judge.mjs tests/web/student_node.mjs \
+        $(wildcard lessons/web/student*) $(LESSONS:%=$(BUILD)/mistakes/%/all.judge)
+	$(call say,test,tests/web/judge.mjs)
+	$(Q)if grep -q '^ok ' $<; then node tests/web/judge.mjs $(BUILD) $(BUILD)/web all > $@ \
+	    2> $@.log || echo "FAIL web judge: $$(tail -n 5 $@.log | tr '\n' ' ')" >> $@; \
+	    else : > $@; fi

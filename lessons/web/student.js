@@ -19,7 +19,8 @@
  *                  `seconds` (30); "flood": more than 8 MB of output.  But for "exit"
  *                  status is null.
  *
- * student.check(slug, text, {progress}) is what `make check-NN` does: a promise of
+ * student.check(slug, text, {progress, patience}) is what `make check-NN` does: a promise
+ * of
  *     {verdict, text, slot, check, mistakes, diagnostics}
  *     verdict   "OK", "WRONG", "UNFINISHED", "CRASHED", "TIMEOUT", "NONFINITE",
  *               "NOT COMPILED" or "REFUSED" (which `make check` calls WRONG)
@@ -28,6 +29,8 @@
  *     check     its name, or ""
  *     mistakes  the names of the known mistakes that give the same numbers
  *     diagnostics   as above
+ * Seconds of a limit are those of a clock, for a page cannot ask for those of a processor;
+ * patience (1) multiplies them, on a busy machine.
  *
  * student.stop() ends whatever is under way, in any phase; its promise is rejected with
  * an Error whose name is "Stopped".  Others: name "Offline" (a file of `base` cannot be
@@ -123,7 +126,7 @@ globalThis.makeStudent = ({base, worker}) => {
 
     /* Run a program: {status, limit, files, out, err}.  A child that takes too long, or
      * with which the worker dies, has its end in a second run. */
-    async function execute(job, progress, seconds) {
+    async function execute(job, progress, seconds, patience = 1) {
         for (const ended = {};;) {
             let out = "", err = "";
             const running = [], who = worker("student_judge.js");
@@ -135,7 +138,7 @@ globalThis.makeStudent = ({base, worker}) => {
                     if (data.begin !== undefined) running.push({k: data.begin});
                     if (data.end !== undefined) running.pop();
                     if (data.seconds) Object.assign(running.at(-1) || {}, {seconds: data.seconds});
-                    wait(running.at(-1)?.seconds || seconds);
+                    wait(patience * (running.at(-1)?.seconds || seconds));
                     progress("judge", null);
                 }
             }, (died) => ({late: true, died}));
@@ -167,7 +170,7 @@ globalThis.makeStudent = ({base, worker}) => {
         return {...result, stderr: its.err + why + "\n", end: "crash"};
     }
 
-    async function check(slug, text, {progress = () => {}} = {}) {
+    async function check(slug, text, {progress = () => {}, patience = 1} = {}) {
         const nn = slug.slice(0, 2), path = `lessons/${slug}.c`;
         const said = (verdict, lines, shown, next) => ({verdict, slot: "", check: "", mistakes: [],
             diagnostics: "", text: `${lines}\nVERDICT ${nn}: ${shown}    next: make ${next}-${nn}\n`});
@@ -184,7 +187,7 @@ globalThis.makeStudent = ({base, worker}) => {
             files: {...made.files, [path]: new TextEncoder().encode(text)},
             args: ["judge", "--file", path, "--source", "/" + path, "--reference", "/" + slug,
                    "--mistakes", "/mistakes", "--kept", "/kept", "--result", "/result",
-                   "--work", "/work"]}, progress, SECONDS_JUDGE);
+                   "--work", "/work"]}, progress, SECONDS_JUDGE, patience);
         const [verdict, name, slot, mistakes] = (its.files.result || "").trim().split(" ");
         if (!verdict) throw new Failure("Died", `The judge has ended: ${its.err || its.died || its.status}`);
         return {verdict, text: its.out, slot: slot === "-" ? "" : slot, check: name === "-" ? "" : name,
