@@ -61,11 +61,10 @@ $(WASI)/library.tar.gz: $(WASI)/usr $(addprefix $(WASI)/lib,gsl.a workbook.a jud
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
 	    -C $(CURDIR)/$(WASI) usr libgsl.a libworkbook.a libjudge.a \
 	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@; rm -f $(PART)
-WASI_SITE := $(addprefix $(WASI)/site/,clang.js llvm.core.wasm.gz llvm.core2.wasm.gz \
+WASI_SITE := $(addprefix $(WASI)/site/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
                  llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
-$(WASI)/site/clang.js: $(YOWASP)/bundle.js
-	$(Q)echo '{"type": "module"}' > $(WASI)/package.json # for node
-	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } > $@
+$(WASI)/site/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
+	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } | gzip -9n > $@
 $(WASI)/site/%.wasm.gz: $(YOWASP)/%.wasm
 	$(call say,wasi,$@)
 	$(Q)$(HERE) && gzip -9n < $< > $@

@@ -49,7 +49,7 @@
 const here = globalThis.document?.currentScript?.src;
 const [LIMIT_CPU, LIMIT_OUTPUT] = [1, 3]; /* enum limit of tests/checks/child.h */
 const SECONDS_COMPILING = 60, SECONDS_JUDGE = 60, MOST_ENDED = 24;
-const COMPILER = ["clang.js", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
+const COMPILER = ["clang.js.gz", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
                   "llvm.core3.wasm.gz", "llvm.core4.wasm.gz"];
 
 class Failure extends Error {
@@ -60,8 +60,14 @@ const signals = {4: "an index beyond the end of an array, or below 0", 6: "Abort
 
 globalThis.makeStudent = ({base, worker}) => {
     if (globalThis.document) base = new URL(base, document.baseURI).href;
-    worker ||= (name) => new Worker(new URL(name, here),
-        {type: name === "student_compile.js" ? "module" : "classic"});
+    worker ||= (name) => {
+        try {
+            return new Worker(new URL(name, here),
+                              {type: name === "student_compile.js" ? "module" : "classic"});
+        } catch { /* from file:// */
+            throw new Failure("Offline", "C runs here when a web server brings this page, not from a file.");
+        }
+    };
     let compiler = null, current = null, last = null, queue = Promise.resolve();
 
     /* Ask a worker; hear() is told of each message, and returns the answer when it is

@@ -80,9 +80,8 @@ async function loadCompiler(base) {
     const more = (size) => progress("load", Math.min(1, (count += size) / BYTES));
     progress("load", 0);
     const [{Application, instantiate, Exit}, library, ...code] = await Promise.all([
-        import(new URL("clang.js", base)).catch(() => {
-            throw new Failure("Offline", `${base}clang.js cannot be read: a web server must bring it.`);
-        }),
+        bytesOf(base + "clang.js.gz", more).then((bytes) =>
+            import("data:text/javascript," + encodeURIComponent(new TextDecoder().decode(bytes)))),
         bytesOf(base + "library.tar.gz", more),
         ...CODE.map((name) => bytesOf(`${base}${name}.gz`, more)
             .then((bytes) => WebAssembly.compile(bytes)))]);

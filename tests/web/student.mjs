@@ -1,0 +1,118 @@
+/*
+ * student.mjs SITE - a student's file is compiled and judged in a headless Chromium: how
+ * long that takes, from a plain server, for the first time and later; that the page stays
+ * awake, that it can be stopped in each phase, and that what is loaded is loaded once.
+ */
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+import {open} from './page.mjs';
+
+const [site] = process.argv.slice(2);
+const read = path => fs.readFileSync(path, 'utf8');
+const [L03, L12] = ['03_dirichlet_correction', '12_triangles'];
+const solution = lesson => read(`solutions/${lesson}.c`);
+const looping = solution(L03).replace(/(\/\* SLOT [^]*?\*\/\n)/,
+    slot => `${slot}for (volatile int spin = 0;; spin = 1) {}\n`);
+
+const asked = {};
+const server = http.createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, 'http://x').pathname);
+    const type = {'.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json',
+                  '.css': 'text/css', '.svg': 'image/svg+xml'}[path.extname(name)] || '';
+    asked[name] = (asked[name] || 0) + 1;
+    if (!fs.existsSync(site + name)) return response.writeHead(404).end();
+    response.writeHead(200, {'Content-Type': type}).end(fs.readFileSync(site + name));
+});
+await new Promise(done => server.listen(0, '127.0.0.1', done));
+const origin = `http://127.0.0.1:${server.address().port}`;
+const browser = await open();
+
+async function attempt(what, body) {
+    try {
+        const said = await body();
+        console.log(`ok web student: ${what}${said ? ': ' + said : ''}`);
+    } catch (error) {
+        console.log(`FAIL web student: ${what}: ${error.message.replace(/\n/g, ' | ')}`);
+    }
+}
+function expect(condition, said) { if (!condition) throw new Error(JSON.stringify(said)); }
+
+/* A page with a student, and what may be asked in it. */
+async function begin(url) {
+    const page = await browser.page(url);
+    await page.evaluate(`new Promise((done, failed) => {
+        const script = document.createElement("script");
+        script.src = "${url.replace(/index.html$/, '')}web/student.js";
+        script.onload = done;
+        script.onerror = failed;
+        document.head.append(script);
+    }).then(() => { self.mine = makeStudent({base: "student/"}); })`);
+    page.check = (lesson, text, options = '') => page.evaluate(`(async () => {
+        const begin = performance.now(), phases = [];
+        let ticks = 0;
+        const clock = setInterval(() => ticks++, 20);
+        const progress = (phase) => {
+            if (phases.at(-1) !== phase) phases.push(phase);
+            if (phase === self.stopIn) { self.stopIn = null; setTimeout(mine.stop, 50); }
+        };
+        try {
+            return {...await mine.check("${lesson}", ${JSON.stringify(text)}, {progress, ${options}}),
+                    seconds: (performance.now() - begin) / 1e3, ticks, phases};
+        } catch (error) {
+            return {name: error.name, message: error.message, phases,
+                    seconds: (performance.now() - begin) / 1e3};
+        } finally {
+            clearInterval(clock);
+        }
+    })()`);
+    return page;
+}
+const ok = (result) => {
+    expect(result.verdict === 'OK', result);
+    return `${result.seconds.toFixed(1)} s`;
+};
+
+let page = await begin(`${origin}/index.html`);
+const patient = 'patience: 20';
+await attempt('its size is said', async () => {
+    const size = await page.evaluate(`mine.size("${L03}")`);
+    expect(size.bytes > 20e6 && size.bytes < 35e6 && !size.cached, size);
+    return (size.bytes / 1e6).toFixed(1) + ' MB';
+});
+await attempt('the first time, lesson 03', async () => ok(await page.check(L03, solution(L03), patient)));
+await attempt('again, lesson 03 with a blank more', async () => ok(await page.check(L03, solution(L03) + '\n', patient)));
+await attempt('lesson 12', async () => ok(await page.check(L12, solution(L12), patient)));
+await attempt('again, lesson 12', async () => ok(await page.check(L12, solution(L12) + '\n', patient)));
+await attempt('it runs with options', async () => {
+    const its = await page.evaluate(`mine.run("${L03}", ${JSON.stringify(solution(L03))}, ["--n", "4"])`);
+    expect(its.end === 'exit' && its.status === 0 && its.stdout.startsWith('# '), its);
+});
+await attempt('an endless loop is a TIMEOUT, and the page stays awake', async () => {
+    const its = await page.check(L03, looping);
+    expect(its.verdict === 'TIMEOUT' && its.ticks > 100, its);
+    return `${its.seconds.toFixed(1)} s`;
+});
+for (const phase of ['compile', 'link', 'judge'])
+    await attempt(`it stops in the phase ${phase}`, async () => {
+        await page.evaluate(`self.stopIn = "${phase}"`);
+        const its = await page.check(L03, looping + '\n'.repeat(phase.length));
+        expect(its.name === 'Stopped' && its.phases.at(-1) === phase, its);
+        return ok(await page.check(L03, solution(L03), patient));
+    });
+await attempt('after a reload nothing is asked of the server again', async () => {
+    page = await begin(`${origin}/index.html`);
+    const size = await page.evaluate(`mine.size("${L03}")`);
+    const said = ok(await page.check(L03, solution(L03), patient));
+    expect(size.cached && asked['/student/llvm.core.wasm.gz'] === 1, [size, asked]);
+    return said;
+});
+await attempt('from a file it says why it does not', async () => {
+    const local = await begin(`file://${path.resolve(site)}/index.html`);
+    const its = await local.check(L03, solution(L03));
+    expect(its.name === 'Offline' && /server/.test(its.message), its);
+});
+await browser.close();
+server.close();
+server.closeAllConnections();
+process.exit(0);
