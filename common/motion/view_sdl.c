@@ -10,12 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FRAMES = 240, WIDE = 12, HIGH = 22 }; /* a letter's room */
+enum { FRAMES = 240, WIDE = 10, HIGH = 20 }; /* a letter */
 static const double FRAME = 1.0 / 30.0;
 
 struct view {
     SDL_Window *window;
     SDL_Renderer *draw;
+    SDL_Texture *letters;
     int wide, high;      /* pixels */
     double scale;        /* pixels per metre */
     double next;         /* when the next frame begins (s) */
@@ -33,29 +34,24 @@ static void block(struct view *v, float x, float y, float wide, float high)
     SDL_RenderFillRectF(v->draw, &(SDL_FRect){x, y, wide, high});
 }
 
-/* ' ' to 'z', five columns of seven dots each, 8 bits per column. */
-static const unsigned long long LETTER[91] = {
-    0x0, 0x5f0000, 0x7000700, 0x147f147f14, 0x242a7f2a12, 0x2313086462,
-    0x3649562050, 0x70000, 0x1c224100, 0x41221c00, 0x2a1c7f1c2a,
-    0x8083e0808, 0x40300000, 0x808080808, 0x606000, 0x2010080402,
-    0x3e5149453e, 0x427f4000, 0x7249494946, 0x2141494d33, 0x1814127f10,
-    0x2745454539, 0x3c4a494931, 0x4121110907, 0x3649494936, 0x464949291e,
-    0x140000, 0x40340000, 0x8142241, 0x1414141414, 0x41221408, 0x201590906,
-    0x3e415d594e, 0x7c1211127c, 0x7f49494936, 0x3e41414122, 0x7f4141413e,
-    0x7f49494941, 0x7f09090901, 0x3e41415173, 0x7f0808087f, 0x417f4100,
-    0x2040413f01, 0x7f08142241, 0x7f40404040, 0x7f021c027f, 0x7f0408107f,
-    0x3e4141413e, 0x7f09090906, 0x3e4151215e, 0x7f09192946, 0x2649494932,
-    0x3017f0103, 0x3f4040403f, 0x1f2040201f, 0x3f4038403f, 0x6314081463,
-    0x304780403, 0x6159494d43,
-    0x7f414100, 0x204081020, 0x41417f00, 0x402010204, 0x4040404040,
-    0x102040000, 0x2054545478, 0x7f48444438, 0x3844444420, 0x384444487f,
-    0x3854545418, 0x87e090102, 0x18a4a4a47c, 0x7f08040478, 0x447d4000,
-    0x2040443d00, 0x7f10284400, 0x417f4000, 0x7c04180478, 0x7c08040478,
-    0x3844444438, 0xfc24242418, 0x18242424fc, 0x7c08040408, 0x4854545420,
-    0x43f444020, 0x3c4040207c, 0x1c2040201c, 0x3c4030403c, 0x4428102844,
-    0x1ca0a0a07c, 0x4464544c44};
+/* ' ' to '~' beside each other, white on black: DejaVu Sans Mono. */
+static SDL_Texture *letters_load(SDL_Renderer *draw)
+{
+    SDL_Surface *file = SDL_LoadBMP("common/motion/letters.bmp"), *s = NULL;
+    if (file) s = SDL_ConvertSurfaceFormat(file, SDL_PIXELFORMAT_ARGB8888, 0);
+    if (!s) die("common/motion/letters.bmp cannot be read: %s", SDL_GetError());
+    for (int y = 0; y < s->h; y++) { /* white becomes alpha */
+        Uint32 *row = (Uint32 *)(void *)((Uint8 *)s->pixels + y * s->pitch);
+        for (int x = 0; x < s->w; x++) row[x] = row[x] << 24 | 0xffffff;
+    }
+    SDL_Texture *letters = SDL_CreateTextureFromSurface(draw, s);
+    SDL_SetTextureBlendMode(letters, SDL_BLENDMODE_BLEND);
+    SDL_FreeSurface(file);
+    SDL_FreeSurface(s);
+    return letters;
+}
 
-/* Lines of text on a plate, for the body may be behind them.  At most 50
+/* Lines of text on a plate, for the body may be behind them.  At most 60
  * letters are inside the smallest window. */
 static void write_text(struct view *v, int x, int y, const char *text)
 {
@@ -71,18 +67,17 @@ static void write_text(struct view *v, int x, int y, const char *text)
     block(v, (float)(x - 4), (float)(y - 4), (float)(longest * WIDE + 8),
           (float)(lines * HIGH));
     ink(v, was.r, was.g, was.b);
+    SDL_SetTextureColorMod(v->letters, was.r, was.g, was.b);
     for (int at = x; *text; text++, at += WIDE) {
-        const char c = *text;
-        if (c == '\n') {
+        const int place = *text - ' ';
+        if (*text == '\n') {
             at = x - WIDE;
             y += HIGH;
         }
-        if (c < ' ' || c > 'z') continue;
-        for (int column = 0; column < 5; column++) /* from the right */
-            for (int row = 0; row < 8; row++)
-                if (LETTER[c - ' '] >> (8 * column + row) & 1)
-                    block(v, (float)(at + 8 - 2 * column),
-                          (float)(y + 2 * row), 2, 2);
+        if (place > 0 && place < 95)
+            SDL_RenderCopy(v->draw, v->letters,
+                           &(SDL_Rect){place * WIDE, 0, WIDE, HIGH},
+                           &(SDL_Rect){at, y, WIDE, HIGH});
     }
 }
 
@@ -95,6 +90,7 @@ struct view *view_open(const char *title)
         die("there is no window: %s", SDL_GetError());
     if (strcmp(SDL_GetCurrentVideoDriver(), "offscreen") == 0)
         die("there is no window, because there is no display");
+    v->letters = letters_load(v->draw);
     SDL_SetWindowTitle(v->window, title);
     SDL_SetWindowMinimumSize(v->window, 640, 480);
     return v;
