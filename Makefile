@@ -507,7 +507,7 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 	processor=$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
 	    print (60 * $$1 + $$2 + 60 * $$3 + $$4) / (wall + (wall == 0)) }' \
 	    $$part); "$$MAKE" peer || exit 1; \
-	set -- $(BUILD)/data/speed/*.tsv $(BUILD)/data/25_elements/seconds.tsv \
+	set -- $(BUILD)/data/speed/*.tsv \
 	    $(BUILD)/data/many/peer.tsv; \
 	awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$$@" \
 	    figures/speed/README.md > $$part && \
