@@ -259,7 +259,7 @@ $(T)/hand.result: tests/cli/hand.sh tests/tools/hand.sh tests/tools/hand.awk $(L
 	    COMPILE='$(PLAIN) -Werror -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' sh $< > $@
 
 include tests/same.mk
-WEB_TESTS := web-live web-choose web-pictures web-mistakes
+WEB_TESTS := web-write web-live web-choose web-pictures web-mistakes
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(T)/lint.result $(T)/workbook.result $(T)/book.result \

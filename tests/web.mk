@@ -75,8 +75,11 @@ NEWER = $(shell find figures -name '*.[sg][vi][gf]' -newer $(WASM)/book/index.ht
             2>/dev/null)
 $(WASM)/book/index.html: $(BOOK) tests/tools/book.sh $(if $(NEWER),always)
 	$(Q)BUILD=$(WASM) sh tests/tools/book.sh > /dev/null
-$(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) \
-        $(WASM)/lessons.js $(foreach l,$(LESSONS),$(WASM)/$l.measured $(BUILD)/solutions/$l)
+$(WASM)/editor.js: lessons/web/editor.mjs tests/tools/web_editor.js
+	$(call say,bundle,$@)
+	$(Q)BUILD='$(BUILD)' node tests/tools/web_editor.js $@
+$(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) $(wildcard lessons/[0-9]*.c) \
+        $(WASM)/editor.js $(WASM)/lessons.js $(foreach l,$(LESSONS),$(WASM)/$l.measured $(BUILD)/solutions/$l)
 	$(call say,web,$(@D))
 	$(Q)BUILD='$(BUILD)' node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) \
 	    $(LESSONS)

@@ -73,14 +73,18 @@ function curves(table, {x, y, key, logx, logy}) {
     return lists;
 }
 
-/* width: of the picture in pixels, so that its letters are those of the page. */
-function plot(table, setting, width) {
-    const lists = curves(table, setting), all = [...lists.values()].flat();
+/* width: of the picture in pixels, so that its letters are those of the page.  The
+ * curves of a reference, the same table, are below the others. */
+function plot(table, setting, width, reference = null) {
+    const lists = curves(table, setting);
+    const below = reference ? [...curves(reference, setting).values()] : [];
+    const all = [...lists.values(), ...below].flat();
     const {x, y, logx, logy} = setting;
     const what = `${y} over ${x} of table ${table.name}`;
     if (all.length === 0) return picture(width, 20, `${what}: no numbers to draw`);
-    const names = [...lists.keys()].filter((name) => name !== "").slice(0, INKS);
-    const W = width, H = Math.round(0.3 * W + 170), left = 78, right = 12, top = 14 + 18 * names.length, foot = 46;
+    const names = [...lists.keys()].filter((name) => name !== "" || reference).slice(0, INKS);
+    const W = width, H = Math.round(0.3 * W + 170), left = 78, right = 12, foot = 46;
+    const top = 14 + 18 * (names.length + (reference ? 1 : 0));
     const across = axis(all.map((p) => p[0]), logx), up = axis(all.map((p) => p[1]), logy);
     const px = (v) => left + (W - left - right) * across.at(v);
     const py = (v) => H - foot - (H - top - foot) * up.at(v);
@@ -99,16 +103,22 @@ function plot(table, setting, width) {
          x + (logx ? " (log)" : ""));
     draw(svg, "text", {"text-anchor": "middle", transform:
          `translate(12 ${(top + H - foot) / 2}) rotate(-90)`}, y + (logy ? " (log)" : ""));
+    const places = (points) => points.map((p) => `${px(p[0]).toFixed(1)},${py(p[1]).toFixed(1)}`).join(" ");
+    for (const points of below)
+        draw(svg, "polyline", {class: "curve reference", points: places(points)});
+    if (reference) {
+        draw(svg, "path", {class: "curve reference", d: `M${left},${12 + 18 * names.length}h24`});
+        draw(svg, "text", {x: left + 30, y: 16 + 18 * names.length}, "reference");
+    }
     [...lists].forEach(([name, points], n) => {
         const ink = `ink${n % INKS}`;
-        const at = points.map((p) => `${px(p[0]).toFixed(1)},${py(p[1]).toFixed(1)}`);
-        draw(svg, "polyline", {class: `curve ${ink}`, points: at.join(" ")});
+        draw(svg, "polyline", {class: `curve ${ink}`, points: places(points)});
         if (points.length <= 80)
             for (const p of points)
                 draw(svg, "circle", {class: ink, cx: px(p[0]), cy: py(p[1]), r: 2.6});
         if (names.includes(name)) {
             draw(svg, "path", {class: `curve ${ink}`, d: `M${left},${12 + 18 * n}h24`});
-            draw(svg, "text", {x: left + 30, y: 16 + 18 * n}, name);
+            draw(svg, "text", {x: left + 30, y: 16 + 18 * n}, name || "yours");
         }
     });
     return svg;
@@ -174,8 +184,9 @@ function colour(J) {
     return `rgb(${c.map((k) => Math.round(250 + t * (k - 250))).join(" ")})`;
 }
 
-function drawBody(name, {corners, points, J}, width) {
-    const at = corners ? corners.flat() : points;
+function drawBody(name, {corners, points, J}, width, reference = null) {
+    const at = [points, corners?.flat(), reference?.points, reference?.corners?.flat()]
+        .filter(Boolean).flat();
     const [x0, x1] = extent(at.map((p) => p[0])), [y0, y1] = extent(at.map((p) => p[1]));
     const W = width, scale = Math.min((W - 20) / (x1 - x0), (0.3 * W + 230) / (y1 - y0));
     const H = scale * (y1 - y0) + 20, shift = (W - scale * (x1 - x0)) / 2;
@@ -194,5 +205,11 @@ function drawBody(name, {corners, points, J}, width) {
             draw(svg, "circle", {class: "element", fill: colour(j), cx, cy, r: 4});
         }
     });
+    for (const t of reference?.corners || [])
+        draw(svg, "polygon", {class: "outline", points: t.map(pixel).join(" ")});
+    for (const p of reference?.points || []) {
+        const [cx, cy] = pixel(p);
+        draw(svg, "circle", {class: "outline", cx, cy, r: 4});
+    }
     return svg;
 }

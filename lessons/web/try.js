@@ -8,15 +8,9 @@ const panel = document.querySelector("section.try");
 const form = panel.querySelector("form");
 const button = (name) => form.querySelector(`button[name=${name}]`);
 const results = panel.querySelector(".results");
+const view = resultView(results, panel.dataset);
 const here = panel.dataset;
 let running = null;
-
-function make(name, attributes, ...children) {
-    const element = document.createElement(name);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-    element.append(...children);
-    return element;
-}
 
 /* ---- the form --------------------------------------------------------------- */
 
@@ -88,103 +82,6 @@ function showPredictions() {
     for (const field of guesses) field.value = predict[field.name] ?? "";
 }
 
-/* ---- what it prints --------------------------------------------------------- */
-
-const MOST_ROWS = 200;
-function cell(text) {
-    const number = Number(text);
-    const shown = text !== "" && isFinite(number) ? String(Number(number.toPrecision(7))) : text;
-    return make("td", shown === text ? {} : {title: text}, shown);
-}
-
-function tableElement(table) {
-    const head = make("tr", {}, ...table.columns.map((c) => make("th", {scope: "col"}, c)));
-    const rows = table.rows.slice(0, MOST_ROWS)
-        .map((row) => make("tr", {}, ...row.map(cell)));
-    const left = table.rows.length - rows.length;
-    return make("details", {}, make("summary", {}, make("code", {}, table.name),
-        ` ${table.rows.length} ${table.rows.length === 1 ? "row" : "rows"}`),
-        ...table.notes.map((note) => make("p", {}, note)),
-        make("div", {class: "rows", tabindex: 0, role: "region",
-                     "aria-label": "table " + table.name},
-             make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows))),
-        ...(left > 0 ? [`and ${left} more rows: they are in the file.`] : []));
-}
-
-function select(label, names, chosen, change) {
-    const list = make("select", {}, ...names.map((name) => make("option", {}, name)));
-    if (names.includes(chosen)) list.value = chosen;
-    list.onchange = () => change(list.value);
-    return make("label", {}, label + " ", list);
-}
-
-function check(label, on, change) {
-    const box = make("input", {type: "checkbox"});
-    box.checked = on;
-    box.onchange = () => change(box.checked);
-    return make("label", {}, box, " " + label);
-}
-
-const width = () => Math.max(280, Math.min(660, results.clientWidth));
-
-/* The plot that was chosen last stays chosen, as long as its table is there. */
-const [table, x, y, ...words] = here.plot.split(" ");
-const byDefault = {table, x, y, key: (words.find((w) => w.startsWith("key=")) || "").slice(4),
-                   logx: words.includes("logx"), logy: words.includes("logy")};
-let chosen = {...byDefault};
-
-function plotElement(tables) {
-    const drawn = tables.filter((t) => t.rows.length > 0);
-    const box = make("div", {class: "plot"});
-    const update = (more) => {
-        chosen = {...chosen, ...more};
-        const t = drawn.find((one) => one.name === chosen.table) || drawn[0];
-        if (t.name !== chosen.table || !t.columns.includes(chosen.x) ||
-            !t.columns.includes(chosen.y))
-            chosen = t.name === byDefault.table ? {...byDefault} :
-                {table: t.name, x: t.columns[0], y: t.columns[1] || t.columns[0],
-                 key: "", logx: false, logy: false};
-        const focus = [...box.querySelectorAll("select, input")].indexOf(document.activeElement);
-        box.replaceChildren(make("p", {class: "choose"},
-            select("plot of table", drawn.map((one) => one.name), t.name,
-                   (name) => update({table: name})),
-            select("across", t.columns, chosen.x, (name) => update({x: name})),
-            select("up", t.columns, chosen.y, (name) => update({y: name})),
-            select("a curve for each", ["", ...t.columns], chosen.key,
-                   (name) => update({key: name})),
-            check("log across", chosen.logx, (on) => update({logx: on})),
-            check("log up", chosen.logy, (on) => update({logy: on}))), plot(t, chosen, width()));
-        if (focus >= 0) box.querySelectorAll("select, input")[focus].focus();
-    };
-    if (drawn.length > 0) update({});
-    return box;
-}
-
-function bodyElement({name}, list) {
-    const box = make("figure", {});
-    const show = (n) => box.replaceChildren(drawBody(name, list[n], width()), make("figcaption", {},
-        `${name}: blue is pressed, white at rest, orange stretched, magenta inverted. `,
-        ...(list.length < 2 ? [] : [select("picture", list.map((_, k) => String(k)), String(n),
-                                           (value) => { show(Number(value));
-                                                        box.querySelector("select").focus(); })])));
-    show(list.length - 1);
-    return box;
-}
-
-function showResult(result) {
-    const tables = readTables(result.out);
-    results.replaceChildren();
-    if (tables.length === 0) return;
-    const file = make("a", {download: here.program + ".tsv", href: URL.createObjectURL(
-        new Blob([result.out], {type: "text/tab-separated-values"}))}, "all tables as a file");
-    for (const t of tables) {
-        const list = bodies(t);
-        if (list.length > 0) results.append(bodyElement(t, list));
-    }
-    results.append(plotElement(tables), make("h3", {}, "Tables"), ...tables.map(tableElement),
-                   make("p", {}, file));
-}
-
 /* ---- running ---------------------------------------------------------------- */
 
 function sentence(result) {
@@ -213,7 +110,7 @@ async function run() {
         const program = await loadProgram(`${here.folder}programs/lessons.js`);
         running = runProgram(program, here.program, options(), Number(here.seconds));
         const result = await running.finished;
-        showResult(result);
+        view.show(result.out);
         const {end, status} = result;
         say(sentence(result), end !== "exit" ? end : ["ok", "unsolved"][status] || "refused");
         if (end === "exit" && status === 2) markField(result.err);

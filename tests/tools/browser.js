@@ -9,6 +9,7 @@
  *     await page.send("Page.captureScreenshot", {});
  *     await page.nameless();            what a screen reader has no name for
  *     await page.key("Enter", "\r");    a key of the keyboard, and what it writes
+ *     await page.type("a[i] = 0;\n");   a text, key by key
  *     await browser.close();
  */
 "use strict";
@@ -90,16 +91,21 @@ exports.open = async (command) => {
         self.nameless = async () => {
             const {nodes} = await self.send("Accessibility.getFullAXTree");
             const blank = await self.evaluate(`[...document.querySelectorAll("img, [role=region], " +
-                "[role=img], [role=group], canvas")].filter((e) => !(e.alt ||
+                "[role=img], [role=group], canvas")].filter((e) => e.ariaHidden !== "true" && !(e.alt ||
                 e.getAttribute("aria-label") || "").trim()).map((e) => e.src || e.outerHTML.slice(0, 80))`);
             return [...nodes.filter((n) => !n.ignored && NAMED.includes(n.role?.value) &&
                                            !n.name?.value.trim()).map((n) => n.role.value), ...blank];
         };
-        self.key = async (key, text = undefined) => {
-            const code = {Tab: 9, Enter: 13}[key];
+        self.key = async (key, text = undefined, modifiers = 0) => {
+            const code = {Tab: 9, Enter: 13, Escape: 27, End: 35, Home: 36, ArrowUp: 38,
+                          ArrowDown: 40}[key];
             for (const type of ["keyDown", "keyUp"])
                 await self.send("Input.dispatchKeyEvent",
-                                {type, key, code: key, windowsVirtualKeyCode: code, text});
+                                {type, key, code: key, windowsVirtualKeyCode: code, text, modifiers});
+        };
+        self.type = async (text) => {
+            for (const letter of text)
+                await (letter === "\n" ? self.key("Enter", "\r") : self.key(letter, letter));
         };
         return self;
     };

@@ -1,7 +1,7 @@
 #!/bin/sh
 # deps_web.sh - install what only `make web` needs: emscripten, node-acorn, chromium
-# and pandoc; and fetch svgo, clang for the page, and GSL's source into BUILD/source,
-# where make clean leaves them.
+# and pandoc; and fetch svgo, CodeMirror, esbuild, clang for the page, and GSL's source
+# into BUILD/source, where make clean leaves them.
 #
 # With apt and npm; GSL_SOURCE=, a tarball or a folder, is taken as it is.  The entry that
 # apt needs for sources is made in BUILD/source for the moment, and no file of the
@@ -11,9 +11,11 @@ LC_ALL=C
 export LC_ALL
 folder=${BUILD:-build}/source
 missing=
-packages='svgo@4 @yowasp/clang@22.0.0-git20542-10'
+packages='svgo@4 codemirror@6 @codemirror/lang-cpp@6 @lezer/highlight@1 esbuild@0.28
+    @yowasp/clang@22.0.0-git20542-10'
 packages_are_there() {
     node tests/tools/web_small.js >/dev/null 2>&1 &&
+        node tests/tools/web_editor.js >/dev/null 2>&1 &&
         [ -f "$folder/node_modules/@yowasp/clang/gen/bundle.js" ]
 }
 for name in emscripten=emcc node-acorn= chromium=chromium pandoc=pandoc npm=npm; do
@@ -27,7 +29,7 @@ mkdir -p "$folder" || exit 1
 folder=$(cd "$folder" && pwd)
 source=$(sh tests/tools/web_gsl.sh source)
 if [ -z "$missing" ] && [ -n "$source" ] && packages_are_there; then
-    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, svgo, clang, GSL's source"
+    echo "  deps     all there: emscripten, node-acorn, chromium, pandoc, svgo, CodeMirror, clang, GSL's source"
     exit 0
 fi
 if ! command -v apt-get >/dev/null 2>&1; then
@@ -51,13 +53,13 @@ if [ -n "$missing" ]; then
     fi
 fi
 if ! packages_are_there; then
-    echo "  deps     fetching svgo and clang with npm"
+    echo "  deps     fetching svgo, CodeMirror, esbuild and clang with npm"
     if ! npm install --prefix "$folder" $packages >"$log" 2>&1; then
         tail -n 3 "$log" >&2
         echo "deps-web: npm failed; the whole log is $log" >&2
         exit 1
     fi
-    missing="$missing svgo clang"
+    missing="$missing svgo CodeMirror esbuild clang"
 fi
 if [ -z "$source" ]; then
     echo "  deps     fetching GSL's source with apt-get source"

@@ -44,7 +44,7 @@ exports.front = (page, lessons, files) => {
         /<img ((?:class="fits" )?src="[^"]*" width="120")>(<\/a><\/td>\s*<td><a [^>]*>)([^<]*)<\/a>/g,
         (whole, picture, between, title) => `<img ${picture} loading="lazy" alt="A picture of ${title}">${between}${title}</a>`)
         .replace(/(<td><a href="lessons\/(\d\d_\w+)\.html)(">[^<]*<\/a>)/g, (whole, link, lesson, title) =>
-            `${link}${title}<br><span class="go">${link.slice(4)}#try-it">Try it</a>
+            `${link}${title}<br><span class="go">${link.slice(4)}#try-it">Try it</a> ${link.slice(4)}#write">Write</a>
 <span class="done" data-lesson="${lesson}"></span></span>`);
     const [opening, ending] = [page.slice(0, head), page.slice(foot)];
     for (const id of ["why-anyone-cares", "the-course-and-its-rooms", "how-to-use-it", "notation", "equations",

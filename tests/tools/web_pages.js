@@ -1,6 +1,6 @@
 /*
  * web_pages.js - the pages of build/web/: those of the book, and in every chapter
- * of a lesson the panel "Try it", before the section Measured.
+ * of a lesson the panels "Try it" and "Write", before the section Measured.
  *
  *     node tests/tools/web_pages.js BOOK BUILD SITE LESSON...
  *
@@ -20,6 +20,8 @@ function fail(words) {
     console.error("web: " + words);
     process.exit(1);
 }
+/* megabytes that the first Run or Check loads, where it is known */
+const compiler = "";
 const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 /* Words of a source as HTML: what stands in backquotes and options are code. */
 const prose = (text) => escape(text).replace(/`([^`]*)`|(--\w+)/g,
@@ -84,7 +86,50 @@ ${fields.join("")}<p class="hint">The same with your own program: <code class="c
 </form>
 <div class="results"></div>
 </section>
-${["store", "programs", "run", "plot", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+${["store", "programs", "run", "plot", "results", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+}
+
+/* The hints of a lesson, each hidden, and a button for what each is about. */
+function hints(lesson) {
+    const page = read(`${book}/solutions/${lesson}.html`);
+    const all = [...page.matchAll(/<details>\s*<summary>Hint (\d): ([^<]*)<\/summary>([^]*?)<\/details>/g)];
+    if (!all.some(([, , about]) => about.startsWith("slot "))) fail(`${lesson}: no hints`);
+    const about = [...new Set(all.map((one) => one[2]))];
+    const text = all.map(([, level, about, words]) => `<div class="hint-text" data-about="${about}" hidden>
+<p><strong>Hint ${level}: ${about}.</strong></p>${small.html(words).replace(/href="#/g, `href="../solutions/${lesson}.html#`)}</div>\n`);
+    return `<div class="hints" hidden><h3>Hints</h3>
+<p>${about.map((one) => `<button type="button" name="hint" value="${one}">Hint for ${one}</button>`).join("\n")}</p>
+${text.join("")}</div>`;
+}
+
+function editor(lesson) {
+    const file = read(`lessons/${lesson}.c`), number = lesson.slice(0, 2);
+    const slots = [...file.matchAll(/\/\* SLOT (\w+)/g)].map(([, name]) => name);
+    if (slots.length === 0) fail(`lessons/${lesson}.c has no slot`);
+    return `<section class="try write" aria-labelledby="write" data-program="${lesson}" data-size="${compiler}">
+<h2 id="write">Write</h2>
+<p>This is the file <code>lessons/${lesson}.c</code>. Replace <code>todo()</code> in the slots ${slots.join(", ")}.
+What you write stays in this browser; the file that you download is the one that <code>make check-${number}</code>
+judges.</p>
+<p class="hint" id="write-hint">Tab indents; Escape, then Tab leaves the editor; Ctrl-Enter checks. The
+<code>PREDICT</code> lines are the fields of <a href="#try-it">Try it</a>.</p>
+<pre class="starter" tabindex="0" role="region" aria-label="lessons/${lesson}.c"><code>${escape(file)}</code></pre>
+<noscript><p>To write here, your browser must run JavaScript.</p></noscript>
+<div class="controls" hidden>
+<p class="act"><button type="button" name="run">Run</button> <button type="button" name="check">Check</button>
+<button type="button" name="stop">Stop</button> <button type="button" name="download">Download</button>
+<label class="button">Upload <input type="file" name="upload" accept=".c"></label>
+<button type="button" name="reset">Begin again</button>
+<label><input type="checkbox" name="all"> the whole file</label></p>
+<progress aria-label="progress" max="1" hidden></progress>
+<p role="status" aria-live="polite"></p></div>
+<pre class="verdict" tabindex="0" role="region" aria-label="the report" hidden></pre>
+<p class="after" hidden>Now compare with <a href="../solutions/${lesson}.html#code-${slots[0]}">the solution</a>.</p>
+<div class="results"></div>
+${hints(lesson)}
+</section>
+<script src="../web/write.js" defer></script>
+`;
 }
 
 const part = `${site}.part`;
@@ -92,7 +137,7 @@ fs.rmSync(part, {recursive: true, force: true});
 fs.cpSync(book, part, {recursive: true});
 fs.mkdirSync(part + "/web");
 fs.mkdirSync(part + "/programs");
-for (const name of fs.readdirSync("lessons/web"))
+for (const name of fs.readdirSync("lessons/web").filter((name) => !/\.(c|mjs)$/.test(name)))
     fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
 const {index, workbook, moved} = front(read(part + "/index.html"), lessons,
                                        archive(`${part}/elasticity-workbook.tar.gz`));
@@ -112,10 +157,11 @@ for (const lesson of lessons) {
     const page = `${part}/lessons/${lesson}.html`, text = read(page);
     const at = text.indexOf('<h2 id="measured">');
     if (at < 0) fail(`${page} has no section Measured`);
-    const ways = ', <a href="#try-it">Try it</a>';
+    const ways = ' | <a href="#try-it">Try it</a> | <a href="#write">Write</a>';
     fs.writeFileSync(page, text.slice(0, at).replace(/(<p class="nav">.*)<\/p>/, `$1${ways}</p>`) +
-                     panel(lesson) + text.slice(at));
+                     panel(lesson) + editor(lesson) + text.slice(at));
 }
+fs.copyFileSync(`${build}/wasm/editor.js`, `${part}/web/editor.js`);
 fs.copyFileSync(`${build}/wasm/lessons.js`, `${part}/programs/lessons.js`);
 fs.rmSync(site, {recursive: true, force: true});
 fs.renameSync(part, site);

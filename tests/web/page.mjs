@@ -1,4 +1,6 @@
 /* page.mjs - a page in a headless Chromium, for the tests beside it. */
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
 import browsers from '../tools/browser.js';
 
 /* browser.page(url): evaluate(text), errors, and until(text, seconds): true, or the
@@ -20,4 +22,22 @@ export async function open() {
         },
         close: browser.close
     };
+}
+
+/* A plain file server of a folder: {address, close()}. */
+export async function serve(folder) {
+    const types = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml',
+                    wasm: 'application/wasm' };
+    const server = createServer((request, response) => {
+        const path = decodeURIComponent(new URL(request.url, 'http://x').pathname);
+        try {
+            const bytes = readFileSync(folder + path);
+            response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] || '' }).end(bytes);
+        } catch {
+            response.writeHead(404).end();
+        }
+    });
+    await new Promise(done => server.listen(0, '127.0.0.1', done));
+    return { address: `http://127.0.0.1:${server.address().port}/`,
+             close: () => { server.close(); server.closeAllConnections(); } };
 }

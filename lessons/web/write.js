@@ -1,0 +1,255 @@
+/*
+ * write.js - the section "Write" of a chapter: the lesson's file in an editor
+ * (editor.mjs), run and judged in the page (student.js), with its hints.
+ *
+ * What is written is kept in this browser (store.js).  The answers to PREDICT are the
+ * fields of the panel "Try it" (try.js), whose options a run has, too.
+ */
+"use strict";
+(() => {
+const box = document.querySelector("section.write"), {program, size} = box.dataset;
+const find = (selector) => box.querySelector(selector);
+const press = (name) => find(`button[name=${name}]`);
+const number = program.slice(0, 2), starter = find("pre.starter").textContent;
+const verdict = find(".verdict"), bar = find("progress"), state = find("[role=status]");
+const view = resultView(find(".results"), {program: program + ".mine", plot: here.plot});
+let editor = null;  /* once it is there */
+let student = null; /* what compiles and judges */
+let busy = null;    /* what ends what is under way */
+let hint = {slot: null, level: 0};
+
+function say(text, kind = "") {
+    state.textContent = text;
+    state.dataset.kind = kind;
+}
+
+/* ---- the file ----------------------------------------------------------------- */
+
+const PREDICT = /^( \* PREDICT (\w+) [^:\n]*: ?)(.*)$/gm;
+/* The answers of the fields in the text, and those of a text in the fields. */
+const filled = (text) => text.replace(PREDICT, (line, asked, key) =>
+    asked + (guesses.find((field) => field.name === key)?.value.trim() || "..."));
+function answers(text) {
+    let changed = false;
+    for (const [, , key, answer] of text.matchAll(PREDICT)) {
+        const field = guesses.find((one) => one.name === key);
+        const value = answer.trim().replace(/^\.*$/, "");
+        if (!field || field.value.trim() === value) continue;
+        field.value = value;
+        changed = true;
+    }
+    if (!changed) return;
+    keepPredictions();
+    showMeasured();
+}
+const text = () => editor ? editor.text() : filled(store.read(program).text ?? starter);
+
+function changed(now) {
+    const kept = now === filled(starter) ? store.write(program, {text: undefined})
+        : store.write(program, {text: now, time: Date.now()});
+    if (!kept) say("This browser keeps nothing of this page: download what you have written.", "refused");
+    answers(now);
+}
+
+function bring(source) {
+    return new Promise((done, failed) => {
+        const script = document.createElement("script");
+        Object.assign(script, {src: source, onload: done, onerror: failed});
+        document.head.append(script);
+    });
+}
+let begun = null;
+const begin = () => begun ||= (async () => {
+    try {
+        await bring("../web/editor.js");
+    } catch {
+        return say("The editor is not with these pages. Download the file and write in an editor of your own.",
+                   "refused");
+    }
+    const place = document.createElement("div");
+    const start = text();
+    find("pre.starter").replaceWith(place);
+    editor = slotEditor(place, {text: start, label: `lessons/${program}.c`,
+                                describedBy: "write-hint", changed, check: () => work(judge)});
+    for (const field of guesses)
+        field.addEventListener("input", () => editor.setPrediction(field.name, field.value.trim() || "..."));
+    box.editor = editor;
+})();
+find("[name=all]").onchange = ({target}) => begin().then(() => editor?.showAll(target.checked));
+
+press("download").onclick = () => {
+    const link = document.createElement("a");
+    link.download = program + ".c";
+    link.href = URL.createObjectURL(new Blob([text()], {type: "text/x-csrc"}));
+    link.click();
+};
+find("[name=upload]").onchange = async ({target}) => {
+    const [file] = target.files;
+    if (!file) return;
+    const given = file.size < 1e6 ? await file.text() : "";
+    target.value = "";
+    const first = /SLOT (\w+)/.exec(starter)[1];
+    if (!given.includes(`SLOT ${first}`))
+        return say(`${file.name} has no slot ${first}: it is not lessons/${program}.c.`, "refused");
+    await begin();
+    editor?.setText(given.replace(/\r\n/g, "\n"));
+    say(`${file.name} is in the editor.`);
+};
+/* The first press asks, the second does it. */
+const AGAIN = press("reset").textContent;
+press("reset").onblur = () => { press("reset").textContent = AGAIN; };
+press("reset").onclick = async () => {
+    if (press("reset").textContent === AGAIN) {
+        press("reset").textContent = "Press again to throw your text away";
+        return;
+    }
+    press("reset").textContent = AGAIN;
+    await begin();
+    editor?.setText(filled(starter));
+    say("The starter is back; undo in the editor brings your text back.");
+};
+
+/* ---- running and judging ------------------------------------------------------- */
+
+const PHASES = {load: `Loading the compiler${size ? `, ${size} MB, once` : ""}`, lesson: "Loading the lesson",
+                compile: "Compiling", link: "Linking", run: "Running", judge: "Checking"};
+function progress(phase, fraction) {
+    if (!busy) return;
+    bar.hidden = false;
+    if (fraction === null || fraction === undefined) bar.removeAttribute("value");
+    else bar.value = fraction;
+    const words = `${PHASES[phase] || phase} ... Stop ends it.`;
+    if (state.textContent !== words) say(words, "running");
+}
+async function bringStudent() {
+    if (student) return;
+    try {
+        if (!self.makeStudent) await bring("../web/student.js");
+    } catch {
+        throw new Error("The compiler is not with these pages: download the file, and make " +
+                        `check-${number} judges it.`);
+    }
+    student = makeStudent({base: "../student/"});
+}
+
+function mayWork() {
+    for (const name of ["run", "check"]) press(name).disabled = busy !== null;
+    press("stop").disabled = busy === null;
+}
+/* One thing at a time: what(text) is told when it is stopped. */
+async function work(what) {
+    if (busy) return;
+    const stops = [];
+    busy = () => stops.forEach((stop) => stop());
+    mayWork();
+    say("It begins ...", "running");
+    verdict.hidden = true;
+    try {
+        await begin();
+        await bringStudent();
+        stops.push(() => student.stop());
+        await what(text(), stops);
+    } catch (error) {
+        say(error.name === "Stopped" ? "You have stopped it." : error.message,
+            error.name === "Stopped" ? "stopped" : "crash");
+    }
+    busy = null;
+    bar.hidden = true;
+    mayWork();
+}
+
+/* What the compiler says, in the editor too; false: nothing. */
+function diagnosed(diagnostics) {
+    const places = [...diagnostics.matchAll(/^[^:\n]*:(\d+):(\d+): (?:fatal )?(error|warning): (.*)$/gm)]
+        .map(([, line, column, severity, message]) =>
+            ({line: Number(line), column: Number(column), severity, message}));
+    editor?.mark(places);
+    if (diagnostics) report(diagnostics);
+}
+function report(words) {
+    verdict.hidden = false;
+    verdict.replaceChildren();
+    let from = 0; /* chapters as links */
+    for (const found of words.matchAll(/lessons\/(\d\d_\w+)\.md/g)) {
+        verdict.append(words.slice(from, found.index),
+                       make("a", {href: found[1] + ".html"}, found[0]));
+        from = found.index + found[0].length;
+    }
+    verdict.append(words.slice(from));
+}
+
+async function runIt(file, stops) {
+    const args = options();
+    const mine = await student.run(program, file, args, {progress, seconds: Number(here.seconds)});
+    diagnosed(mine.diagnostics);
+    if (mine.end === "not compiled") return say("It does not compile.", "refused");
+    say("Running the reference beside it ... Stop ends it.", "running");
+    const other = runProgram(await loadProgram("../programs/lessons.js"), program, args, Number(here.seconds));
+    stops.push(other.stop);
+    const reference = await other.finished;
+    view.show(mine.stdout, reference.out);
+    const last = lastLine(mine.stderr) || "";
+    say({exit: mine.status === 0 ? "It has run; what differs from the reference is marked."
+                                 : last || `It has ended with status ${mine.status}.`,
+         crash: `It has crashed: ${last}`, limit: `Stopped: it has taken more than ${here.seconds} seconds.`,
+         flood: "Stopped: it has printed more than 8 MB."}[mine.end],
+        mine.end === "exit" ? (mine.status === 0 ? "ok" : "unsolved") : mine.end);
+}
+
+async function judge(file) {
+    find(".results").replaceChildren();
+    const result = await student.check(program, file, {progress});
+    diagnosed(result.diagnostics || "");
+    report(result.text);
+    box.result = result;
+    store.write(program, {verdict: store.read(program).verdict === "OK" ? "OK" : result.verdict});
+    find(".after").hidden = result.verdict !== "OK";
+    if (result.verdict === "OK") {
+        shown = "all";
+        showMeasured();
+    }
+    say(`Verdict: ${result.verdict}${result.slot ? `, slot ${result.slot}` : ""}.` +
+        (result.verdict === "OK" ? "" : " The report is below; then come the hints."),
+        result.verdict === "OK" ? "ok" : "refused");
+    follow(result.verdict === "WRONG" ? result.check : null, result.slot);
+}
+press("run").onclick = () => work(runIt);
+press("check").onclick = () => work(judge);
+press("stop").onclick = () => { busy?.(); press("check").focus(); };
+
+/* ---- hints in levels ------------------------------------------------------------- */
+
+const hints = [...box.querySelectorAll(".hint-text")];
+const levels = (about) => hints.filter((one) => one.dataset.about === about);
+for (const choice of box.querySelectorAll("button[name=hint]"))
+    choice.onclick = () => {
+        const about = choice.value, all = levels(about);
+        const next = all.find((one) => one.hidden);
+        if (next) next.hidden = false;
+        const left = all.filter((one) => one.hidden).length;
+        choice.textContent = left ? `Next hint for ${about}` : `No more hints for ${about}`;
+        choice.disabled = left === 0;
+        if (next) { next.tabIndex = -1; next.focus(); }
+    };
+/* What has failed has its hint first. */
+function follow(check, slot) {
+    for (const choice of box.querySelectorAll("button[name=hint]")) {
+        const about = choice.value;
+        choice.hidden = !about.startsWith("slot ") && about !== check;
+        choice.classList.toggle("first", about === check || about === `slot ${slot}`);
+    }
+}
+follow(null, "");
+
+/* ---- begin ------------------------------------------------------------------------ */
+
+find(".controls").hidden = false;
+find(".hints").hidden = hints.length === 0;
+mayWork();
+const near = new IntersectionObserver((seen) => {
+    if (!seen.some((one) => one.isIntersecting)) return;
+    near.disconnect();
+    begin();
+}, {rootMargin: "800px"});
+near.observe(box);
+})();
