@@ -1,6 +1,6 @@
 /*
- * 25_elements.c - a square that hangs from its left side: linear triangles, the
- * same with one dilatation per square, quadratic triangles; even and graded.
+ * 25_elements.c - a square that hangs from its left side: linear triangles and
+ * quadratic ones; even and graded.
  *
  * Notes: beyond the notes; a triangle has the forces of Lecture 2, 3.3.2.
  *
@@ -113,38 +113,12 @@ static double lines(int n, int degree, double p, double m, int both, double x[])
     /* END 25c */
 }
 
-/* Given a cell's corners, return its area, and D[2a + i] = D_ai such that
- * sum_ai D_ai u_ai is the mean of div u over the cell's two linear triangles
- * 0 1 2 and 0 2 3. */
-static double dilatation(const struct mesh *mesh, const int corner[4],
-                         double D[8])
-{
-    /* SLOT 25d(mesh, corner, D): mesh_gradients_of(mesh, t, g) fills g for the
-     * vertices t[3], returns the area; areas may be unequal. */
-    double area = 0.0;
-    for (int r = 0; r < 8; r++) D[r] = 0.0;
-    for (int e = 0; e < 2; e++) {
-        const int at[3] = {0, 1 + e, 2 + e};
-        const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
-        double g[6];
-        const double part = mesh_gradients_of(mesh, t, g);
-        /* int div u = |e| sum_a grad N_a . u_a */
-        for (int a = 0; a < 3; a++)
-            for (int i = 0; i < 2; i++)
-                D[2 * at[a] + i] += part * g[2 * a + i];
-        area += part;
-    }
-    for (int r = 0; r < 8; r++) D[r] /= area;
-    return area;
-    /* END 25d */
-}
-
 /* Given the area of a quadratic triangle, return load[a] = int N_a, of a body
  * force 1, and mass[a], its mass on the diagonal, density 1, > 0, in the ratio
  * of the int N_a^2 (exercise 5). */
 static void shares(double area, double load[6], double mass[6])
 {
-    /* SLOT 25e(area, load, mass): what do the six add up to? */
+    /* SLOT 25d(area, load, mass): what do the six add up to? */
     for (int a = 0; a < 3; a++) {
         load[a] = 0.0; /* int l (2 l - 1) = |e| (1/3 - 1/3) */
         load[3 + a] = area / 3.0;
@@ -152,32 +126,27 @@ static void shares(double area, double load[6], double mass[6])
         mass[a] = area * 6.0 / 114.0;
         mass[3 + a] = area * 32.0 / 114.0;
     }
-    /* END 25e */
+    /* END 25d */
 }
 
 /* ---- the square, once with each element ---------------------------------- */
 
 enum { MOST = 64 }; /* cells per row */
-enum kind { WHOLE, AVERAGED, QUADRATIC };
-static const char *const kind_name[] = {"linear", "averaged", "quadratic"};
+enum kind { STRAIGHT, QUADRATIC };
+static const char *const kind_name[] = {"linear", "quadratic"};
 
-/* K and f of the two linear triangles of this cell; what is not `averaged` has
- * lambda on each of them. */
+/* K and f of the two linear triangles of this cell. */
 static void add_cell(struct elements *s, const struct material *material,
-                     int averaged, int cell)
+                     int cell)
 {
-    const double mu = material->mu, lambda = material->lambda;
     int corner[4];
-    double D[8];
     elements_cell(s->mesh, cell, corner);
     for (int e = 0; e < 2; e++) {
         const int t[3] = {corner[0], corner[1 + e], corner[2 + e]};
-        const double area = elements_linear(s, t, mu, averaged ? 0.0 : lambda);
+        const double area =
+            elements_linear(s, t, material->mu, material->lambda);
         for (int a = 0; a < 3; a++) s->f[2 * t[a] + 1] -= area / 3.0;
     }
-    if (!averaged) return;
-    const double area = dilatation(s->mesh, corner, D);
-    elements_square(s, 4, corner, lambda * area, D); /* [eq:averaged] */
 }
 
 /* K and f of the quadratic triangle e. */
@@ -204,7 +173,7 @@ static void hang(const struct mesh *mesh, const struct material *material,
     for (int j = 0; j <= n; j++) s->held[j * (n + 1)] = 1;
     for (int e = 0; e < (quadratic ? n * n / 2 : n * n); e++)
         if (quadratic) add_quadratic(s, material, e);
-        else add_cell(s, material, kind == AVERAGED, e);
+        else add_cell(s, material, e);
     const enum status status = elements_solve(s, u);
     if (status != OK) die("the tangent at rest: %s", status_name(status));
     elements_free(s);
@@ -228,7 +197,7 @@ int main(int argc, char *argv[])
     const int middle = n / 2 * (n + 1); /* at (-1, 0) */
 
     table_begin("sag", "element m unknowns sag");
-    for (int kind = WHOLE; kind <= QUADRATIC; kind++) {
+    for (int kind = STRAIGHT; kind <= QUADRATIC; kind++) {
         const int degree = kind == QUADRATIC ? 2 : 1;
         const double grading = lines(n, degree, p, m, 0, x);
         lines(n, degree, p, m, 1, y);
