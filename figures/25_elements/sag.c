@@ -76,7 +76,8 @@ static void finer(const struct hang *limit)
 }
 
 /* The means of div u over the squares of averaged triangles [eq:averaged] at
- * nu = 0.4999: their size, and that of what alternates in two by two of them. */
+ * nu = 0.4999: their size, and that of what alternates in two by two of them.
+ */
 static void squares(int n, const struct hang *limit)
 {
     struct mesh *mesh;
