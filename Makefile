@@ -100,9 +100,14 @@ MOVED   = mv -f $(PART) $@ && trap - 0
 HERE    = [ -d $(@D) ] || mkdir -p $(@D)
 COMPILE = $(WHOLE) $(PLAIN) -MMD -MP -MF $@.d -MT $@
 # What the compiler says of an object stays in OBJECT.said: a test reads it.
-OBJECT  = -c -o $(PART) 2> $(PART).said; status=$$?; \
+OBJECT  = -c $(SAID)
+SAID    = -o $(PART) 2> $(PART).said; status=$$?; \
           [ ! -s $(PART).said ] || cat $(PART).said >&2; \
           [ $$status = 0 ] && mv -f $(PART).said $@.said && $(MOVED)
+# Nobody steps through the library or a study: `make debug-NN` compiles its own.
+BARE   := $(if $(filter file,$(origin CFLAGS)),-g0)
+# What runs for a moment, or lets the library compute, is compiled with -O1.
+QUICK  := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
 # the linker that takes half as long, where there is one
 ask_linker = $(if $(filter cc gcc% clang% ccache,$(notdir $(firstword $(CC)))), \
                  $(shell command -v ld.gold >/dev/null && echo -fuse-ld=gold))
@@ -271,23 +276,20 @@ ask_less = $(shell set -- -O2 -ftree-vectorize -fvect-cost-model=dynamic \
 LESS_THAN_O3 = $(call once,less)
 same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
-             $(if $(filter tiles front,$1),$(if $(filter -O3,$(NATIVE)), \
-                 $(patsubst -O3,$(LESS_THAN_O3),$(NATIVE)) $(patsubst -g,-g1, \
-                 $(filter -g,$(CFLAGS))),$(NATIVE))) \
+             $(if $(filter tiles front,$1),$(patsubst \
+                 -O3,$(LESS_THAN_O3),$(NATIVE))) \
              $(if $(filter body triangles lanes,$1),$(call same_digits,$(NATIVE))) \
              $(if $(filter banded,$1),$(if $(NATIVE),$(LESS_THAN_O3)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
 	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
-	    $(call native_for,$(notdir $*)) $< $(OBJECT)
+	    $(BARE) $(call native_for,$(notdir $*)) $< $(OBJECT)
 
 # Compiled and linked by themselves: `make test` links them with other libraries.
-# Nobody steps through a study.
 PARTS := $(PROGRAMS) $(COUNTED:%=$(BUILD)/figures/%)
 $(PARTS:=.o): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)$(HERE) && $(COMPILE) $(if $(filter figures/%,$<),$(patsubst \
-	    -g,-g0,$(filter -g,$(CFLAGS)))) $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) $(if $(filter figures/%,$<),$(QUICK),$(BARE)) $< $(OBJECT)
 $(PARTS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 	$(Q)$(WHOLE) $(CC) $(CFLAGS) $(PLACED)
 
@@ -308,7 +310,7 @@ JUDGE = $(patsubst %,$(BUILD)/tests/%.o,judge diagnose report verdict \
           kept)
 $(JUDGE): $(BUILD)/tests/%.o: tests/checks/%.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)$(HERE) && $(COMPILE) -Itests/checks $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) $(QUICK) -Itests/checks $< $(OBJECT)
 
 # An index beyond an array whose length the compiler knows is a trap there, if it
 # knows how; judge.h guards the arrays that the checks hand over.
@@ -319,8 +321,6 @@ ask_bounds = $(shell for flags in \
                  echo $$flags && break; done)
 BOUNDS = $(call once,bounds)
 
-# What runs for a moment is compiled with -O1.
-QUICK := $(if $(filter file,$(origin CFLAGS)),-O1 -g0)
 # The checks of a lesson are compiled once, against the functions of its solution.
 CHECKS := $(BUILD)/checks
 CONTRACT = awk -f tests/tools/contract.awk
@@ -329,7 +329,7 @@ $(CHECKS)/%.h: solutions/%.c tests/tools/contract.awk
 $(CHECKS)/%.s: tests/checks/%.c $(CHECKS)/%.h $(RULES)
 	$(call say,cc,$<)
 	$(Q)$(COMPILE) $(QUICK) $(BOUNDS) -fno-lto -I. -Itests/checks \
-	    -DPROGRAM='"$(word 2,$^)"' $< -S -o $(PART) && $(MOVED)
+	    -DPROGRAM='"$(word 2,$^)"' $< -S $(SAID)
 $(CHECKS)/%.calls: $(CHECKS)/%.s solutions/%.c tests/tools/contract.awk
 	$(Q)$(WHOLE) $(CONTRACT) calls=1 $< solutions/$*.c > $(PART) && $(MOVED)
 $(CHECKS)/%.o: $(CHECKS)/%.s
@@ -488,35 +488,10 @@ $(SPEED:%=$(BUILD)/figures/%): $(BUILD)/figures/%: figures/%.c \
 	    -DNATIVE_FLAGS='"$(strip $(NATIVE))"' $${rival:+-DCHOLMOD} \
 	    $${lapack:+-DLAPACK="\"$$lapack\""} $(NATIVE) $< -o $(PART) \
 	    $(filter %.o,$^) $(LDFLAGS) $(GSL_LIBS) $$rival $$lapack && $(MOVED)
-# One after the other, each time anew, their tables into build/data/, and the
-# pictures and tables with seconds in them in their place in the tree.  At the end
-# stands what was wanted and what was measured; the share of a processor that the
-# studies had says whether the machine was quiet.
 bench: $(SPEED:%=$(BUILD)/figures/%) \
        $(patsubst %,$(BUILD)/figures/%,$(filter $(COUNTED),$(TIMED)))
-	$(SHARED)@part=$(BUILD)/bench.$$$$.part; trap 'rm -f $$part' 0; \
-	trap 'exit 130' 1 2 15; \
-	begin=$$(date +%s); \
-	for s in $(SPEED) $(filter $(COUNTED),$(TIMED)); do \
-	    data=$(BUILD)/data/$$s.tsv; mkdir -p $${data%/*}; \
-	    printf '  %-8s %s\n' bench "$$s" >&2; \
-	    OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 \
-	        $(BUILD)/figures/$$s \
-	        > $$part && mv $$part $$data || exit 1; \
-	done; end=$$(date +%s); times > $$part; \
-	processor=$$(awk -v wall=$$((end - begin)) -F '[ms ]+' 'NR == 2 { \
-	    print (60 * $$1 + $$2 + 60 * $$3 + $$4) / (wall + (wall == 0)) }' \
-	    $$part); "$$MAKE" peer || exit 1; \
-	set -- $(BUILD)/data/speed/*.tsv \
-	    $(BUILD)/data/many/peer.tsv; \
-	awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$$@" \
-	    figures/speed/README.md > $$part && \
-	    cat $$part > figures/speed/README.md || exit 1; \
-	awk -v processor=$$processor -f tests/tools/bench.awk \
-	    -f tests/tools/closing.awk "$$@"
-	@command -v gnuplot > /dev/null || exit 0; for f in $(TIMED); do \
-	    sh tests/tools/figure.sh figures/$$f.gp $(BUILD)/data/$${f%_all}.tsv \
-	        figures/$$f.svg || exit 1; done
+	$(SHARED)@exec env BUILD='$(BUILD)' TIMED='$(TIMED)' sh tests/tools/bench.sh \
+	    $(SPEED) $(filter $(COUNTED),$(TIMED))
 
 # ---- the student's commands -------------------------------------------------
 
@@ -593,15 +568,8 @@ $(BUILD)/choose: common/choice/choose.c $(LIB)
 	$(Q)$(COMPILE) $< $(PLACED)
 .PHONY: choose
 choose: $(BUILD)/choose
-	@[ -n "$$SCENE" ] || { echo 'make choose SCENE=FILE [ERROR=5%]' \
-	    '[WITHIN=33ms] [VERIFIED=yes]; lessons/scenes/ has examples' >&2; exit 2; }
 	$(if $(filter command,$(origin VERIFY)),$(error make choose takes VERIFIED=yes))
-	@e=$${ERROR:-10%} w=$${WITHIN:-33ms} p=$(BUILD)/mine/choose; mkdir -p $${p%/*}; \
-	rm -f $$p.tsv $$p.svg; $(BUILD)/choose --scene "$$SCENE" --error "$${e%\%}" \
-	    --within "$${w%ms}" --verify "$${VERIFIED:-no}" --picture $$p.tsv; \
-	status=$$?; if [ -f $$p.tsv ] && command -v gnuplot > /dev/null; then \
-	    sh tests/tools/figure.sh figures/scene.gp $$p.tsv $$p.svg && \
-	    echo "Drawn: $$p.svg"; fi; exit $$status
+	@exec env BUILD='$(BUILD)' sh tests/tools/choose.sh
 
 # The files of a new lesson: make new-27 NAME=spring
 new-%:
@@ -615,7 +583,7 @@ new-%:
 WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
 BY_NUMBER := lesson check hint diff plot solution reset watch debug
 GOALS := help status check update figures course book web wasm web-pages test live \
-         choose bench many grade lint starters workbook programs studies memcheck \
+         choose bench many grade lint starters workbook programs units studies memcheck \
          same look alone clean new-% \
          test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
          workbook-% $(BY_NUMBER:=-%)

@@ -9,6 +9,9 @@
 # clock counts how often it is asked, so that no second need be excepted.
 # tests/tools/same.sh compares their tables, and what becomes of them.
 #
+# In the second the programs themselves have the sanitizers, and what is reserved
+# and not written has the bytes of NaN, so that a table shows who reads it.
+#
 # `make test` runs the solutions so; `make same`, as .ci/run does, the studies, too.
 
 ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o \
@@ -21,12 +24,19 @@ anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call 
                  -DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang
 $(T)/clang/%: override CFLAGS := -O2
+# whatever CC can, which takes flags of clang's only where it is clang
+ask_checked = $(shell for f in '-ftrivial-auto-var-init=pattern' ''; do \
+                  set -- -fsanitize=address,undefined -fno-sanitize-recover=all $$f; \
+                  mkdir -p $(T) && echo 'int main(void) { return 0; }' | $(or \
+                  $(filter clang,$(NARROW)),$(CC)) "$$@" -x c - -o $(T)/checked.out \
+                  2>/dev/null && $(T)/checked.out && echo "$$@" && break; done)
+CHECKED = $(call once,checked)
 
 STUDIED := $(if $(filter same,$(MAKECMDGOALS)),$(COUNTED))
 # the longest first
 RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
             $(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(STUDIED)
-# $(call same_rules,BUILD,folder of all other objects)
+# $(call same_rules,BUILD,folder of all other objects,folder of the programs)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
 	$(Q)$$(HERE) && $$(COMPILE) $$(call \
@@ -36,16 +46,16 @@ $(T)/$1/clock.o: tests/tools/clock.c common/base/clock.h $(RULES)
 $(T)/$1/libworkbook.a: $(T)/$1/clock.o $(ANEW:%=$(T)/$1/%) \
         $(addprefix $2/,$(filter-out %/clock.o $(ANEW),$(OBJECTS:$(BUILD)/%=%)))
 	$(Q)rm -f $$@ && ar rcs $$@ $$^
-$(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/solutions/%.o \
+$(LESSONS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $3/solutions/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,run,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
 $(EXAMPLES:%=$(T)/$1/data/%/example.tsv): $(T)/$1/data/%/example.tsv: \
-        $2/solutions/%.o $(T)/$1/libworkbook.a lessons/%.md \
+        $3/solutions/%.o $(T)/$1/libworkbook.a lessons/%.md \
         $(if $(filter v8,$1),$(BUILD)/data/%/example.tsv)
 	$(call say,run,$1 $$* example)
 	$(Q)$$(call SAME_RUN,$1,$$$$($$(ARGS_OF) lessons/$$*.md),/example)
-$(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $2/figures/%.o \
+$(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $3/figures/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,study,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
@@ -69,14 +79,21 @@ V8_HERE = $(call once,v8)
 MAIN = $(BUILD)/data/$*$3.tsv
 SAME_RUN = $(HERE) && $(if $(and $(filter v8,$1),$(V8_HERE)),if ! grep -q \
            '^. machine: ' $(MAIN); then : > $@.said; cp $(MAIN) $@.part; else) \
-           { $(CC) $(CFLAGS) $(filter %.o %.a,$^) -Wl,-S -o $@.program $(LIBS) && \
-           { $@.program $2 > $@.part 2> $@.said || : > $@.part; } && rm $@.program; } \
+           { $(CC) $(CFLAGS) $(if $(filter $(NARROW),$1),$(CHECKED)) $(filter \
+           %.o %.a,$^) -Wl,-S -o $@.program $(if $(filter \
+           v8,$1),$(LIBS),$(filter-out $(FAST_LD),$(LIBS))) && \
+           { $(FILLED) $@.program $2 > $@.part 2> $@.said || : > $@.part; } && rm $@.program; } \
            $(if $(and $(filter v8,$1),$(V8_HERE)),; fi) && mv $@.part $@
-$(foreach s,v2 v8,$(eval $(call same_rules,$s,$(BUILD))))
-$(eval $(call same_rules,clang,$(T)/clang))
+FILLED = ASAN_OPTIONS=malloc_fill_byte=255:max_malloc_fill_size=1000000000
+$(eval $(call same_rules,v8,$(BUILD),$(BUILD)))
+$(eval $(call same_rules,v2,$(BUILD),$(T)/v2))
+$(eval $(call same_rules,clang,$(T)/clang,$(T)/clang))
 $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
-    $(OBJECTS)) $(PARTS:=.o)): $(T)/clang/%.o: %.c $(RULES)
-	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='""' $< $(OBJECT)
+    $(OBJECTS))): $(T)/clang/%.o: %.c $(RULES)
+	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='""' $(filter -ftrivial%,$(CHECKED)) \
+	    $< $(OBJECT)
+$(PARTS:$(BUILD)/%=$(T)/$(NARROW)/%.o): $(T)/$(NARROW)/%.o: %.c $(RULES)
+	$(Q)$(HERE) && $(COMPILE) -O0 -g1 $(CHECKED) $< $(OBJECT)
 # What clang says of these it need not be asked for again.
 SEEN_clang = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
                  $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE)) \

@@ -5,7 +5,7 @@
 
 T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
-.PHONY: test starters workbook programs studies memcheck
+.PHONY: test starters workbook programs units studies memcheck
 
 # ---- starters, workbook -------------------------------------
 
@@ -62,14 +62,16 @@ $(T)/%.mistakes.result: $(BUILD)/mistakes/%/all.judge $(BUILD)/solutions/% \
 	$(call say,test,$* mistakes)
 	$(Q)$(HERE) && $(VERIFY) mistakes $* > $@
 
-KINDS = solution starter mistakes behave names
+KINDS = solution starter mistakes names
+
+# what a student does, in one lesson that computes for longer than the TRIED one
+$(T)/behave.result: $(BUILD)/solutions/13_backward_euler_2d.judge \
+        $(BUILD)/solutions/13_backward_euler_2d $(JUDGE) $(LIB) \
+        tests/tools/student.sh tests/tools/verify.sh Makefile
+	$(call say,test,what a student does)
+	$(SHARED)$(Q)$(HERE) && $(VERIFY) behave 13_backward_euler_2d > $@
 
 define verify_rules
-$(T)/$1.behave.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
-        $(JUDGE) \
-        tests/tools/student.sh tests/tools/verify.sh tests/checks/$1.c Makefile
-	$$(call say,test,$1 behaviour)
-	$(SHARED)$(Q)$$(HERE) && $$(VERIFY) behave $1 > $$@
 $(T)/$1.names.result: $(BUILD)/solutions/$1 $(BUILD)/solutions/$1.judge \
         $(JUDGE) tests/cli/names.sh $(AS_PROGRAM)
 	$$(call say,test,$1 names)
@@ -92,7 +94,7 @@ UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
 UNIT_LIBS  = $(LIB) $(CHECK_LIBS) $(LIBS)
 $(BUILD)/unit/%.o: tests/unit/%.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)$(HERE) && $(COMPILE) $(UNIT_FLAGS) $< $(OBJECT)
+	$(Q)$(HERE) && $(COMPILE) $(QUICK) $(UNIT_FLAGS) $< $(OBJECT)
 $(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
 	$(Q)$(CC) $(CFLAGS) $< $(BUILD)/unit/unit.o -o $@ $(UNIT_LIBS)
 $(T)/unit.%.result: $(BUILD)/unit/%
@@ -117,7 +119,8 @@ $(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) \
 
 # ---- the whole, in other builds, and the closing line -----------------------
 
-programs: $(PROGRAMS) $(UNITS:%=$(BUILD)/unit/%)
+programs: $(PROGRAMS)
+units: $(UNITS:%=$(BUILD)/unit/%)
 studies: $(COUNTED:%=$(BUILD)/figures/%)
 
 # Does a compiler warn?  LOOK says how far it goes; nothing is linked.  What it has
@@ -219,7 +222,7 @@ $(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff u
 	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
 # those that copy the workbook (copy.sh)
 $(patsubst %,$(T)/%.result,hostile grade habits json limits new diff cli \
-    elsewhere update) $(LESSONS:%=$(T)/%.behave.result): $(LIB)
+    elsewhere update): $(LIB)
 # and on what each lesson's own judge says of its data
 $(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         figures/overlay.gp
@@ -227,21 +230,21 @@ $(T)/elsewhere.result: .gitattributes $(wildcard tests/*.mk) $(BUILD)/data/$(TRI
 $(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md \
         $(T)/lint.result
 # Objects that are the same without the flags for this machine, where the others
-# are those of the Makefile.  Of clang's words about its objects valgrind knows
-# only the older ones, so that they are compiled anew.
+# are those of the Makefile.
 NOT_NATIVE = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename \
                  $(notdir $o)))),,$o))
 ask_gcc = $(if $(SANITIZED)$(filter-out file,$(origin CFLAGS))$(findstring \
               clang,$(shell $(CC) --version)),,yes)
 IS_GCC = $(call once,gcc)
-READY = $(if $(IS_GCC),$(NOT_NATIVE) $(PROGRAMS:=.o) \
-            $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit))
+READY = $(if $(IS_GCC),$(NOT_NATIVE) $(PROGRAMS:=.o))
 # What gcc says of the main build it need not be asked for again.
 SEEN_gcc = $(if $(IS_GCC),$(OBJECTS:$(BUILD)/%.o=%) $(PARTS:$(BUILD)/%=%) \
                $(UNITS:%=tests/unit/%) tests/unit/unit \
-               $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%))
+               $(JUDGE:$(BUILD)/tests/%.o=tests/checks/%) \
+               $(LESSONS:%=tests/checks/%) $(LESSONS:%=$(BUILD)/gcc/starters/%))
 SAID_gcc = $(if $(IS_GCC),$(patsubst %,%.said,$(OBJECTS) $(PARTS:=.o) $(JUDGE) \
-               $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit)))
+               $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit) \
+               $(LESSONS:%=$(CHECKS)/%.s)))
 VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SEEN='$(SEEN_$*)' SAID='$(SAID_$*)' \
            sh tests/tools/build_variants.sh
 $(T)/build-%.result: $(EVERYTHING)
@@ -267,7 +270,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
            $(T)/elsewhere.result \
            $(T)/json.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
+           $(T)/limits.result $(T)/behave.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
            $(T)/update.result $(T)/hand.result \
            $(T)/many.result $(T)/web-small.result $(T)/web-pages.result \
            $(T)/web.result $(T)/web-judge.result $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \

@@ -14,7 +14,7 @@ enum {
     SECONDS_COMPUTING = JUDGE_SECONDS,
     SECONDS_JUDGING = 4 * JUDGE_SECONDS, /* of all children together */
     SECONDS_IDLE = 5,     /* wall time in which none of them computes */
-    SECONDS_WAITING = 60, /* wall time, where idleness cannot be seen */
+    SECONDS_WAITING = 12 * JUDGE_SECONDS, /* where idleness cannot be seen */
     MEGABYTES_OUTPUT = 8,  /* in one file */
     MOST_FILES = 64,
     MOST_PROCESSES = 128,

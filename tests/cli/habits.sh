@@ -48,9 +48,10 @@ compiles() { # compiles yes|no WHAT GOAL WORDS...: objects of common/
     result $? "$what" "$found: $(echo "$said" | tail -n 5)"
 }
 cp solutions/$slug.c $mine
+cp -Rp build built
+(
+# without the flags for this machine and without -O2, which take the compiler long
 compiles no 'what the same flags have made stays' lesson-$nn
-# from here on without the flags for this machine and without -O2, which take the
-# compiler long
 compiles yes 'other flags compile anew' lesson-$nn CFLAGS='-O0 -g0' NATIVE=
 compiles no 'the same other flags do not' lesson-$nn CFLAGS='-O0 -g0' NATIVE=
 compiles yes 'another NATIVE compiles anew' lesson-$nn CFLAGS='-O0 -g0' NATIVE=-O0
@@ -64,16 +65,15 @@ done
 wait "$run1" && wait "$run2" && [ -z "$(find build -name '*.part')" ] &&
     grep -q -e ' -O0 NATIVE=' build/flags
 result $? 'two makes at once take to other flags' "$(cat said.1 said.2)"
-# these stay, so that the whole library is compiled once
-compiles yes 'a verdict has the flags that it is asked for' check-$nn CFLAGS=-O1
-compiles no 'and once is enough' check-$nn CFLAGS=-O1
-[ -z "$("$MAKE" -n lesson-$nn CFLAGS=-O1 | grep -e ' -c ')" ] &&
+compiles yes 'a verdict has the flags that it is asked for' check-$nn CFLAGS=-g0
+compiles no 'and once is enough' check-$nn CFLAGS=-g0
+[ -z "$("$MAKE" -n lesson-$nn CFLAGS=-g0 | grep -e ' -c ')" ] &&
     "$MAKE" -n lesson-$nn CFLAGS=-O0 | grep -q ' -c ' &&
-    grep -q -e ' -O1 NATIVE=' build/flags
+    grep -q -e ' -g0 NATIVE=' build/flags
 result $? 'make -n says what would be compiled, and changes nothing' \
-    "$("$MAKE" -n lesson-$nn CFLAGS=-O1; cat build/flags)"
-CFLAGS=-O1
-export CFLAGS
+    "$("$MAKE" -n lesson-$nn CFLAGS=-g0; cat build/flags)"
+)
+rm -rf build && mv built build
 
 # ---- what student.sh does, under each shell --------------------------------------
 with_line() { # with_line LINE: the solution with LINE in its first slot
@@ -87,57 +87,68 @@ with_line() { # with_line LINE: the solution with LINE in its first slot
 twice='char *volatile p = malloc(8); free(p); p[0] = 1;'
 can=$(echo 'int main(void) { return 0; }' >try.c
     ${CC:-cc} -fsanitize=address,undefined try.c -o try 2>&1 && ./try 2>&1)
-habits() {
-    if [ -z "$can" ]; then
-        with_line "$twice"
-        says "in move_known_values, $at\$" "debug names the line of a use after free, $1" \
-            "$MAKE" debug-$nn
-        with_line 'double q[3]; for (volatile int k = 0; k <= 3; k++) q[k] = k;'
-        says "in move_known_values, $at\$" "debug names the line of an index, $1" \
-            "$MAKE" debug-$nn
-        with_line ''
-        says 'ends well; the sanitizers .* found nothing' \
-            "debug says that a program is fine, $1" "$MAKE" debug-$nn
-        awk -f tests/tools/starter.awk solutions/$slug.c >$mine
-        says 'comes to a slot that is not written' "debug of a starter, $1" \
-            "$MAKE" debug-$nn
-    else
-        echo "skip cli: no sanitizers here, $1"
-    fi
-
-    cp solutions/$slug.c $mine
-    says 'next: lesson 08, Element by element, .*(lessons/08_element' \
-        "a pass says what is next, $1" "$MAKE" check-$nn
-    "$MAKE" hint-$nn >said 2>&1
-    [ "$(grep -c 'hint-03 SLOT=3[abc]$' said)" = 3 ] && ! grep -q '^Hint' said
-    result $? "without a slot no hint is shown, $1" "$(cat said)"
-    says '^Hint 1: slot 3b' "a hint for the slot that is asked for, $1" \
-        "$MAKE" hint-$nn SLOT=3b
-    with_line 'exit(0);'
-    "$MAKE" check-$nn >/dev/null 2>&1
-    "$MAKE" hint-$nn >/dev/null 2>&1
-    says '^(hint 2 of 3' "the level of hints rises, $1" "$MAKE" hint-$nn
-    echo '/* edited */' >>$mine
-    says '^(hint 1 of 3' "an edit takes it back, $1" "$MAKE" hint-$nn
-    rm $mine && mkfifo $mine
-    says 'is not a plain file' "a pipe in the place of the file, $1" \
-        "$MAKE" lesson-$nn
-    rm $mine && cp solutions/$slug.c $mine
-}
-# sh itself, dash on Debian, runs all other tests
+# Each command under another shell: sh itself, dash on Debian, runs all other tests.
+path=$PATH ring=
 for shell in bash 'busybox sh'; do
     program=$(command -v "${shell%% *}") || {
         echo "skip cli: no $shell here"
         continue
     }
-    mkdir -p "$shell" && printf '#!/bin/sh\nexec %s "$@"\n' \
-        "$program${shell#"${shell%% *}"}" >"$shell/sh" && chmod +x "$shell/sh"
-    rm -f build/progress/*
-    path=$PATH
-    PATH=$PWD/$shell:$PATH
-    habits "$shell"
-    PATH=$path
+    at=${shell%% *} ring="$ring${shell%% *} "
+    mkdir -p "$at" && printf '#!/bin/sh\nexec %s "$@"\n' \
+        "$program${shell#"${shell%% *}"}" >"$at/sh" && chmod +x "$at/sh"
 done
+next() {
+    first=${ring%% *} ring="${ring#* }$first "
+    PATH=$PWD/$first:$path
+}
+rm -f build/progress/*
+if [ -z "$can" ]; then
+    with_line "$twice"
+    next
+    says "in move_known_values, $at\$" "debug names the line of a use after free, $first" \
+        "$MAKE" debug-$nn
+    with_line 'double q[3]; for (volatile int k = 0; k <= 3; k++) q[k] = k;'
+    next
+    says "in move_known_values, $at\$" "debug names the line of an index, $first" \
+        "$MAKE" debug-$nn
+    with_line ''
+    next
+    says 'ends well; the sanitizers .* found nothing' \
+        "debug says that a program is fine, $first" "$MAKE" debug-$nn
+    awk -f tests/tools/starter.awk solutions/$slug.c >$mine
+    next
+    says 'comes to a slot that is not written' "debug of a starter, $first" \
+        "$MAKE" debug-$nn
+else
+    echo 'skip cli: no sanitizers here'
+fi
+cp solutions/$slug.c $mine
+next
+says 'next: lesson 08, Element by element, .*(lessons/08_element' \
+    "a pass says what is next, $first" "$MAKE" check-$nn
+next
+"$MAKE" hint-$nn >said 2>&1
+[ "$(grep -c 'hint-03 SLOT=3[abc]$' said)" = 3 ] && ! grep -q '^Hint' said
+result $? "without a slot no hint is shown, $first" "$(cat said)"
+next
+says '^Hint 1: slot 3b' "a hint for the slot that is asked for, $first" \
+    "$MAKE" hint-$nn SLOT=3b
+with_line 'exit(0);'
+next
+"$MAKE" check-$nn >/dev/null 2>&1
+"$MAKE" hint-$nn >/dev/null 2>&1
+next
+says '^(hint 2 of 3' "the level of hints rises, $first" "$MAKE" hint-$nn
+echo '/* edited */' >>$mine
+next
+says '^(hint 1 of 3' "an edit takes it back, $first" "$MAKE" hint-$nn
+rm $mine && mkfifo $mine
+next
+says 'is not a plain file' "a pipe in the place of the file, $first" \
+    "$MAKE" lesson-$nn
+rm $mine && cp solutions/$slug.c $mine
+PATH=$path
 
 # ---- goals ----------------------------------------------------------------------
 for pair in check-7:check-07 chek-07:check-07 lesson7:lesson-07 plot-007:07 \

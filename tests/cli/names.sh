@@ -1,8 +1,8 @@
 #!/bin/sh
 # names.sh NN_slug - a right program is OK whatever its names and macros are.
 #
-# The solution, with names and macros added that its checks use as well, is
-# judged.  Prints "ok ..." or "FAIL ..." lines.
+# The solution, with names and macros added that its checks use as well, and with a
+# table of its own, is judged.  Prints "ok ..." or "FAIL ..." lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -88,18 +88,17 @@ slot=$(awk '/^static .*\(/ { sub(/\(.*/, ""); sub(/.*[ *]/, ""); name = $0 }
     /\/\* SLOT / { print name; exit }' "$solution")
 sed -n 's/^\(#include ".*\)\.c"/\1.h"/p' "$check" >"$dir/modules"
 
-after_includes "$(of_checks; of_system 0)" >"$file"
-judged "with $(count "$dir/names") names of the checks and $(count \
-    "$dir/others") functions of the system's names"
+after_includes "$(of_checks; of_system 0)" | awk '/return table_finish\(\);/ {
+        print "table_begin(\"mine\", \"x\"); table_row(2.385); table_end();" }
+    { print }' >"$file"
+judged "with $(count "$dir/names") names of the checks, $(count \
+    "$dir/others") functions of the system's names and a table of its own"
 
 macro=
 grep -q "struct $slot " "$solution" || macro="#define $slot my_$slot"
-after_includes "$(cat "$dir/modules" && of_system 1 && printf '%s\n' "$macro" \
-    '#ifndef M_PI' '#define M_PI 3.14159265358979323846' '#endif')" >"$file"
-judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
-    sed 's/#include //g')${macro:+and a macro for $slot}"
-
-{ cat "$solution"
+{ after_includes "$(cat "$dir/modules" && of_system 1 && printf '%s\n' "$macro" \
+    '#ifndef M_PI' '#define M_PI 3.14159265358979323846' '#endif')"
     awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
 } >"$file"
-judged "with $(count "$dir/spoken") macros"
+judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
+    sed 's/#include //g')${macro:+a macro for $slot }and $(count "$dir/spoken") more"

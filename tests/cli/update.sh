@@ -334,7 +334,7 @@ sweep() { # sweep WHAT PREPARE FROM HOW...
 }
 with_git() { version header && student cat; }
 with_commits() { version header && committed && cp ../m ../expected; }
-[ -z "$git" ] || sweep git with_git '' fails killed
+[ -z "$git" ] || sweep git with_git '' fails # a commit of one's own has all places
 [ -z "$git" ] || sweep 'commits of mine' with_commits '' killed
 sweep 'a folder' without_git ../new fails killed
 

@@ -81,31 +81,8 @@ behave)
     }
     crash='int *volatile nowhere = (int *)-4096L; *nowhere = 1;'
     quit='extern void exit(int); exit(0);'
-    table() {
-        awk '/return table_finish\(\);/ { print "table_begin(\"mine\", \"x\");" \
-            "table_row(2.385); table_end();" } { print }' "solutions/$slug.c"
-    }
-    # the whole way of a student, in a copy of the workbook: in one short and one
-    # long lesson, for it is the same in all
-    case $nn in 03 | 13) ;; *)
-        dir=$BUILD/test/behave.$nn
-        rm -rf "$dir" && mkdir -p "$dir"
-        file=$dir/$slug.c
-        . tests/tools/same_way.sh
-        direct() { # direct WHAT VERDICT: the program in $file
-            same_way >"$dir/log" && judge_one "$dir/judge" >"$dir/log"
-            said=$(cat "$dir/log")
-            said "$1" "$2"
-        }
-        with_line "$crash" >"$file"
-        direct 'segmentation fault' CRASHED
-        with_line "$quit" >"$file"
-        direct 'early exit(0)' CRASHED
-        table >"$file"
-        direct 'a program with a table of its own' OK
-        rm -rf "$dir"
-        exit 0 ;;
-    esac
+    # the whole way of a student, in a copy of the workbook; it is the same in all
+    # lessons
     copy=$BUILD/test/copy.$nn
     BUILD="$BUILD" sh tests/tools/copy.sh "$copy" "$slug" || exit 1
     cd "$copy" || exit 1
@@ -126,8 +103,6 @@ behave)
     behave 'compile error' 'this is not C' 'WRONG (does not compile)'
     : >"$mine"
     judged 'empty file' 'UNFINISHED (empty file)'
-    table >"$mine"
-    judged 'a program with a table of its own' OK
     cp "solutions/$slug.c" "$mine"
     judged 'the solution' OK
     said=$("$MAKE" status)
