@@ -95,7 +95,7 @@ web:
 # ---- in a headless Chromium: once the pages are made, each test is by itself.  What
 # is missing for them is said in one line.  What was left out or has failed is tried
 # again.
-WEB_RESULTS := $(patsubst %,$(T)/%.result,web-small web-pages web web-judge $(WEB_TESTS))
+WEB_RESULTS := $(patsubst %,$(T)/%.result,web-small web-pages web web-judge web-student $(WEB_TESTS))
 .PHONY: test-web web-again
 test-web: $(WEB_RESULTS)
 	@if grep -h '^skip web: ' $^; then :; else cat $^ | sh tests/tools/count.sh; fi

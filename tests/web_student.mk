@@ -30,11 +30,11 @@ $(WASI)/libgsl.a: $(WASM)/gsl/libgsl.a $(WASI)/usr tests/tools/web_gsl.sh
 	$(Q)BUILD='$(BUILD)' CC='$(WASI_CC)' sh tests/tools/web_gsl.sh wasi
 
 WASI_LIBRARY := $(patsubst %.c,$(WASI)/%.o,$(filter-out \
-                    %_sdl.c %/window_web.c %/hand.c %/choose.c,$(wildcard common/*/*.c)))
+                    %_sdl.c %/window_web.c %/choose.c,$(wildcard common/*/*.c)))
 WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/tests/%,$(WASI)/tests/checks/%, \
                   $(filter-out %/child.o %/confine.o %/sight.o,$(JUDGE)))
 -include $(wildcard $(WASI)/*/*/*.d)
-$(WASI_LIBRARY) $(WASI_JUDGE): $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
+$(WASI_LIBRARY) $(WASI_JUDGE) $(WASI)/tests/web/view.o: $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
         $(WASM)/gsl/libgsl.a
 	$(call say,wasi,$<)
 	$(WASI_OBJECT) -O2 -Itests/checks -DBUILD_FLAGS='"-O2"' -c $< -o $@
@@ -51,15 +51,15 @@ $(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/
 # Into the page: all that a lesson needs, and what all of them do.
 $(LESSONS:%=$(WASI)/%.tar.gz): $(WASI)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
         $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/solutions/% $(BUILD)/solutions/%.judge \
-        $(BUILD)/mistakes/%/all.judge tests/tools/web_lesson.sh tests/tools/web_kept.js
+        $(BUILD)/mistakes/%/all.judge $$(wildcard figures/$$*/hand.c) tests/tools/web_lesson.sh tests/tools/web_kept.js
 	$(call say,wasi,$@)
 	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< > $(PART) && $(MOVED)
-$(WASI)/library.tar.gz: $(WASI)/usr $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
+$(WASI)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
         $(wildcard common/*/*.h tests/checks/*.h tests/oracle/*.h)
 	$(call say,wasi,$@)
 	$(Q)$(WHOLE) tar -cf $(PART) --sort=name --owner=0 --group=0 --mtime=@0 \
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
-	    -C $(CURDIR)/$(WASI) usr libgsl.a libworkbook.a libjudge.a \
+	    -C $(CURDIR)/$(WASI) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
 	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@; rm -f $(PART)
 WASI_SITE := $(addprefix $(WASI)/site/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
                  llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
@@ -81,10 +81,13 @@ $(BUILD)/web/student/sizes.json: $(BUILD)/web/index.html $(WASI_SITE)
 	    END { print "{" substr(all, 2) "\n}" }' > sizes.json
 web-pages: $(BUILD)/web/student/sizes.json
 
-# By node alone: the judge in the page says what the native one says.
-$(T)/web-judge.result: $(T)/web-pages.result tests/web/judge.mjs tests/web/student_node.mjs \
-        $(wildcard lessons/web/student*) $(LESSONS:%=$(BUILD)/mistakes/%/all.judge)
-	$(call say,test,tests/web/judge.mjs)
-	$(Q)if grep -q '^ok ' $<; then node tests/web/judge.mjs $(BUILD) $(BUILD)/web all > $@ \
-	    2> $@.log || echo "FAIL web judge: $$(tail -n 5 $@.log | tr '\n' ' ')" >> $@; \
-	    else : > $@; fi
+# The judge in the page says what the native one says, by node alone; and in a headless
+# Chromium it is quick, can be stopped, and holds a scene.
+$(T)/web-judge.result: tests/web/judge.mjs $(LESSONS:%=$(BUILD)/mistakes/%/all.judge)
+$(T)/web-student.result: tests/web/student.mjs tests/tools/browser.js tests/web/page.mjs $(LIB)
+$(T)/web-judge.result $(T)/web-student.result: $(T)/web-%.result: $(T)/web-pages.result \
+        tests/web/student_node.mjs $(wildcard lessons/web/student*)
+	$(call say,test,tests/web/$*.mjs)
+	$(Q)if grep -q '^ok ' $<; then COMPILE='$(PLAIN) -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' \
+	    node tests/web/$*.mjs $(BUILD)/web $(BUILD) > $@ 2> $@.log || \
+	    echo "FAIL web $*: $$(tail -n 5 $@.log | tr '\n' ' ')" >> $@; else : > $@; fi

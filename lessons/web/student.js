@@ -32,6 +32,21 @@
  * Seconds of a limit are those of a clock, for a page cannot ask for those of a processor;
  * patience (1) multiplies them, on a busy machine.
  *
+ * student.hand(slug, text, {progress, args}) is what `make live-NN` does, with the slots
+ * that are not written yet from the solution, a frame at a time, for a page that has its
+ * own canvas and clock: a promise of
+ *     {whose, frame, close, stdout, diagnostics, end}
+ *     frame({x, y, down, key})   a promise of the picture of the next frame (metres; key
+ *                  is a letter or "."), or of null when it has ended
+ *     whose        "yours: 12a 12b; reference: 12c"
+ *     end          null while it runs; then "exit", "crash" or "not compiled", and
+ *                  diagnostics the line that says why, as `make live-NN` does
+ *     stdout       the table `frames`, complete when close() has been waited for
+ * A picture has the members of struct view_picture (common/motion/view.h) as arrays, x,
+ * triangle, value, held, ring, arrow and curve, alarm, caption, note, and ms of computing.
+ * Its names of Errors are "NoScene", and "OldBrowser" where WebAssembly cannot wait, as
+ * Chromium can since 2025.
+ *
  * student.stop() ends whatever is under way, in any phase; its promise is rejected with
  * an Error whose name is "Stopped".  Others: name "Offline" (a file of `base` cannot be
  * read; from file:// a browser reads none), "OldBrowser" (what is missing is in its
@@ -48,7 +63,7 @@
 (() => {
 const here = globalThis.document?.currentScript?.src;
 const [LIMIT_CPU, LIMIT_OUTPUT] = [1, 3]; /* enum limit of tests/checks/child.h */
-const SECONDS_COMPILING = 60, SECONDS_JUDGE = 60, MOST_ENDED = 24;
+const SECONDS_COMPILING = 60, SECONDS_JUDGE = 60, SECONDS_FRAME = 10, MOST_ENDED = 24;
 const COMPILER = ["clang.js.gz", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
                   "llvm.core3.wasm.gz", "llvm.core4.wasm.gz"];
 
@@ -103,14 +118,14 @@ globalThis.makeStudent = ({base, worker}) => {
         });
     }
 
-    async function compiled(slug, text, progress) {
-        if (last?.slug === slug && last.text === text) return last.answer;
+    async function compiled(slug, text, progress, scene = false) {
+        if (last?.slug === slug && last.text === text && last.scene === scene) return last.answer;
         let phase = "load";
         const mine = compiler ||= worker("student_compile.js");
         const drop = () => { if (compiler === mine) compiler = null; };
         let answer;
         try {
-            answer = await ask(mine, {base, slug, text}, 600, (data, wait) => {
+            answer = await ask(mine, {base, slug, text, scene}, 600, (data, wait) => {
                 if (!data.progress) return data;
                 if (data.progress[0] !== phase) wait(SECONDS_COMPILING);
                 [phase] = data.progress;
@@ -126,7 +141,7 @@ globalThis.makeStudent = ({base, worker}) => {
             throw error;
         }
         if (answer.failed) throw new Failure(answer.failed, answer.why);
-        last = {slug, text, answer};
+        last = {slug, text, scene, answer};
         return answer;
     }
 
@@ -200,6 +215,51 @@ globalThis.makeStudent = ({base, worker}) => {
                 mistakes: mistakes === "-" ? [] : mistakes.split(","), diagnostics: made.diagnostics};
     }
 
+    async function hand(slug, text, {progress = () => {}, args = []} = {}) {
+        if (globalThis.document && !WebAssembly.Suspending)
+            throw new Failure("OldBrowser", "For this a browser is needed in which WebAssembly can " +
+                "wait (JSPI), as Chromium can since 2025.");
+        const made = await compiled(slug, text, progress, true);
+        const scene = {whose: made.whose || "", end: null, diagnostics: "", stdout: "", frame: async () => null, close() {}};
+        if (!made.code)
+            return Object.assign(scene, {end: "not compiled", diagnostics: made.diagnostics || made.errors.join("\n")});
+        const who = worker("student_judge.js");
+        let err = "", waiting = null, began;
+        const begun = new Promise((done) => { began = done; });
+        const over = (end, why) => {
+            if (scene.end) return;
+            who.terminate();
+            Object.assign(scene, {end, diagnostics: why});
+            began();
+            waiting?.(null);
+        };
+        who.onmessage = ({data}) => {
+            if (data.err) err += data.err;
+            if (data.out) scene.stdout += data.out;
+            if (data.result) over(data.result.status === 0 ? "exit" : "crash", err.trim());
+            if (data.frame === undefined) return;
+            if (data.frame) waiting?.(data.frame);
+            else began();
+        };
+        who.onerror = (event) => { event.preventDefault?.(); over("crash", event.message); };
+        who.postMessage({scene: true, code: made.code, files: {}, args: ["live", ...args]});
+        scene.frame = ({x, y, down = 0, key = "."}) => new Promise((done) => {
+            if (scene.end) return done(null);
+            const late = setTimeout(over, 1e3 * SECONDS_FRAME, "crash",
+                                    `live-${slug.slice(0, 2)}: TIMEOUT: this frame does not end`);
+            waiting = (picture) => { clearTimeout(late); waiting = null; done(picture); };
+            who.postMessage({pointer: [x, y, down ? 1 : 0, key.charCodeAt(0)]});
+        });
+        scene.close = () => new Promise((done) => { /* with the end of its table */
+            waiting = done;
+            if (scene.end) done();
+            else who.postMessage({pointer: null});
+            setTimeout(over, 1e3, "exit", "");
+        });
+        await begun;
+        return scene;
+    }
+
     const turn = (call) => (...given) => {
         const mine = queue.then(() => call(...given));
         queue = mine.catch(() => {});
@@ -208,6 +268,7 @@ globalThis.makeStudent = ({base, worker}) => {
     return {
         run: turn(run),
         check: turn(check),
+        hand: turn(hand),
         stop() { current?.(); },
         async size(slug) {
             const response = await fetch(base + "sizes.json").catch(() => null);

@@ -2,7 +2,8 @@
  * student_compile.js - a worker that makes of a student's text the judge of its lesson,
  * or says why it cannot: clang and wasm-ld as WebAssembly.
  *
- * It is sent {base, slug, text}, and posts {progress: [phase, fraction]}, then one of
+ * It is sent {base, slug, text}, with {scene: true} for the lesson's scene in the hand in
+ * place of its judge, and posts {progress: [phase, fraction]}, then one of
  *     {code, files, diagnostics}    a WebAssembly.Module for student_judge.js, the files
  *                                   that it reads, and the compiler's warnings
  *     {refused: WHY}                as tests/tools/program.sh refuses it
@@ -114,6 +115,7 @@ async function loadLesson(base, slug) {
         contract: new TextDecoder().decode(files["checks.h"]),
         calls: words("checks.calls").map((line) => line.split("\t")),
         owner: new Map(words("checks.words").map((line) => line.split(" "))),
+        scene: files["hand.c"], solution: files["solution.c"],
         files: kept(JSON.parse(new TextDecoder().decode(files["checks.json"]))),
     };
     return loaded.lessons[slug] = lesson;
@@ -360,28 +362,63 @@ async function compile({base, slug, text}) {
         if (!anew.ok) throw new Refusal("a struct of the starter has a member of a type of its own");
         checks = anew.files["checks.o"];
     }
+    const code = await link(["program.o", "checks.o", "--export=page_body", "--export=__stack_pointer"],
+                            {"program.o": object, "checks.o": checks});
+    if (code.said) return explain(path, text, code, lesson);
+    return {code, files: lesson.files, diagnostics: made.said};
+}
+
+/* A student's text in which what is not written yet is the solution's
+ * (tests/tools/hand.awk), and whose slots are whose. */
+function together(solution, mine) {
+    const slot = /(\/\* SLOT (\d+[a-z])\([^]*?\*\/\n)([^]*?)(?=^.*\/\* END \2 \*\/)/gm;
+    const bodies = new Map([...solution.matchAll(slot)].map(([, , name, body]) => [name, body]));
+    const [yours, theirs] = [[], []];
+    const text = mine.replace(slot, (whole, head, name, body) => {
+        const unwritten = body.includes(`todo("${name}"`) && bodies.has(name);
+        (unwritten ? theirs : yours).push(name);
+        return head + (unwritten ? bodies.get(name) : body);
+    });
+    return {text, whose: `yours: ${yours.join(" ") || "none"}` +
+                         (theirs.length ? `; reference: ${theirs.join(" ")}` : "")};
+}
+async function compileScene({base, slug, text}) {
+    await loadCompiler(base);
+    const lesson = await loadLesson(base, slug), path = `lessons/${slug}.c`;
+    if (!lesson.scene) throw new Failure("NoScene", "There is nothing to hold in this lesson.");
+    progress("compile");
+    const all = together(new TextDecoder().decode(lesson.solution), text.replace(/\r\n/g, "\n"));
+    const made = await tool(["clang", "-c", "-w", ...LANGUAGE, ...PATHS, ...CHECKED, "-O1",
+        "-includetests/web/posix.h", `-DPROGRAM="${path}"`, `-DHAND_WHOSE="${all.whose}"`,
+        `figures/${slug}/hand.c`, "-o", "hand.o"],
+        {...put(path, all.text), figures: {[slug]: {"hand.c": lesson.scene}}});
+    if (!made.ok) return explain(path, all.text, made, lesson);
+    const code = await link(["hand.o", "view.o", "--export=page_trapped"], {"hand.o": made.files["hand.o"]});
+    if (code.said) return explain(path, all.text, code, lesson);
+    return {code, whose: all.whose, diagnostics: ""};
+}
+
+/* A WebAssembly.Module, or what the linker says. */
+async function link(objects, files) {
     progress("link");
     const lib = (name) => `/usr/lib/wasm32-wasip1/lib${name}.a`;
+    const page = ["run", "pair", "seconds", "limit", "signal", "frame", "draw"];
     const linked = await tool(["wasm-ld", "--import-memory", `--initial-memory=${2 * STACK}`,
-        `--max-memory=${512 << 20}`, "--stack-first", "-z", `stack-size=${STACK}`,
-        "--export=page_body", "--export=__stack_pointer", "--strip-all",
+        `--max-memory=${512 << 20}`, "--stack-first", "-z", `stack-size=${STACK}`, "--strip-all",
         "--allow-undefined-file=page.symbols",
         ...["malloc", "calloc", "realloc", "free", "posix_memalign", "aligned_alloc"].map((name) => "--wrap=" + name),
-        "/usr/lib/wasm32-wasip1/crt1-command.o", "program.o", "checks.o",
+        "/usr/lib/wasm32-wasip1/crt1-command.o", ...objects,
         "libjudge.a", "libworkbook.a", "libgsl.a",
         ...["wasi-emulated-signal", "wasi-emulated-getpid", "wasi-emulated-process-clocks", "c"].map(lib),
         "/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a", "-o", "judge.wasm"],
-        {"program.o": object, "checks.o": checks,
-         "page.symbols": ["run", "pair", "seconds", "limit", "signal"].map((name) => `page_${name}\n`).join("")});
-    if (!linked.ok) return explain(path, text, linked, lesson);
-    return {code: await WebAssembly.compile(linked.files["judge.wasm"]), files: lesson.files,
-            diagnostics: made.said};
+        {...files, "page.symbols": page.map((name) => `page_${name}\n`).join("")});
+    return linked.ok ? WebAssembly.compile(linked.files["judge.wasm"]) : linked;
 }
 
 self.onmessage = async ({data}) => {
     let answer;
     try {
-        answer = await compile(data);
+        answer = await (data.scene ? compileScene : compile)(data);
     } catch (error) {
         if (error instanceof Refusal) answer = {refused: error.message};
         else answer = {failed: error instanceof Failure ? error.name : "Died", why: error.message || String(error)};

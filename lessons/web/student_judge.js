@@ -15,6 +15,10 @@
  * the order in which they begin.  One that does not end ends this worker, from outside;
  * a new one is told that child k has ended in such a way, and runs all others again,
  * which do what they did before.
+ *
+ * With {scene: true} the program is a scene in the hand (tests/web/view.c), which waits for
+ * its frames: it posts {frame: PICTURE}, the first time null, and is sent {pointer: [x, y,
+ * down, code of the key]}, or {pointer: null} at the end.
  */
 "use strict";
 (() => {
@@ -91,6 +95,9 @@ class Process {
             page_seconds: () => world.seconds(),
             page_limit: (seconds) => world.post({seconds}),
             page_signal: (number) => { throw new End(-number); }};
+        if (world.scene) Object.assign(env, {
+            page_frame: new WebAssembly.Suspending((keys, to) => this.frame(to)),
+            page_draw: (picture, seconds) => { world.picture = this.picture(picture, seconds); }});
         const wasi = {};
         for (const {module, name} of WebAssembly.Module.imports(world.code))
             if (module !== "env") wasi[name] = (this[name] || (() => NOSYS)).bind(this);
@@ -155,6 +162,27 @@ class Process {
         ends[0].other = ends[1];
         ends[1].other = ends[0];
         ends.forEach((end, k) => this.view.setInt32(both + 4 * k, this.open(end), true));
+    }
+
+    /* ---- a scene in the hand */
+    async frame(to) {
+        const pointer = await this.world.next();
+        pointer?.forEach((number, k) => this.view.setFloat64(to + 8 * k, number, true));
+        return pointer ? 1 : 0;
+    }
+    /* struct view_picture of view.h */
+    picture(at, seconds) {
+        const word = (k) => this.view.getInt32(at + k, true), ARROWS = 64;
+        const behind = 32 + 32 * ARROWS;
+        const numbers = (from, n) => new Float64Array(this.memory.buffer.slice(from, from + 8 * n));
+        const whole = (from, n) => from ? new Int32Array(this.memory.buffer.slice(from, from + 4 * n)) : null;
+        const text = (from, size) => this.string(from, size).replace(/\0[^]*$/, "");
+        const n = word(0), n_triangle = word(8);
+        return {x: numbers(word(4), 2 * n), triangle: whole(word(12), 3 * n_triangle),
+                value: numbers(word(16), n_triangle), held: whole(word(20), n), ring: whole(word(24), n),
+                arrow: numbers(at + 32, 4 * word(28)), curve: numbers(word(behind + 4), 2 * word(behind)),
+                alarm: word(behind + 8) !== 0, caption: text(at + behind + 12, 480),
+                note: text(at + behind + 492, 80), ms: 1e3 * seconds};
     }
 
     /* ---- WASI */
@@ -326,12 +354,18 @@ class Process {
         return 0;
     }
     path_unlink_file(fd, at, size) { return this.world.files.delete(this.named(fd, at, size)) ? 0 : NOENT; }
+    path_rename(fd, at, size, other, to, length) {
+        const path = this.named(fd, at, size), file = this.world.files.get(path);
+        if (!file) return NOENT;
+        this.world.files.delete(path);
+        this.world.files.set(this.named(other, to, length), file);
+        return 0;
+    }
     path_remove_directory(fd, at, size) { return this.world.folders.delete(this.named(fd, at, size)) ? 0 : NOENT; }
 }
 
-/* Run it to its end: {status, limit, files}. */
-function runToEnd(job, post) {
-    const world = new World(job, post);
+/* A process of what was asked for. */
+function processOf(world, post) {
     const printer = (what) => {
         const decoder = new TextDecoder();
         let size = 0;
@@ -341,21 +375,50 @@ function runToEnd(job, post) {
             post({[what]: decoder.decode(bytes, {stream: true})});
         }};
     };
-    let end;
+    const memory = new WebAssembly.Memory({initial: 256, maximum: 8192});
+    return new Process(world, memory, [reader(new File()), printer("out"), printer("err"), {folder: ""}]);
+}
+
+/* Run it to its end: {status, limit, files}. */
+function runToEnd(job, post) {
+    const world = new World(job, post);
+    let end = new End(0);
     try {
-        const memory = new WebAssembly.Memory({initial: 256, maximum: 8192});
-        const process = new Process(world, memory, [reader(new File()), printer("out"), printer("err"),
-                                                    {folder: ""}]);
-        process.exports._start();
-        end = new End(0);
+        processOf(world, post).exports._start();
     } catch (error) {
         end = endOf(error);
     }
     const files = {};
     for (const name of job.want || [])
         if (world.files.has(name)) files[name] = new TextDecoder().decode(world.files.get(name).text());
-    return {status: end.status, limit: end.limit, files, children: world.children};
+    return {status: end.status, limit: end.limit, files};
 }
 
-self.onmessage = ({data}) => self.postMessage({result: runToEnd(data, (what) => self.postMessage(what))});
+/* A scene: the pointer of the next frame is what is sent next. */
+let pointed = null;
+async function play(job, post) {
+    const world = new World(job, post);
+    world.scene = true;
+    world.picture = null;
+    world.next = () => new Promise((done) => {
+        pointed = done;
+        post({frame: world.picture});
+    });
+    let end = new End(0), process;
+    try {
+        process = processOf(world, post);
+        await WebAssembly.promising(process.exports._start)();
+    } catch (error) {
+        end = endOf(error);
+    }
+    if (end.status < 0 && process)
+        try { process.exports.page_trapped(-end.status); } catch (error) { end = endOf(error); }
+    return {status: end.status, limit: end.limit};
+}
+
+self.onmessage = async ({data}) => {
+    const post = (what) => self.postMessage(what);
+    if (data.pointer !== undefined) pointed?.(data.pointer);
+    else post({result: data.scene ? await play(data, post) : runToEnd(data, post)});
+};
 })();

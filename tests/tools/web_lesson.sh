@@ -17,6 +17,8 @@ set -- "$2" "$build/solutions/$slug"
 for why in "$all"/*.why; do set -- "$@" "${why%.why}"; done
 cp "$1" "$work/to/checks.o"
 cp "tests/checks/$slug.c" "$work/to/checks.c"
+scene=figures/$slug/hand.c
+[ ! -f "$scene" ] || { cp "$scene" "$work/to" && cp "solutions/$slug.c" "$work/to/solution.c"; }
 for what in h calls words; do cp "$build/checks/$slug.$what" "$work/to/checks.$what"; done
 shift
 "$build/solutions/$slug.judge" --keep "$work/kept" "$@" </dev/null

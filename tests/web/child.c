@@ -4,7 +4,7 @@
  */
 #include "child.h"
 
-#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,6 +103,13 @@ char *mkdtemp(char *name)
     return mkdir(name, 0700) < 0 ? NULL : name;
 }
 
+int mkstemp(char *name)
+{
+    memset(name + strlen(name) - 6, 'a', 6);
+    return open(name, O_RDWR | O_CREAT | O_EXCL);
+}
+
+mode_t umask(mode_t mode) { return mode = 0; }
 int pause(void) { page_signal(9); }
 int madvise(void *at, size_t size, int advice)
 {

@@ -23,4 +23,11 @@ int socketpair(int domain, int type, int protocol, int both[2]);
 char *mkdtemp(char *name);
 int pause(void);
 
+/* of a scene in the hand: view.c */
+struct sigaction {
+    void (*sa_handler)(int);
+};
+int sigaction(int number, const struct sigaction *, struct sigaction *old);
+unsigned alarm(unsigned seconds);
+
 #endif

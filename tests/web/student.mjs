@@ -1,14 +1,15 @@
 /*
- * student.mjs SITE - a student's file is compiled and judged in a headless Chromium: how
+ * student.mjs SITE BUILD - a student's file is compiled and judged in a headless Chromium: how
  * long that takes, from a plain server, for the first time and later; that the page stays
  * awake, that it can be stopped in each phase, and that what is loaded is loaded once.
  */
 import fs from 'node:fs';
+import {execFileSync} from 'node:child_process';
 import http from 'node:http';
 import path from 'node:path';
 import {open} from './page.mjs';
 
-const [site] = process.argv.slice(2);
+const [site, build] = process.argv.slice(2);
 const read = path => fs.readFileSync(path, 'utf8');
 const [L03, L12] = ['03_dirichlet_correction', '12_triangles'];
 const solution = lesson => read(`solutions/${lesson}.c`);
@@ -100,6 +101,44 @@ for (const phase of ['compile', 'link', 'judge'])
         expect(its.name === 'Stopped' && its.phases.at(-1) === phase, its);
         return ok(await page.check(L03, solution(L03), patient));
     });
+await attempt('300 frames of lesson 12 in the hand have the native numbers', async () => {
+    const input = `${build}/test/student.txt`;
+    const native = execFileSync('sh', ['tests/tools/hand.sh', L12, `solutions/${L12}.c`], {encoding: 'utf8',
+        env: {...process.env, WINDOW: 'no', MINE: `${build}/test/student`, ARGS: `--input hard --record ${input}`}}) &&
+        read(`${build}/test/student/${L12}.hand.tsv`);
+    const pointers = read(input).trim().split('\n').map(line => line.split(' '))
+        .map(([x, y, down, key]) => ({x: +x, y: +y, down: +down, key}));
+    const its = await page.evaluate(`(async () => {
+        const hand = await mine.hand("${L12}", ${JSON.stringify(read(`lessons/${L12}.c`))});
+        const begin = performance.now();
+        let frames = 0, last = null, most = 0;
+        for (const pointer of ${JSON.stringify(pointers)}) {
+            const picture = await hand.frame(pointer);
+            if (!picture) break;
+            frames++;
+            most = Math.max(most, picture.ms);
+            last = {points: picture.x.length / 2, triangles: picture.value.length, caption: picture.caption};
+        }
+        const seconds = (performance.now() - begin) / 1e3;
+        await hand.close();
+        return {whose: hand.whose, end: hand.end, said: hand.diagnostics, stdout: hand.stdout, frames, last, most, seconds};
+    })()`);
+    const rows = text => text.split('\n').filter(line => /^\d/.test(line));
+    const [a, b] = [its.stdout, native].map(rows);
+    const bad = a.findIndex((row, k) => row !== b[k]);
+    expect(its.frames === 300 && a.length === 300 && bad < 0, {...its, stdout: a[bad], native: b[bad], rows: [a.length, b.length]});
+    expect(its.whose.startsWith('yours: none; reference: 12a'), its);
+    return `${its.seconds.toFixed(1)} s, the longest ${its.most.toFixed(1)} ms`;
+});
+await attempt('a slot that crashes ends the scene with its name', async () => {
+    const text = solution(L12).replace(/(\/\* SLOT 12e[^]*?\*\/\n)/, '$1int *volatile nowhere = (int *)-4096L; *nowhere = 1;\n');
+    const its = await page.evaluate(`(async () => {
+        const hand = await mine.hand("${L12}", ${JSON.stringify(text)});
+        const picture = await hand.frame({x: 1, y: 0});
+        return {picture, end: hand.end, said: hand.diagnostics};
+    })()`);
+    expect(its.picture === null && its.end === 'crash' && /^live-12: CRASHED \(slot 12e\)/.test(its.said), its);
+});
 await attempt('after a reload nothing is asked of the server again', async () => {
     page = await begin(`${origin}/index.html`);
     const size = await page.evaluate(`mine.size("${L03}")`);
