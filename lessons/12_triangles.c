@@ -13,8 +13,8 @@
  *     6---7---8     vertex a rests at X_a; component i of its displacement is
  *     | / | / |     u[2a + i] [eq:flatten].  Triangle e has the vertices
  *     3---4---5     t = &mesh->triangle[3e], counter-clockwise; on it F, P and
- *     | / | / |     the gradients of its three shape functions are constant
- *     0---1---2
+ *     | / | / |     the gradients of its three shape functions are constant.
+ *     0---1---2     The slots take any mesh, a strip as well
  *
  * Run       make lesson-12; make lesson-12 ARGS=-h lists its options
  * PREDICT 1 force that holds the left side, --scene gravity (N/m): ...
