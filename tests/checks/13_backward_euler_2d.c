@@ -5,8 +5,8 @@
  *   13a  body      mass_agrees_with_the_fast_one (both masses, a skew mesh)
  *        v, out    the same; mass_sums_to_the_mass_of_the_body (out not 0)
  *   13b  s         traction_adds_up (n, a right end that is tilted, its edges
- *                  unequal), b_is_mass_times_the_guess (density, masses), run
- *                  `both`
+ *                  unequal, free or held), b_is_mass_times_the_guess (density,
+ *                  masses, a held end), run `both`
  *        dt        traction_adds_up
  *        u0, v0    b_is_mass_times_the_guess
  *   13c  body, u   tangent_is_the_derivative_of_q (laws, masses, held or free),
@@ -15,7 +15,8 @@
  *   13d  s         step_agrees_with_the_fast_one (scenes, laws, masses, units),
  *                  momentum_is_kept, step_stays_in_its_arrays
  *        tolerance step_stops_where_it_is_told
- *        cap       failures_are_named
+ *        cap       failures_are_named; step_stops_where_it_is_told, just
+ *                  enough
  *        dt        modes_decay_as_predicted
  *        lift      step_agrees_with_the_fast_one
  */
@@ -117,7 +118,8 @@ static void traction_adds_up(void)
     for (int n = 1; n <= 9; n += 4) {
         const double tilt = n < 9 ? 1.5 : 0.0, dt = 0.2385 * n;
         const double length = hypot(tilt, 2.0);
-        const struct scene_setting set = scene_notes(TRACTION, CUBIC, n);
+        const struct scene_setting set = /* the right end free, or held */
+            scene_notes(n < 9 ? TRACTION : STRETCH, CUBIC, n);
         struct scene *s = scene_alloc(&set);
         double *X = s->mesh->X, zero[200] = {0.0}, b[200];
         double total[2] = {0.0, 0.0}, moment = 0.0;
@@ -147,10 +149,11 @@ static void traction_adds_up(void)
 static void b_is_mass_times_the_guess(void)
 {
     for (int lumped = 0; lumped < 2; lumped++) {
-        struct scene *s = skew_scene(SPIN, CUBIC, (enum mass)lumped);
+        struct scene *s = skew_scene(TRACTION, CUBIC, (enum mass)lumped);
         double u[N_DOF], v[N_DOF], f[N_DOF], w[N_DOF], want[N_DOF];
         double forces[N_DOF];
         const double dt = 0.2385;
+        s->traction[0] = s->traction[1] = 0.0; /* the left end is held */
         s->density[0] = 2.385;
         s->density[1] = -3.714;
         for (int r = 0; r < N_DOF; r++) {
@@ -465,7 +468,8 @@ static void step_agrees_with_the_fast_one(void)
 
 /* A free square at rest, one system; and one whose vertices are off by 1e-8, to
  * and fro, and on their way back: the increment is within a tolerance of 2e-8,
- * the forces before it are not, those after it are, and so one system again. */
+ * the forces before it are not, those after it are, and so one system again.
+ * No more than these are allowed. */
 static void step_stops_where_it_is_told(void)
 {
     const struct scene_setting set = scene_notes(SPIN, CUBIC, N);
@@ -473,17 +477,18 @@ static void step_stops_where_it_is_told(void)
     for (int off = 0; off < 2; off++)
         for (int small = 0; small < 2; small++) {
             struct scene *s = scene_alloc(&set);
+            const int want = off && small ? 2 : 1;
             for (int r = 0; r < N_DOF; r++) {
                 s->u[r] = off * 1e-8 * ((r + r / 2) % 2 ? 1.0 : -1.0);
                 s->v[r] = -s->u[r] / set.dt;
             }
             const struct history report =
-                step(s, small ? 0.1 * tolerance : tolerance, CAP, 0);
-            const int want = off && small ? 2 : 1;
+                step(s, small ? 0.1 * tolerance : tolerance, want, 0);
             expect(report.status == OK && report.iterations == want,
-                   "a square %s, tolerance %g: OK after %d systems, not %s "
-                   "after %d", off ? "that is off by 1e-8" : "at rest",
-                   small ? 0.1 * tolerance : tolerance, want,
+                   "a square %s, tolerance %g, a cap of %d: OK after %d "
+                   "systems, not %s after %d",
+                   off ? "that is off by 1e-8" : "at rest",
+                   small ? 0.1 * tolerance : tolerance, want, want,
                    status_name(report.status), report.iterations);
             scene_free(s);
         }
@@ -508,24 +513,37 @@ static void step_stays_in_its_arrays(void)
     scene_free(s);
 }
 
+/* The status of a step that fails, and its report; u and v are to stay. */
+static struct history failing_step(struct scene *s, int cap, enum status due,
+                                   const char *what)
+{
+    const size_t bytes = (size_t)s->n_dof * sizeof(double);
+    double *u = allocate((size_t)s->n_dof, sizeof *u);
+    double *v = allocate((size_t)s->n_dof, sizeof *v);
+    memcpy(u, s->u, bytes);
+    memcpy(v, s->v, bytes);
+    const struct history report = step(s, 1e-10, cap, 0);
+    expect(report.status == due, "%s: the step ends with %s, not %s", what,
+           status_name(report.status), status_name(due));
+    expect(memcmp(u, s->u, bytes) == 0 && memcmp(v, s->v, bytes) == 0,
+           "%s: a step that fails must leave u and v as they were", what);
+    free(u);
+    free(v);
+    return report;
+}
+
 static void failures_are_named(void)
 {
-    const struct scene_setting set = scene_notes(STRETCH, CUBIC, 2);
+    struct scene_setting set = scene_notes(STRETCH, CUBIC, 2);
     struct scene *s = scene_alloc(&set);
     scene_hold(s, asin(0.5));
     s->u[8] = 0.01;
     s->v[8] = 0.2385;
-    struct history report = step(s, 1e-10, 2, 0);
-    expect(report.status == MAX_ITERATIONS && report.iterations == 2,
-           "a cap of 2 iterations: MAX_ITERATIONS after 2, not %s after %d",
-           status_name(report.status), report.iterations);
-    expect(s->u[8] == 0.01 && s->v[8] == 0.2385 && s->u[0] == 0.0,
-           "a step that fails must leave u and v as they were");
+    const int two =
+        failing_step(s, 2, MAX_ITERATIONS, "a cap of 2 systems").iterations;
+    expect(two == 2, "a cap of 2 systems: MAX_ITERATIONS after %d", two);
     s->v[8] = INFINITY;
-    report = step(s, 1e-10, 2, 0);
-    expect(report.status == NONFINITE,
-           "an infinite velocity: the step ends with %s, not NONFINITE",
-           status_name(report.status));
+    failing_step(s, 2, NONFINITE, "an infinite velocity");
     scene_free(s);
     /* as heavy and as stiff as nothing: q is finite, and du is not */
     struct scene_setting nothing = scene_notes(SPIN, CUBIC, 2);
@@ -533,11 +551,20 @@ static void failures_are_named(void)
     s = scene_alloc(&nothing);
     scene_rest(s);
     s->density[1] = 1e150;
-    report = step(s, 1e-10, CAP, 0);
-    expect(report.status == NONFINITE,
-           "an infinite increment: the step ends with %s, not NONFINITE",
-           status_name(report.status));
+    failing_step(s, CAP, NONFINITE, "an infinite increment");
     scene_free(s);
+    set.reading = RIGID;
+    set.reach = 15.0;
+    set.n = 8;
+    for (int law = LOG; law <= CUBIC; law++) {
+        set.law = (enum law)law;
+        s = scene_alloc(&set);
+        scene_hold(s, set.dt);
+        failing_step(s, CAP, law == LOG ? INVERTED : NOT_SPD,
+                     law == LOG ? "ends moved by half a metre, log law"
+                                : "ends moved by half a metre, cubic law");
+        scene_free(s);
+    }
     run_unsolved("--scene rigid --law log --reach 15", "INVERTED");
     run_unsolved("--scene rigid --reach 15", "NOT_SPD");
     /* what was valid is printed first, up to the matrix that was indefinite */
