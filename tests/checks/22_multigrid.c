@@ -5,8 +5,9 @@
  *   22a K: three_eigenvalues_take_three_iterations, residuals_are_orthogonal,
  *       curvature_decides_what_is_not_spd; its order: every_way_gives_the
  *       _increment_of_elimination; precondition, context, tolerance:
- *       the_unit_of_B_does_not_matter; cap: residuals_are_orthogonal; b:
- *       ends_are_named; report: residuals_are_orthogonal
+ *       the_unit_of_B_does_not_matter; cap: residuals_are_orthogonal, and just
+ *       enough: three_eigenvalues_take_three_iterations; b, and what is no
+ *       number: ends_are_named; report: residuals_are_orthogonal
  *   22b n, coarse, fine, down: transfer_agrees_with_the_fast_one
  *   22c m (grids, K), b: the_coarsest_grid_is_solved, cycle_agrees_with_the
  *       _fast_one; x, r: hold odd numbers before; g: by its own calls
@@ -88,9 +89,10 @@ static void three_eigenvalues_take_three_iterations(void)
     }
     struct csr *D = diagonal_matrix(SIZE, entry);
     double *x = guarded_alloc(SIZE);
-    struct report *o = go(D, times_number, 1.0, 1e-10, 20, b, x);
+    struct report *o = go(D, times_number, 1.0, 1e-10, 3, b, x);
     expect(o->status == OK && o->iterations == 3,
-           "three eigenvalues: got %s after %d iterations, want OK after 3",
+           "three eigenvalues, a cap of 3: got %s after %d iterations, want OK "
+           "after 3",
            status_name(o->status), o->iterations);
     for (int i = 0; i < SIZE; i++)
         expect_close(x[i], b[i] / entry[i], 1e-9, 1.0, "x[%d]", i);
@@ -240,6 +242,16 @@ static void ends_are_named(void)
     expect(o->status == NONFINITE, "b has a NaN: got %s, want NONFINITE",
            status_name(o->status));
     free(o);
+    b[3] = 1.0;
+    for (int k = 0; k < 2; k++) {
+        const double value = A->value[7];
+        if (k == 1) A->value[7] = NAN;
+        o = go(A, times_number, k ? 1.0 : (double)NAN, 1e-10, 20, b, x);
+        expect(o->status == NONFINITE, "%s has a NaN: got %s, want NONFINITE",
+               k ? "K" : "B", status_name(o->status));
+        A->value[7] = value;
+        free(o);
+    }
     csr_free(A);
     const struct output *out =
         run_unsolved("--n 12 --with jacobi --cap 5", "MAX_ITERATIONS");
