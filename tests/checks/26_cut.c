@@ -179,18 +179,19 @@ static void whole_free(struct tissue_whole w)
     mesh_free((struct mesh *)w.mesh);
 }
 
-/* Mark the edges that some of 1000 are: the same on both sides. */
+/* Mark this part of the edges on both sides, by any number but 0. */
 static void random_marks(const struct tissue_whole *w, double part, int marks[])
 {
     for (int c = 0; c < 3 * w->mesh->n_triangle; c++) marks[c] = -1;
     for (int c = 0; c < 3 * w->mesh->n_triangle; c++) {
         int end[2], other[2];
         if (marks[c] >= 0) continue;
-        marks[c] = chance() < part;
+        marks[c] = chance() < part ? 1 + c % 3 : 0;
         ends_of(w->mesh->triangle, c, end);
         for (int d = 3 * w->across[c]; d < 3 * w->across[c] + 3; d++) {
             ends_of(w->mesh->triangle, d, other);
-            if (other[0] == end[1] && other[1] == end[0]) marks[d] = marks[c];
+            if (other[0] == end[1] && other[1] == end[0])
+                marks[d] = marks[c] ? 7 : 0;
         }
     }
 }
