@@ -63,7 +63,7 @@
 (() => {
 const here = globalThis.document?.currentScript?.src;
 const [LIMIT_CPU, LIMIT_OUTPUT] = [1, 3]; /* enum limit of tests/checks/child.h */
-const SECONDS_COMPILING = 60, SECONDS_JUDGE = 60, SECONDS_FRAME = 10, MOST_ENDED = 24;
+const SECONDS_COMPILING = 120, SECONDS_JUDGE = 60, SECONDS_FRAME = 10, MOST_ENDED = 24;
 const COMPILER = ["clang.js.gz", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
                   "llvm.core3.wasm.gz", "llvm.core4.wasm.gz"];
 

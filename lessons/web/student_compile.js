@@ -75,6 +75,28 @@ function treeOf(files) {
 const CODE = ["llvm.core.wasm", "llvm.core2.wasm", "llvm.core3.wasm", "llvm.core4.wasm"];
 const BYTES = 24e6; /* of all, packed; for the bar alone */
 
+/* The compiler with at most so much memory: the greatest number of the memory section. */
+function bounded(bytes, megabytes) {
+    let at = 8;
+    const number = () => {
+        for (let value = 0, shift = 0;; shift += 7) {
+            const byte = bytes[at++];
+            value |= (byte & 127) << shift;
+            if (byte < 128) return value >>> 0;
+        }
+    };
+    while (at < bytes.length) {
+        const id = bytes[at++], size = number(), end = at + size;
+        if (id === 5 && number() === 1 && number() === 1) {
+            number();
+            let pages = 16 * megabytes;
+            for (; at < end; at++, pages >>= 7) bytes[at] = pages & 127 | (at < end - 1 ? 128 : 0);
+        }
+        at = end;
+    }
+    return bytes;
+}
+
 async function loadCompiler(base) {
     if (loaded.app) return;
     let count = 0;
@@ -85,7 +107,7 @@ async function loadCompiler(base) {
             import("data:text/javascript," + encodeURIComponent(new TextDecoder().decode(bytes)))),
         bytesOf(base + "library.tar.gz", more),
         ...CODE.map((name) => bytesOf(`${base}${name}.gz`, more)
-            .then((bytes) => WebAssembly.compile(bytes)))]);
+            .then((bytes) => WebAssembly.compile(bounded(bytes, 512))))]);
     const {usr, ...rest} = treeOf(untar(library));
     const modules = Object.fromEntries(CODE.map((name, k) => [name, code[k]]));
     loaded.files = rest;
@@ -123,16 +145,26 @@ async function loadLesson(base, slug) {
 
 /* ---- the compiler -------------------------------------------------------- */
 
+class Refusal extends Error {}
+const NO_END = "what it includes, or its macros, have no end", MOST_TEXT = 4e6;
+
 /* Run clang or wasm-ld: {ok, files, out, said}. */
 async function tool(args, files) {
     const out = [], said = [];
-    const collect = (list) => (bytes) => { if (bytes) list.push(new Uint8Array(bytes)); };
+    let size = 0;
+    const collect = (list) => (bytes) => {
+        if (!bytes) return;
+        list.push(new Uint8Array(bytes));
+        if ((size += bytes.length) > MOST_TEXT) throw new Refusal(NO_END);
+    };
     const text = (list) => new Blob(list).text();
     let made = null;
     try {
         made = await loaded.app.run(args, {...loaded.files, ...files},
             {stdout: collect(out), stderr: collect(said), decodeASCII: false, fetchProgress: () => {}});
     } catch (error) {
+        /* a trap: for want of memory */
+        if (error instanceof WebAssembly.RuntimeError) throw new Refusal(NO_END);
         if (!(error instanceof loaded.Exit)) throw error;
     }
     return {ok: made !== null, files: made, out: await text(out), said: await text(said)};
@@ -146,10 +178,9 @@ const STRICT = ["-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion",
 const CHECKED = ["-fsanitize=bounds,null", "-fsanitize-trap=bounds", "-fno-sanitize-recover=null",
     "-fsanitize-minimal-runtime"];
 const STACK = 8 << 20; /* as elsewhere */
+const MEMORY = 384 << 20; /* of one instance of the judge; student_judge.js, too */
 
 /* ---- the student's program ----------------------------------------------- */
-
-class Refusal extends Error {}
 
 /* Of the preprocessed text: the program with what the checks call behind it, the
  * contract where a struct of it has other members, and the functions it has not
@@ -345,7 +376,6 @@ async function compile({base, slug, text}) {
     const whole = await tool(["clang", "-w", "-E", ...LANGUAGE, ...PATHS, "program.c"],
         {...put(path, text), "program.c": `#include "${path}"\nprogram_has ${names}\n`});
     if (!whole.ok) return explain(path, text, whole, lesson);
-    if (whole.out.length > 4e6) throw new Refusal("what it includes, or its macros, have no end");
     const program = readProgram(whole.out, path, lesson);
     if (program.missing.length) return explain(path, text, program, lesson);
     const made = await tool(["clang", "-c", ...LANGUAGE, ...STRICT, ...CHECKED, "-O0", "-fno-common",
@@ -404,7 +434,7 @@ async function link(objects, files) {
     const lib = (name) => `/usr/lib/wasm32-wasip1/lib${name}.a`;
     const page = ["run", "pair", "seconds", "limit", "signal", "frame", "draw"];
     const linked = await tool(["wasm-ld", "--import-memory", `--initial-memory=${2 * STACK}`,
-        `--max-memory=${512 << 20}`, "--stack-first", "-z", `stack-size=${STACK}`, "--strip-all",
+        `--max-memory=${MEMORY}`, "--stack-first", "-z", `stack-size=${STACK}`, "--strip-all",
         "--allow-undefined-file=page.symbols",
         ...["malloc", "calloc", "realloc", "free", "posix_memalign", "aligned_alloc"].map((name) => "--wrap=" + name),
         "/usr/lib/wasm32-wasip1/crt1-command.o", ...objects,

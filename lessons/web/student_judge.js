@@ -24,6 +24,7 @@
 (() => {
 const [LIMIT_OUTPUT, LIMIT_FILES] = [3, 4]; /* enum limit of child.h */
 const MOST_OUTPUT = 8e6, MOST_FILES = 64, SECONDS = 5;
+const PAGES = 384 << 4; /* of 64 kB, as student_compile.js has linked it */
 const [BADF, EXIST, INVAL, NOENT, NOTDIR, NOSYS] = [8, 20, 28, 44, 54, 52];
 
 class End extends Error {
@@ -141,7 +142,7 @@ class Process {
     }
     copy(body, context, descriptors) {
         const world = this.world, mine = this.memory.buffer, pages = mine.byteLength / 65536;
-        const memory = world.room.pop() || new WebAssembly.Memory({initial: pages, maximum: 8192});
+        const memory = world.room.pop() || new WebAssembly.Memory({initial: pages, maximum: PAGES});
         const more = pages - memory.buffer.byteLength / 65536;
         if (more > 0) memory.grow(more);
         let end;
@@ -375,7 +376,7 @@ function processOf(world, post) {
             post({[what]: decoder.decode(bytes, {stream: true})});
         }};
     };
-    const memory = new WebAssembly.Memory({initial: 256, maximum: 8192});
+    const memory = new WebAssembly.Memory({initial: 256, maximum: PAGES});
     return new Process(world, memory, [reader(new File()), printer("out"), printer("err"), {folder: ""}]);
 }
 

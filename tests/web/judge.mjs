@@ -100,6 +100,12 @@ async function habits(lesson) {
         text.replace(/\bmove_known_values\b/g, 'moved').replace(/^#include/m, '#define moved move_known_values\n$&'), 'OK');
     await expect('endless output', lesson, withLine(lesson,
         'extern int puts(const char *); for (;;) puts("and on and on");'), 'CRASHED', /more than 8 MB of output/);
+    await expect('macros without end', lesson, '#define A(x) x x x x x x x x x x\n#define B(x) A(A(A(x)))\n' +
+        'int x = B(B(B(+))) 1;\n' + text, 'REFUSED', /what it includes, or its macros, have no end/);
+    await expect('a full memory', lesson, withLine(lesson, 'extern void *malloc(unsigned long); ' +
+        'for (;;) { volatile char *more = malloc(1 << 24); *more = 1; }'), 'CRASHED', /signal 11/);
+    await expect('recursion without end', lesson, text.replace(/^static void move_known_values/m, 'static int deep(volatile int k) { return k + deep(k + 1); }\n$&')
+        .replace(/(\/\* SLOT [^]*?\*\/\n)/, '$1(void)deep(1);\n'), 'CRASHED', /signal 11/);
     await expect('an early exit(0)', lesson, withLine(lesson, 'extern void exit(int); exit(0);'), 'CRASHED',
         /ended in the middle of its work, with exit\(0\)/);
 }
