@@ -113,7 +113,8 @@ static void expect_lines(struct rectangle r, int leaf, const int place[])
 
 static const struct rectangle rectangles[] = {
     {0, 2, 0, 2}, {3, 6, 2, 4}, {0, 7, 0, 5},   {2, 7, 1, 12},
-    {1, 9, 3, 9}, {4, 8, 0, 4}, {0, 23, 0, 19}, {5, 22, 2, 18}};
+    {1, 9, 3, 9}, {4, 8, 0, 4}, {0, 23, 0, 19}, {5, 22, 2, 18},
+    {3, 18, 0, 19}};
 static const int leaves[] = {4, 5, 9, 30};
 
 /* Number one of them from 11 on; returns what dissect() does. */
@@ -368,14 +369,16 @@ static void the_pivot_is_compared_with_its_own_entry(void)
     csr_free(K);
 }
 
-/* The last pivot of I and a block 1, c; c, 1 is 1 - c^2 = part n eps. */
-static enum status border(double part)
+/* The second pivot of a block 1, c; c, 1 is 1 - c^2 = part n eps; the block
+ * begins in row `at` of I. */
+static enum status border(int at, double part)
 {
     enum { N = 32 };
     struct csr *K = csr_alloc(N, N + 2);
     struct factor *L;
     for (int i = 0, k = 0; i < N; i++) {
-        for (int j = i < N - 2 ? i : N - 2; j <= (i < N - 2 ? i : N - 1); j++) {
+        const int in = i == at || i == at + 1;
+        for (int j = in ? at : i; j <= (in ? at + 1 : i); j++) {
             K->index[k] = j;
             K->value[k++] =
                 0x1p-20 * (i == j ? 1.0 : sqrt(1.0 - part * N * DBL_EPSILON));
@@ -390,10 +393,12 @@ static enum status border(double part)
 
 static void the_least_pivot_is_n_eps(void)
 {
-    expect(border(0.5) == NOT_SPD, "n = 32, the last pivot is 16 eps K_kk: OK, "
-           "although it is not larger than n eps K_kk");
-    expect(border(2.0) == OK, "n = 32, the last pivot is 64 eps K_kk: NOT_SPD, "
-           "although it is larger than n eps K_kk");
+    for (int at = 0; at <= 30; at += 15) {
+        expect(border(at, 0.5) == NOT_SPD, "n = 32, pivot %d is 16 eps K_kk: "
+               "OK, although it is not larger than n eps K_kk", at + 1);
+        expect(border(at, 2.0) == OK, "n = 32, pivot %d is 64 eps K_kk: "
+               "NOT_SPD, although it is larger than n eps K_kk", at + 1);
+    }
 }
 
 static void what_is_not_spd_is_named(void)
