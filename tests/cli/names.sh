@@ -98,7 +98,8 @@ macro=
 grep -q "struct $slot " "$solution" || macro="#define $slot my_$slot"
 { after_includes "$(cat "$dir/modules" && of_system 1 && printf '%s\n' "$macro" \
     '#ifndef M_PI' '#define M_PI 3.14159265358979323846' '#endif')"
-    awk '{ print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
+    awk -v but="${macro:+$slot}" '$1 != but {
+        print "#define " $1 (NR % 2 ? " 4" : "(x) (4)") }' "$dir/spoken"
 } >"$file"
 judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
     sed 's/#include //g')${macro:+a macro for $slot }and $(count "$dir/spoken") more"

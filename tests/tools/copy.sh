@@ -13,6 +13,11 @@ rm -rf "$to" && mkdir -p "$to/build/solutions" || exit 1
 cp -Rp Makefile .clangd common lessons solutions tests figures ./*.md "$to"
 cp -Rp "$BUILD/common" "$BUILD/libworkbook.a" "$BUILD/tests" "$BUILD/checks" \
     "$BUILD/flags" "$to/build"
+for header in figures/*/*.h; do # what studies share is in the library
+    object=$BUILD/${header%.h}.o
+    [ ! -f "$object" ] || { mkdir -p "$to/build/${header%/*}" &&
+        cp -p "$object"* "$to/build/${header%/*}"; }
+done
 if [ -z "$slug" ]; then
     cp -Rp "$BUILD/solutions" "$BUILD/data" "$to/build"
     exit
