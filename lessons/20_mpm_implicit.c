@@ -88,11 +88,11 @@ static void room_free(struct room *room)
 
 /* Given body and step, find the u with r = 0, from u = 0.  Done: max|du| of the
  * unknowns <= small, and then max|r| <= small max A_ii; `part` of du is taken,
- * 1, 1/2, 1/4, ..., so that E falls.  Where A is not positive definite, it is
- * made again without negative modes of dP/dF, `convex`.  NOT_SPD: both fail;
- * STALLED: 40 halvings; MAX_ITERATIONS: after STEP_CAP linear systems.  Whether
- * a system whose line search stalls counts is up to you.  New since 16d: it
- * projects on demand only. */
+ * 1, 1/2, 1/4, ..., so that E falls, see potential_falls().  Where A is not
+ * positive definite, it is made again without negative modes of dP/dF,
+ * `convex`.  NOT_SPD: both fail; STALLED: 40 halvings; MAX_ITERATIONS: after
+ * STEP_CAP linear systems.  Whether a system whose line search stalls counts is
+ * up to you.  New since 16d: it projects on demand only. */
 static struct particle_report newton(const struct particle_body *body,
                                      const struct particle_step *step,
                                      double u[])

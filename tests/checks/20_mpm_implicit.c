@@ -7,7 +7,7 @@
  *       _residual, and an end that is 0 in residual_agrees_with_the_library
  *   20b grid, wall, at_wall, axes: unknowns_are_those_of_the_wall; columns: the
  *       same, and with the wall on the right
- *   20c body, step (wall, dt, g, 0 too): newton_agrees_with_the_library;
+ *   20c body, step (wall, mass, dt, g, 0 too): newton_agrees_with_the_library;
  *       convex: indefinite_matrices_are_projected; dpk1 (none to
  *       all of the 40 halvings), small: newton_ends_as_it_says; report:
  *       inverted_states_are_avoided
@@ -240,7 +240,7 @@ static struct trial_body scene_of(int k)
     struct trial_body t = k < 3   ? trial_of(cloud_block(order), CUBIC, 0.0333,
                                              0.0, 0)
                           : k < 6 ? trial_of(cloud_strained(order), LOG, 0.01,
-                                             -9.81, 0)
+                                             -9.81, k == 4)
                                   : trial_of(cloud_hanging(order, 8, 2), CUBIC,
                                              k < 9 ? 0.0 : 0.0333, 500.0, 0);
     if (k >= 6) t.how.wall = k < 9 ? MIRROR : HELD;
