@@ -724,9 +724,10 @@ static void failures_are_named(void)
 
     struct output *out = run_unsolved("--scene gravity --force 500", "NOT_SPD");
     expect(row_count(out, "history") > 1 &&
-               strcmp(word(out, "history", "status", -1), "NOT_SPD") == 0,
+               strcmp(word(out, "history", "status", -1), "NOT_SPD") == 0 &&
+               cell(out, "history", "residual", -1) > 1.0,
            "--scene gravity --force 500: the history up to the failure ends "
-           "with NOT_SPD");
+           "with NOT_SPD and the residual that was not solved for");
     out = run_unsolved("--scene compress --start rest --law log", "INVERTED");
     expect(is_missing(out, "history", "residual", -1),
            "a start that is inside out has no residual");
