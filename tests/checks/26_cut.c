@@ -29,14 +29,15 @@ static double chance(void) /* in (0, 1), a linear congruence */
     return ((seed_of >> 16) % 9973 + 0.5) / 9973.0;
 }
 
-/* A square whose vertices have moved: cells of all shapes. */
+/* A square whose vertices have moved: cells of all shapes, of two unequal
+ * triangles. */
 static struct mesh *leaning(int n)
 {
     struct mesh *mesh = mesh_square(n);
     for (int a = 0; a < mesh->n_vertex; a++) {
         double *X = &mesh->X[2 * a];
         const double x = X[0], y = X[1];
-        X[0] += 0.11 * sin(2.3 * y + 0.7) + 0.05 * sin(3.1 * x);
+        X[0] += 0.11 * sin(2.3 * y + 0.7) + 0.05 * sin(3.1 * x) + 0.06 * x * y;
         X[1] += 0.09 * sin(2.9 * x - 0.4) - 0.04 * cos(2.7 * y);
     }
     return mesh;
