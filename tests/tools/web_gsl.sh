@@ -28,7 +28,7 @@ eigen/symmv integration/qag integration/qk integration/qk15 integration/qk21
 integration/qk31 integration/qk41 integration/qk51 integration/qk61
 integration/workspace linalg/inline linalg/lu matrix/matrix permutation/init
 permutation/permutation permutation/permute randist/shuffle sys/coerce sys/hypot
-sys/infnan vector/vector'
+sys/fcmp sys/fdiv sys/infnan matrix/copy vector/swap vector/vector'
 : "${NODE_PATH:=/usr/share/nodejs}" # Debian's acorn, for any node
 export NODE_PATH
 # Far from here, because configure refuses a path with a blank or an apostrophe.
