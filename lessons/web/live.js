@@ -7,7 +7,8 @@
  * The program is one of those in a script (programs.js).  It calls
  * Module.page.next(), which waits for a frame, Module.page.draw() and, at the end,
  * Module.page.close().  A scene with data-on-demand is begun by its
- * button, and its program is loaded only then.  data-keys are the buttons that
+ * button, and its program is loaded only then.  liveScene(box) begins a box in which
+ * box.source(page), a promise of {stdout, wrong}, is the program.  data-keys are the buttons that
  * there are, all unless given; data-wide, -high and -middle are metres; data-layers
  * are heights where the colour changes, instead of colours by J.
  */
@@ -35,6 +36,7 @@ const MEANS = {
 
 function live(box) {
     const data = box.dataset;
+    const titles = box.source ? {} : MEANS;
     const only = data.keys ? data.keys.split(' ') : null;
 
     const stage = made('div', box, { class: 'stage' });
@@ -86,7 +88,7 @@ function live(box) {
         canvas.addEventListener(ends, () => { if (!hand.arrows) hand.down = 0; });
     document.addEventListener('keydown', event => {
         const near = box.contains(event.target) ||
-            (event.target === document.body && !('onDemand' in data));
+            (event.target === document.body && !('onDemand' in data) && !box.source);
         if (state.closed || !near) return;
         if (event.ctrlKey || event.altKey || event.metaKey) return;
         const on = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0],
@@ -127,7 +129,7 @@ function live(box) {
                 const key = KEYS[one] || one;
                 if (only && !only.includes(one)) continue;
                 if (!buttons.has(key)) {
-                    const button = made('button', keys, { type: 'button', title: MEANS[key] });
+                    const button = made('button', keys, { type: 'button', title: titles[key] || does.trim() });
                     button.addEventListener('click', () => press(key));
                     buttons.set(key, button);
                 }
@@ -135,7 +137,7 @@ function live(box) {
                     (one === '+' ? ', more' : '')) + ' [' + one + ']';
                 if (key !== ' ' && buttons.get(key).textContent !== label) {
                     if (buttons.get(key).textContent)
-                        means.textContent = does.trim() + '. ' + MEANS[key];
+                        means.textContent = does.trim() + '. ' + (titles[key] || '');
                     buttons.get(key).textContent = label;
                 }
                 if (key === ' ' && !buttons.get(key).textContent)
@@ -172,13 +174,13 @@ function live(box) {
             if (state.frames % 6 === 1 || frame.lost !== state.lost) {
                 let least = Infinity;
                 for (const J of frame.J) if (!(J >= least)) least = J;
-                said.textContent = frame.text.split('\n')[0] + '; least J ' +
+                said.textContent = frame.said ?? frame.text.split('\n')[0] + '; least J ' +
                     least.toFixed(2) + '; knots: ' + state.knots;
                 said.className = 'said' + (/^lost/.test(frame.text) ? ' bad' : '');
                 chart.setAttribute('aria-label', 'Milliseconds of the last ' +
                     took.length + ' frames, without drawing: the longest took ' +
                     Math.max(...took).toFixed(1) + ', and 33 are allowed');
-                const lost = state.frames + ' frames, ' + frame.lost + ' lost';
+                const lost = state.frames + ' frames' + (box.source ? '' : ', ' + frame.lost + ' lost');
                 if (frame.lost !== state.lost) alert.textContent = 'Lost: ' + lost;
                 count.textContent = lost + '; ' + state.fps.toFixed(0) +
                     ' frames per second';
@@ -199,7 +201,7 @@ function live(box) {
             return;
         }
         for (const [name, what, text] of [
-            ['live.txt', 'the input', state.input = read('input.txt')],
+            ['live.txt', 'the input', state.input = Module ? read('input.txt') : ''],
             ['live.tsv', 'its tables', state.lines.join('\n') + '\n']]) {
             if (text) made('a', saved, { download: name, text: 'Save ' + what, href:
                 URL.createObjectURL(new Blob([text], { type: 'text/plain' })) });
@@ -211,7 +213,7 @@ function live(box) {
                 '\' plays the input again. ' });
         made('button', saved, { type: 'button', text: 'Begin again' })
             .addEventListener('click', () => {
-                const twin = box.cloneNode(false);
+                const twin = Object.assign(box.cloneNode(false), { source: box.source });
                 box.replaceWith(twin);
                 live(twin);
             });
@@ -226,6 +228,12 @@ function live(box) {
     async function begin() {
         drawing.fit();
         new ResizeObserver(drawing.fit).observe(stage);
+        if (box.source) {
+            const { stdout, wrong } = await box.source(page)
+                .catch(error => ({ stdout: '', wrong: error.message }));
+            state.lines = (wrong || stdout).trimEnd().split('\n');
+            return over(wrong ? 1 : 0);
+        }
         try {
             const [source, name] = data.program.split('#');
             const { script, code } = await self.loadProgram(source);
@@ -252,5 +260,6 @@ function live(box) {
     });
 }
 
+self.liveScene = live;
 for (const box of document.querySelectorAll('.live')) live(box);
 })();

@@ -142,6 +142,21 @@ self.liveDrawing = (box, canvas, chart, most) => {
             ink.arc(px[2 * a], px[2 * a + 1], 12 * ratio, 0, 2 * Math.PI);
             ink.stroke();
         }
+        ink.strokeStyle = ink.fillStyle = 'rgb(20,20,20)';
+        ink.lineWidth = 2.5 * ratio;
+        const at = (x, y) => [canvas.width / 2 + s * x, canvas.height / 2 - s * (y - middle)];
+        for (const [x0, y0, x1, y1] of frame.arrows || []) {
+            const [x, y] = at(x1, y1);
+            ink.beginPath();
+            ink.moveTo(...at(x0, y0));
+            ink.lineTo(x, y);
+            ink.stroke();
+            ink.fillRect(x - 4 * ratio, y - 4 * ratio, 8 * ratio, 8 * ratio);
+        }
+        ink.beginPath();
+        for (let k = 0; k < (frame.curve || []).length; k += 2)
+            ink.lineTo(...at(frame.curve[k], frame.curve[k + 1]));
+        ink.stroke();
         if (hand.down || hand.arrows) { /* where the hand wants to be */
             for (const [width, colour] of [[3.5, 'rgb(250,250,250)'], [1.5, 'rgb(20,20,20)']]) {
                 ink.strokeStyle = colour;

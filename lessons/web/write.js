@@ -7,7 +7,7 @@
  */
 "use strict";
 (() => {
-const box = document.querySelector("section.write"), {program, size} = box.dataset;
+const box = document.querySelector("section.write"), {program} = box.dataset;
 const find = (selector) => box.querySelector(selector);
 const press = (name) => find(`button[name=${name}]`);
 const number = program.slice(0, 2), starter = find("pre.starter").textContent;
@@ -111,7 +111,7 @@ press("reset").onclick = async () => {
 
 /* ---- running and judging ------------------------------------------------------- */
 
-const PHASES = {load: `Loading the compiler${size ? `, ${size} MB, once` : ""}`, lesson: "Loading the lesson",
+const PHASES = {load: "Loading the compiler", lesson: "Loading the lesson",
                 compile: "Compiling", link: "Linking", run: "Running", judge: "Checking"};
 function progress(phase, fraction) {
     if (!busy) return;
@@ -131,9 +131,27 @@ async function bringStudent() {
     }
     student = makeStudent({base: "../student/"});
 }
+/* How much the first run or check will load, or why it cannot. */
+async function sizeOf() {
+    if (location.protocol === "file:") {
+        find(".size").textContent = "C is compiled here only when a web server brings this page: download " +
+            `the file, and make check-${number} judges it.`;
+        return;
+    }
+    try {
+        await bringStudent();
+        const {bytes, cached} = await student.size(program);
+        const size = `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
+        if (!cached) PHASES.load = `Loading the compiler, ${size}, once`;
+        find(".size").textContent = cached ? ""
+            : `The first Run or Check loads a C compiler, ${size}, which this browser keeps.`;
+    } catch (error) {
+        find(".size").textContent = error.message;
+    }
+}
 
 function mayWork() {
-    for (const name of ["run", "check"]) press(name).disabled = busy !== null;
+    for (const name of ["run", "check", "hand"]) if (press(name)) press(name).disabled = busy !== null;
     press("stop").disabled = busy === null;
 }
 /* One thing at a time: what(text) is told when it is stopped. */
@@ -213,7 +231,43 @@ async function judge(file) {
         result.verdict === "OK" ? "ok" : "refused");
     follow(result.verdict === "WRONG" ? result.check : null, result.slot);
 }
+/* The scene of make live-NN; it ends by its button, or by Stop. */
+async function inHand(file, stops) {
+    const hand = await student.hand(program, file, {progress});
+    diagnosed(hand.diagnostics);
+    if (hand.end === "not compiled") return say("It does not compile.", "refused");
+    bar.hidden = true;
+    for (const name of ["elements", "live_draw", "live"])
+        if (!self.liveScene) await bring(`../web/${name}.js`);
+    const scene = document.createElement("div");
+    scene.className = "live";
+    Object.assign(scene.dataset, {label: `The scene of lesson ${number}, with your slots`, pull: "Drag here"});
+    find(".hand").replaceChildren(scene);
+    say("In your hand: drag in the picture. Stop ends it.", "running");
+    await new Promise((over) => {
+        scene.source = async (page) => {
+            stops.push(() => scene.live.press("q"));
+            for (let now; (now = await page.next());) {
+                const picture = await hand.frame({x: now[0], y: now[1], down: now[2], key: String.fromCharCode(now[3])});
+                if (!picture) break;
+                const {x, triangle, value, held, ring, arrow, curve, caption, ms} = picture;
+                const arrows = [];
+                for (let k = 0; k < (arrow || []).length; k += 4) arrows.push([...arrow.slice(k, k + 4)]);
+                page.draw({x, triangle, J: value, held: held || [], knot: ring || [], arrows, curve, ms, lost: 0,
+                           text: caption, said: caption.split("\n").filter((line) => !/\[/.test(line)).join("; ")});
+            }
+            await hand.close();
+            over();
+            return {stdout: hand.stdout, wrong: hand.end === "exit" ? "" : hand.diagnostics || hand.end};
+        };
+        liveScene(scene);
+        scene.scrollIntoView({block: "center"});
+        scene.live.canvas.focus({preventScroll: true});
+    });
+    say("The scene has ended.");
+}
 press("run").onclick = () => work(runIt);
+if (press("hand")) press("hand").onclick = () => work(inHand);
 press("check").onclick = () => work(judge);
 press("stop").onclick = () => { busy?.(); press("check").focus(); };
 
@@ -250,6 +304,7 @@ const near = new IntersectionObserver((seen) => {
     if (!seen.some((one) => one.isIntersecting)) return;
     near.disconnect();
     begin();
+    sizeOf();
 }, {rootMargin: "800px"});
 near.observe(box);
 })();

@@ -2,7 +2,7 @@
  * web_front.js - the first page of the site: the live square, and the contents with
  * what the reader has done.
  *
- *     front(page, lessons): {index, workbook, moved(html)}
+ *     front(page, files): {index, workbook, moved(html)}
  *
  * page is the book's front as HTML.  Of it the index keeps the contents; the rest,
  * from why to the library, is workbook.html, and moved() turns the links of a page.
@@ -25,7 +25,7 @@ href="${name}.tar.gz">${name}.tar.gz</a>, ${(fs.statSync(path).size / 1e6).toFix
     }
 };
 
-exports.front = (page, lessons, files) => {
+exports.front = (page, files) => {
     const head = page.indexOf("<h1"), from = page.indexOf('<h2 id="contents">');
     const to = page.indexOf("<h2", from + 1), foot = page.indexOf("</main>");
     if (head < 0 || from < head || to < from || foot < to) throw new Error("the front has no contents");
@@ -59,7 +59,7 @@ exports.front = (page, lessons, files) => {
             `<h1>The Elasticity Workbook</h1>
 <div class="live" data-program="programs/live.js#24_live" data-args="--n 16 --record input.txt" data-keys="l r"
 data-bare></div>
-<p>This is lesson 24, and it runs in your browser. In ${lessons.length} lessons you write the solvers behind it, a few
+<p>This is lesson 24, and it runs in your browser. In this course you write the solvers behind it, a few
 lines of C at a time: exercises with reference solutions for J. Teran's lecture notes <em>Simulation of
 elasticity, biomechanics, and virtual surgery</em>. <a href="workbook.html#why-anyone-cares">Why</a>,
 <a href="workbook.html#the-course-and-its-rooms">the course and its rooms</a>, and <a href="workbook.html#how-to-use-it">how to use it</a>.</p>

@@ -28,13 +28,12 @@ insert("workbook.html", 'figures/24_live/tissue.c"',
     '<p><a href="web/tissue.html">Take such a strip in your hand</a>, here in the browser.</p>');
 insert("lessons/CHOOSE.html", '<h2 id="a-scene-of-your-own">',
     '<p><a href="../web/choose.html">The same as a form</a>, which runs here in the browser.</p>');
-insert("lessons/24_live.html", "take the square with the mouse",
+insert("lessons/24_live.html", "opens a window (with SDL2)",
     '<div class="live" data-program="../programs/live.js#24_live" data-on-demand ' +
     'data-args="--n 16 --record input.txt"></div>' +
     '<p><a href="../web/live.html">The square on a page of its own</a>, and ' +
     '<a href="../web/tissue.html">a strip of tissue</a>.</p>' +
     ["programs", "elements", "live_draw", "live"].map((name) =>
         `<script src="../web/${name}.js" defer></script>`).join(""));
-insert("lessons/24_live.html", "book.css", '<link rel="stylesheet" href="../web/live.css">');
 fs.copyFileSync(`${wasm}/live.js`, `${site}/programs/live.js`);
 fs.copyFileSync(`${wasm}/choose_data.js`, `${site}/web/choose_data.js`);

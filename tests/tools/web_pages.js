@@ -20,8 +20,6 @@ function fail(words) {
     console.error("web: " + words);
     process.exit(1);
 }
-/* megabytes that the first Run or Check loads, where it is known */
-const compiler = "";
 const escape = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
 /* Words of a source as HTML: what stands in backquotes and options are code. */
 const prose = (text) => escape(text).replace(/`([^`]*)`|(--\w+)/g,
@@ -106,18 +104,19 @@ function editor(lesson) {
     const file = read(`lessons/${lesson}.c`), number = lesson.slice(0, 2);
     const slots = [...file.matchAll(/\/\* SLOT (\w+)/g)].map(([, name]) => name);
     if (slots.length === 0) fail(`lessons/${lesson}.c has no slot`);
-    return `<section class="try write" aria-labelledby="write" data-program="${lesson}" data-size="${compiler}">
+    return `<section class="try write" aria-labelledby="write" data-program="${lesson}">
 <h2 id="write">Write</h2>
 <p>This is the file <code>lessons/${lesson}.c</code>. Replace <code>todo()</code> in the slots ${slots.join(", ")}.
 What you write stays in this browser; the file that you download is the one that <code>make check-${number}</code>
 judges.</p>
+<p class="hint size"></p>
 <p class="hint" id="write-hint">Tab indents; Escape, then Tab leaves the editor; Ctrl-Enter checks. The
 <code>PREDICT</code> lines are the fields of <a href="#try-it">Try it</a>.</p>
 <pre class="starter" tabindex="0" role="region" aria-label="lessons/${lesson}.c"><code>${escape(file)}</code></pre>
 <noscript><p>To write here, your browser must run JavaScript.</p></noscript>
 <div class="controls" hidden>
 <p class="act"><button type="button" name="run">Run</button> <button type="button" name="check">Check</button>
-<button type="button" name="stop">Stop</button> <button type="button" name="download">Download</button>
+${fs.existsSync(`figures/${lesson}/hand.c`) ? '<button type="button" name="hand">In your hand</button>\n' : ""}<button type="button" name="stop">Stop</button> <button type="button" name="download">Download</button>
 <label class="button">Upload <input type="file" name="upload" accept=".c"></label>
 <button type="button" name="reset">Begin again</button>
 <label><input type="checkbox" name="all"> the whole file</label></p>
@@ -125,6 +124,7 @@ judges.</p>
 <p role="status" aria-live="polite"></p></div>
 <pre class="verdict" tabindex="0" role="region" aria-label="the report" hidden></pre>
 <p class="after" hidden>Now compare with <a href="../solutions/${lesson}.html#code-${slots[0]}">the solution</a>.</p>
+<div class="hand"></div>
 <div class="results"></div>
 ${hints(lesson)}
 </section>
@@ -139,7 +139,7 @@ fs.mkdirSync(part + "/web");
 fs.mkdirSync(part + "/programs");
 for (const name of fs.readdirSync("lessons/web").filter((name) => !/\.(c|mjs)$/.test(name)))
     fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
-const {index, workbook, moved} = front(read(part + "/index.html"), lessons,
+const {index, workbook, moved} = front(read(part + "/index.html"),
                                        archive(`${part}/elasticity-workbook.tar.gz`));
 fs.writeFileSync(part + "/index.html", index);
 fs.writeFileSync(part + "/workbook.html", workbook);
@@ -158,7 +158,10 @@ for (const lesson of lessons) {
     const at = text.indexOf('<h2 id="measured">');
     if (at < 0) fail(`${page} has no section Measured`);
     const ways = ' | <a href="#try-it">Try it</a> | <a href="#write">Write</a>';
-    fs.writeFileSync(page, text.slice(0, at).replace(/(<p class="nav">.*)<\/p>/, `$1${ways}</p>`) +
+    fs.writeFileSync(page, text.slice(0, at).replace(/(<p class="nav">.*)<\/p>/, `$1${ways}</p>`)
+        .replace(/<link rel="stylesheet" href="..\/web\/web.css">/, `$&<link rel="stylesheet" href="../web/live.css">`)
+        .replace(`<p>Open <code>lessons/${lesson}.c</code>`, `<p>Open <code>lessons/${lesson}.c</code> or
+<a href="#write">write here</a>`) +
                      panel(lesson) + editor(lesson) + text.slice(at));
 }
 fs.copyFileSync(`${build}/wasm/editor.js`, `${part}/web/editor.js`);

@@ -24,13 +24,14 @@ export async function open() {
     };
 }
 
-/* A plain file server of a folder: {address, close()}. */
+/* A plain file server of a folder: {address, close(), hidden}; what is hidden is not there. */
 export async function serve(folder) {
     const types = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml',
                     wasm: 'application/wasm' };
     const server = createServer((request, response) => {
         const path = decodeURIComponent(new URL(request.url, 'http://x').pathname);
         try {
+            if (self.hidden?.test(path)) throw new Error();
             const bytes = readFileSync(folder + path);
             response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] || '' }).end(bytes);
         } catch {
@@ -38,6 +39,7 @@ export async function serve(folder) {
         }
     });
     await new Promise(done => server.listen(0, '127.0.0.1', done));
-    return { address: `http://127.0.0.1:${server.address().port}/`,
+    const self = { address: `http://127.0.0.1:${server.address().port}/`,
              close: () => { server.close(); server.closeAllConnections(); } };
+    return self;
 }

@@ -51,6 +51,11 @@ async function write(slot) {
     await page.key('End', undefined, 8); /* with Shift */
     await page.type(code(solution, slot).split('\n').map(one => one.trim()).join('\n'));
 }
+/* Press Run or Check and wait for its end. */
+async function work(name) {
+    await press(name);
+    return page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 120);
+}
 async function upload(path) {
     const { root } = await page.send('DOM.getDocument');
     const { nodeId } = await page.send('DOM.querySelector', { nodeId: root.nodeId, selector: '[name=upload]' });
@@ -102,7 +107,57 @@ try {
     say(check.status === 0 && /VERDICT 03: OK/.test(check.stdout) && /1: -238.5, measured -238.5, right/.test(
         check.stdout.replace(/\s+/g, ' ')), 'make check-03 passes it', check.stdout.slice(-400) + check.stderr);
 
+    /* in the page: the same words, numbers over the reference's, and how far one is */
+    server.hidden = /^.student./;
+    await work('check');
+    say(/cannot be read/.test(await said()), 'without the compiler it says why', await said());
+    server.hidden = null;
+    const begin = Date.now();
+    await work('check');
+    const passed = await page.evaluate(`${WRITE}.result`);
+    const own = passed.text.split('\n').filter(one => !check.stdout.includes(one));
+    say(passed.verdict === 'OK' && passed.text.length > 300 && own.length === 0,
+        'Check says what make check-03 says', `${passed.verdict} ${own}`);
+    console.log(`web: the first verdict after ${((Date.now() - begin) / 1e3).toFixed(1)} s`);
+    const after = await page.evaluate(`[!${WRITE}.querySelector('.after').hidden, guesses.every(field =>
+        /^measured/.test(field.nextElementSibling.textContent))].join()`);
+    say(after === 'true,true', 'after a pass there are the solution and what was measured', after);
+    await work('run');
+    const differ = () => page.evaluate(`[${WRITE}.querySelectorAll('.results .plot svg').length,
+        ${WRITE}.querySelectorAll('.results .reference').length > 1,
+        ${WRITE}.querySelectorAll('td.differs').length].join()`);
+    say(await differ() === '1,true,0', 'Run draws over the reference, and nothing differs', await differ());
+    const wrong = down.replace('-= A[i * N + node[k]]', '+= A[i * N + node[k]]');
+    await script(text => document.querySelector('.write').editor.setText(text), wrong);
+    await work('run');
+    const cells = (await differ()).split(',');
+    say(wrong !== down && cells[0] === '1' && Number(cells[2]) > 5, 'cells that differ are marked', cells);
+    await work('check');
+    const why = await page.evaluate(`${WRITE}.result`);
+    const first = await page.evaluate(`${WRITE}.querySelector('button.first').value`);
+    say(why.verdict === 'WRONG' && why.slot === '3a' && /lift_sign/.test(why.text) && first === 'slot 3a' &&
+        (await page.evaluate(`${WRITE}.querySelector('.verdict').textContent`)) === why.text,
+        'a wrong sign is told, with its hint first', why.text);
+    await script(text => document.querySelector('.write').editor.setText(text), wrong.replace('+= A[i', '+= A[[i'));
+    await work('check');
+    const marked = await page.evaluate(`${WRITE}.querySelectorAll('.cm-lintRange-error').length`);
+    say(/NOT COMPILED/.test(await said()) && marked > 0, 'what does not compile is marked', `${await said()} ${marked}`);
+    await script(text => document.querySelector('.write').editor.setText(text), down.replace('r[i] = -b[i];',
+        'for (;;) r[i] = -b[i];'));
+    await press('run');
+    await page.until(`/Running|Compiling/.test(${WRITE}.querySelector('[role=status]').textContent)`, 20);
+    await press('stop');
+    say(await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 5) && /You have stopped/.test(await said()),
+        'Stop ends it', await said());
+    await page.go(`${server.address}index.html`);
+    const far = await page.evaluate("document.querySelector('.progress').textContent + document.querySelector(" +
+        "'[data-lesson=\"03_dirichlet_correction\"]').textContent");
+    say(/passed 1 of \d\d lessons.*passed$/.test(far), 'the front knows what is passed', far);
+    await page.go(url);
+    await ready();
+
     /* reset and upload */
+    await script(text => document.querySelector('.write').editor.setText(text), down);
     await press('reset');
     const asked = await text() === down;
     await press('reset');
@@ -127,6 +182,22 @@ try {
     const wide = await page.evaluate('document.documentElement.scrollWidth - innerWidth');
     say(nameless.length === 0 && wide <= 0, 'all that can be used has its name', `${nameless}, ${wide} pixels too wide`);
     say(page.errors.length === 0, 'no error where one writes', page.errors.join(' '));
+
+    /* lesson 12 in the hand, with the reference's slots where none is written */
+    await page.go(`${server.address}lessons/12_triangles.html`);
+    await ready();
+    await press('hand');
+    const live = "document.querySelector('.hand .live')?.live";
+    const begun = await page.until(`${live}?.state.frames > 9`, 120);
+    await page.evaluate(`${live}.canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }))`);
+    for (let k = 0; k < 5; k++) await page.key('ArrowUp');
+    await page.until(`${live}.state.frames > 60`, 60);
+    const words = await page.evaluate("document.querySelector('.hand .said').textContent");
+    await press('stop');
+    const over = await page.until(`/has ended/.test(${WRITE}.querySelector('[role=status]').textContent)`, 20);
+    const rows = await page.evaluate(`${live}.state.lines.filter(line => /^\\d/.test(line)).length`);
+    say(begun && over && /reference: 12a/.test(words) && rows > 60 && page.errors.length === 0,
+        'lesson 12 is taken into the hand', `${begun} ${over} ${rows} ${words} ${page.errors}`);
 } finally {
     await browser.close();
     server.close();
