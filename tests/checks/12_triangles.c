@@ -691,9 +691,28 @@ static void it_stops_where_it_is_told(void)
     }
 }
 
+/* Ends that have been pushed through each other: u stays as it is, which is the
+ * last state reached. */
+static void an_inverted_start_stays(void)
+{
+    const struct scene_setting set = scene_notes(COMPRESS, LOG, 4);
+    struct scene *s = scene_alloc(&set);
+    scene_hold(s, 1.238);
+    step_boundary(s->body, s->g, 0, s->u);
+    const double *u = guarded_copy(s->n_dof, s->u);
+    const enum status status = equilibrium(s, 1e-10, HISTORY_CAP, s->u).status;
+    expect(status == INVERTED, "a start that is inverted: INVERTED, not %s",
+           status_name(status));
+    for (int r = 0; r < s->n_dof; r++)
+        expect(s->u[r] == u[r], "a start that is inverted: u[%d] is %g, not %g "
+               "as before", r, s->u[r], u[r]);
+    scene_free(s);
+}
+
 static void failures_are_named(void)
 {
     it_stops_where_it_is_told();
+    an_inverted_start_stays();
     struct scene_setting set = scene_notes(STRETCH, CUBIC, 4);
     set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
