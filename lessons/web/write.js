@@ -167,6 +167,8 @@ async function work(what) {
         await bringStudent();
         stops.push(() => student.stop());
         await what(text(), stops);
+        PHASES.load = "Loading the compiler";
+        find(".size").textContent = "";
     } catch (error) {
         say(error.name === "Stopped" ? "You have stopped it." : error.message,
             error.name === "Stopped" ? "stopped" : "crash");
