@@ -23,7 +23,8 @@ err/error err/stream integration/glfixed linalg/cholesky linalg/householder
 linalg/ldlt_band linalg/symmtd matrix/init matrix/rowcol matrix/submatrix
 matrix/swap matrix/view rng/inline rng/mt rng/rng sort/sortvec specfunc/log
 sys/pow_int vector/copy vector/init vector/oper vector/subvector vector/view'
-for_checks='cblas/dgemm cblas/dger cblas/dswap eigen/gensymm eigen/gensymmv eigen/sort
+for_checks='cblas/dgemm cblas/dger cblas/drot cblas/drotg cblas/drotm cblas/drotmg
+cblas/dswap cblas/dsymm cblas/dsyr2k cblas/dtrmm cblas/dtrmv eigen/gensymm eigen/gensymmv eigen/sort
 eigen/symmv integration/qag integration/qk integration/qk15 integration/qk21
 integration/qk31 integration/qk41 integration/qk51 integration/qk61
 integration/workspace linalg/inline linalg/lu matrix/matrix permutation/init
