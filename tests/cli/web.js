@@ -389,7 +389,7 @@ async function main() {
         return (bytes / 1e6).toFixed(1) + " MB";
     });
     await attempt("no page needs a network", () => {
-        const loads = /<(script|link|img|iframe)[^>]* (src|href)="(https?:)?\/\/|@import|url\((?!#)/;
+        const loads = /<(script|link|img|iframe)[^>]* (src|href)="(https?:)?\/\/|@import|url\((?!#|["']?data:)/;
         const bad = files.filter((name) => /\.(html|css|js)$/.test(name) && !/\/programs\//.test(name) &&
             loads.test(fs.readFileSync(name, "utf8")));
         expect(bad.length === 0 && loads.test('<img alt="x" src="https://x/y.png">'), bad);

@@ -13,6 +13,7 @@ import { join, resolve } from 'node:path';
 const [site, square, choose] = process.argv.slice(2).map(path => resolve(path));
 const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part, frames];
 const CHOOSE = (scene = 'flap') => ['tests/web/choose.mjs', square, choose, scene + '.scene'];
+const WRITE = ['tests/web/write.mjs', square, choose, 'keys'];
 /* name, script, from, to, test, the check that fails */
 const MISTAKES = [
     ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',
@@ -44,6 +45,10 @@ const MISTAKES = [
      "made('b', last, { text: name })", CHOOSE(), 'each field, link and picture'],
     ['the picture is mute', 'choose_answer.js', "'aria-label': 'Parts of the error in per cent, of '",
      "'data-label': 'Parts of the error in per cent, of '", CHOOSE(), 'each field, link and picture'],
+    ['what is written is not kept', 'write.js', 'store.write(program, {text: now, time: Date.now()})',
+     'true', WRITE, 'what was written survives'],
+    ['a prediction does not go into the file', 'write.js',
+     'editor.setPrediction(field.name, field.value.trim() || "...")', '{}', WRITE, 'the file is downloaded'],
     ['the canvas is mute', 'live.js', "'aria-label': data.label ||", "'data-label': data.label ||",
      LIVE('pages'), 'what is on the live page has its name']
 ];
