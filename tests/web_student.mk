@@ -74,12 +74,12 @@ $(WASI)/site/%.tar.gz: $(WASI)/%.tar.gz
 wasi: $(WASI_SITE) ; @:
 
 # Into the pages that web.mk has made, with what of it the page would have to load.
-$(BUILD)/web/student/sizes.json: $(BUILD)/web/index.html $(WASI_SITE)
+$(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASI_SITE)
 	$(call say,web,$(@D))
 	$(Q)rm -rf $(@D) && mkdir -p $(@D) && cp $(WASI_SITE) $(@D) && cd $(@D) && \
-	    wc -c * | awk '$$2 != "total" { all = all sprintf(",\n\"%s\": %d", $$2, $$1) } \
-	    END { print "{" substr(all, 2) "\n}" }' > sizes.json
-web-pages: $(BUILD)/web/student/sizes.json
+	    cksum * | awk '{ all = all sprintf(",\n\"%s\": {\"bytes\": %d, \"sum\": %s}", $$3, $$2, $$1) } \
+	    END { print "{" substr(all, 2) "\n}" }' > $(@F).part && mv $(@F).part $(@F)
+web-pages: $(BUILD)/web/student/files.json
 
 # The judge in the page says what the native one says, by node alone; and in a headless
 # Chromium it is quick, can be stopped, and holds a scene.

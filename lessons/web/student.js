@@ -271,13 +271,13 @@ globalThis.makeStudent = ({base, worker}) => {
         hand: turn(hand),
         stop() { current?.(); },
         async size(slug) {
-            const response = await fetch(base + "sizes.json").catch(() => null);
+            const response = await fetch(base + "files.json", {cache: "no-cache"}).catch(() => null);
             if (!response?.ok) throw new Failure("Offline", `${base} cannot be read: a web server must bring it.`);
-            const sizes = await response.json();
+            const files = await response.json();
             const store = await globalThis.caches?.open("student").catch(() => null);
             let bytes = 0;
             for (const name of [...compiler ? [] : COMPILER, `${slug}.tar.gz`])
-                if (!await store?.match(base + name)) bytes += sizes[name];
+                if (!await store?.match(`${base}${name}?${files[name].sum}`)) bytes += files[name].bytes;
             return {bytes, cached: bytes === 0};
         },
     };

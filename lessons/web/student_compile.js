@@ -23,14 +23,27 @@ const progress = (phase, fraction = null) => self.postMessage({progress: [phase,
 class Failure extends Error {
     constructor(name, message) { super(message); this.name = name; }
 }
-/* A file of base, unpacked; from the browser's store where there is one. */
-async function bytesOf(url, count = () => {}) {
+const offline = (url) => new Failure("Offline", `${url} cannot be read: a web server must bring it.`);
+/* What versions the server has of the files, or had when it was last there. */
+async function versionsOf(base, store) {
+    const url = base + "files.json";
+    const response = await fetch(url, {cache: "no-cache"}).catch(() => null);
+    if (response?.ok) await store?.put(url, response.clone()).catch(() => {});
+    const last = response?.ok ? response : await store?.match(url);
+    if (!last) throw offline(url);
+    return last.json();
+}
+/* A file of base, unpacked; from the browser's store where there is one, unless the
+ * server has another version. */
+async function bytesOf(base, name, count = () => {}) {
     const store = await self.caches?.open("student").catch(() => null);
+    const version = (await (loaded.versions ||= versionsOf(base, store)))[name];
+    const url = `${base}${name}?${version?.sum}`;
     let response = await store?.match(url);
     if (!response) {
-        try { response = await fetch(url); } catch { response = null; }
-        if (!response?.ok) throw new Failure("Offline",
-            `${url} cannot be read: a web server must bring it.`);
+        response = await fetch(url).catch(() => null);
+        if (!response?.ok) throw offline(base + name);
+        await store?.delete(base + name, {ignoreSearch: true});
         store?.put(url, response.clone()).catch(() => {});
     }
     const parts = [];
@@ -103,10 +116,10 @@ async function loadCompiler(base) {
     const more = (size) => progress("load", Math.min(1, (count += size) / BYTES));
     progress("load", 0);
     const [{Application, instantiate, Exit}, library, ...code] = await Promise.all([
-        bytesOf(base + "clang.js.gz", more).then((bytes) =>
+        bytesOf(base, "clang.js.gz", more).then((bytes) =>
             import("data:text/javascript," + encodeURIComponent(new TextDecoder().decode(bytes)))),
-        bytesOf(base + "library.tar.gz", more),
-        ...CODE.map((name) => bytesOf(`${base}${name}.gz`, more)
+        bytesOf(base, "library.tar.gz", more),
+        ...CODE.map((name) => bytesOf(base, name + ".gz", more)
             .then((bytes) => WebAssembly.compile(bounded(bytes, 512))))]);
     const {usr, ...rest} = treeOf(untar(library));
     const modules = Object.fromEntries(CODE.map((name, k) => [name, code[k]]));
@@ -130,7 +143,7 @@ async function loadLesson(base, slug) {
     loaded.lessons ||= {};
     if (loaded.lessons[slug]) return loaded.lessons[slug];
     progress("lesson");
-    const files = untar(await bytesOf(`${base}${slug}.tar.gz`));
+    const files = untar(await bytesOf(base, `${slug}.tar.gz`));
     const words = (name) => new TextDecoder().decode(files[name]).trimEnd().split("\n");
     const lesson = {
         object: files["checks.o"], checks: files["checks.c"],
@@ -453,5 +466,6 @@ self.onmessage = async ({data}) => {
         if (error instanceof Refusal) answer = {refused: error.message};
         else answer = {failed: error instanceof Failure ? error.name : "Died", why: error.message || String(error)};
     }
+    if (answer.failed) loaded.versions = null;
     self.postMessage(answer);
 };

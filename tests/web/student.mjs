@@ -17,13 +17,20 @@ const looping = solution(L03).replace(/(\/\* SLOT [^]*?\*\/\n)/,
     slot => `${slot}for (volatile int spin = 0;; spin = 1) {}\n`);
 
 const asked = {};
+let newer = false; /* the server has another version of lesson 03 */
 const server = http.createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, 'http://x').pathname);
     const type = {'.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json',
                   '.css': 'text/css', '.svg': 'image/svg+xml'}[path.extname(name)] || '';
     asked[name] = (asked[name] || 0) + 1;
     if (!fs.existsSync(site + name)) return response.writeHead(404).end();
-    response.writeHead(200, {'Content-Type': type}).end(fs.readFileSync(site + name));
+    let content = fs.readFileSync(site + name);
+    if (newer && name === '/student/files.json') {
+        const files = JSON.parse(content);
+        files[`${L03}.tar.gz`].sum++;
+        content = JSON.stringify(files);
+    }
+    response.writeHead(200, {'Content-Type': type}).end(content);
 });
 await new Promise(done => server.listen(0, '127.0.0.1', done));
 const origin = `http://127.0.0.1:${server.address().port}`;
@@ -144,6 +151,13 @@ await attempt('after a reload nothing is asked of the server again', async () =>
     const size = await page.evaluate(`mine.size("${L03}")`);
     const said = ok(await page.check(L03, solution(L03), patient));
     expect(size.cached && asked['/student/llvm.core.wasm.gz'] === 1, [size, asked]);
+    return said;
+});
+await attempt('a new version of a lesson is loaded, and nothing else', async () => {
+    newer = true;
+    page = await begin(`${origin}/index.html`);
+    const said = ok(await page.check(L03, solution(L03), patient));
+    expect(asked[`/student/${L03}.tar.gz`] === 2 && asked['/student/llvm.core.wasm.gz'] === 1, asked);
     return said;
 });
 await attempt('from a file it says why it does not', async () => {
