@@ -80,6 +80,8 @@ $(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASI_SITE)
 	    cksum * | awk '{ all = all sprintf(",\n\"%s\": {\"bytes\": %d, \"sum\": %s}", $$3, $$2, $$1) } \
 	    END { print "{" substr(all, 2) "\n}" }' > $(@F).part && mv $(@F).part $(@F)
 web-pages: $(BUILD)/web/student/files.json
+$(T)/web-pages.result: tests/web_student.mk $(wildcard tests/web/*.[ch]) \
+        $(LESSONS:%=tests/mistakes/%.txt)
 
 # The judge in the page says what the native one says, by node alone; and in a headless
 # Chromium it is quick, can be stopped, and holds a scene.
