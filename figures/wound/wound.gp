@@ -23,12 +23,22 @@ dx(state) = at(state, "x1") - at(state, "x0")
 dy(state) = at(state, "y1") - at(state, "y0")
 set arrow 1 from -48,-1.2 to 48,-1.2 nohead lw 5 lc rgb "#888888"
 set label 1 "bone" at 0,-2.9 center
+set arrow 3 from 13,36 to 25,42 lw 3 lc rgb "#B5484F"
+set arrow 4 from -13,36 to -25,42 lw 3 lc rgb "#B5484F"
+set label 6 "retractors" at 0,42 center tc rgb "#B5484F"
+set arrow 5 from 38,-2.6 to 48,-2.6 nohead lw 2 lc rgb "black"
+set label 7 "10 mm" at 49,-2.7
 plot data index "net" using (at("rest", "x0")):(at("rest", "y0")): \
          (dx("rest")):(dy("rest")) with vectors nohead lw 1 lc rgb "#CCCCCC", \
      data index "net" using (at("open", "x0")):(at("open", "y0")): \
          (dx("open")):(dy("open")) with vectors nohead lw 1.3 lc rgb "#22739F"
 unset arrow 1
 unset label 1
+unset arrow 3
+unset arrow 4
+unset arrow 5
+unset label 6
+unset label 7
 set size noratio
 set lmargin at screen 0.13
 set rmargin at screen 0.97
