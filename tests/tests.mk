@@ -135,12 +135,10 @@ LOOKED := $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
 LOOK_AT = $(PLAIN) $(UNIT_FLAGS) -Itests/checks -I. -DBUILD_FLAGS='""' \
           -DNATIVE_FLAGS='""' -DLAPACK='""' -Werror
 $(BUILD)/looked/%: %.c $(HEADERS) Makefile
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LOOK_AT) $(call native_for,$(notdir $*)) $(LOOK) $< && : > $@
+	$(Q)$(HERE) && $(LOOK_AT) $(call native_for,$(notdir $*)) $(LOOK) $< && : > $@
 $(LESSONS:%=$(BUILD)/looked/tests/checks/%): $(BUILD)/looked/tests/checks/%: \
         tests/checks/%.c $(CHECKS)/%.h $(HEADERS) Makefile
-	$(Q)mkdir -p $(@D)
-	$(Q)$(LOOK_AT) -DPROGRAM='"$(word 2,$^)"' $(LOOK) $< && : > $@
+	$(Q)$(HERE) && $(LOOK_AT) -DPROGRAM='"$(word 2,$^)"' $(LOOK) $< && : > $@
 .PHONY: look
 look: $(patsubst %,$(BUILD)/looked/%,$(filter-out $(SEEN),$(LOOKED)))
 
