@@ -45,7 +45,6 @@ const predicted = (field) => isNumber(field.value.trim());
 let shown = "nothing"; /* of what was measured: or "predicted", or "all" */
 
 function mayRun() {
-    button("run").disabled = running !== null;
     button("stop").disabled = running === null;
 }
 
@@ -126,7 +125,7 @@ async function run() {
 
 form.onsubmit = (event) => {
     event.preventDefault();
-    if (!button("run").disabled && !running) run();
+    if (!running) run();
 };
 form.oninput = ({target}) => {
     if (guesses.includes(target)) keepPredictions();

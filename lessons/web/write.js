@@ -175,7 +175,9 @@ async function work(what) {
     }
     busy = null;
     bar.hidden = true;
+    const focus = document.activeElement === press("stop");
     mayWork();
+    if (focus) press("check").focus();
 }
 
 /* What the compiler says, in the editor too; false: nothing. */
@@ -271,7 +273,7 @@ async function inHand(file, stops) {
 press("run").onclick = () => work(runIt);
 if (press("hand")) press("hand").onclick = () => work(inHand);
 press("check").onclick = () => work(judge);
-press("stop").onclick = () => { busy?.(); press("check").focus(); };
+press("stop").onclick = () => busy?.();
 
 /* ---- hints in levels ------------------------------------------------------------- */
 

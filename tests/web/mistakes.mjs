@@ -19,7 +19,7 @@ const MISTAKES = [
     ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',
      LIVE('log'), 'the input is where the pointer was'],
     ['the input that is saved is that of the next frame', 'live.js',
-     "read('input.txt')]", "read('input.txt').slice(read('input.txt').indexOf('\\n') + 1)]",
+     "read('input.txt') : ''", "read('input.txt').slice(read('input.txt').indexOf('\\n') + 1) : ''",
      LIVE('log'), 'rungs, systems and knots'],
     ['a key is lost', 'live.js', "pressed.shift() || '.'", "(pressed.shift(), '.')",
      LIVE('losses'), 'frames that are lost are said'],

@@ -147,9 +147,10 @@ try {
         'for (;;) r[i] = -b[i];'));
     await press('run');
     await page.until(`/Running|Compiling/.test(${WRITE}.querySelector('[role=status]').textContent)`, 20);
-    await press('stop');
-    say(await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 5) && /You have stopped/.test(await said()),
-        'Stop ends it', await said());
+    await page.evaluate(`${WRITE}.querySelector('[name=stop]').focus()`);
+    await page.key('Enter', '\r');
+    say(await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 5) && /You have stopped/.test(await said()) &&
+        await page.evaluate('document.activeElement.name') === 'check', 'Stop ends it', await said());
     await page.go(`${server.address}index.html`);
     const far = await page.evaluate("document.querySelector('.progress').textContent + document.querySelector(" +
         "'[data-lesson=\"03_dirichlet_correction\"]').textContent");
