@@ -1,6 +1,8 @@
 # twelve.gp - the estimate of every rung of twelve ladders over its true error,
-# with the band of a factor of 3; and the rungs that are enough for 10 %.
-# Reads   data  tables rungs, chosen (scene model estimate error stable)
+# with the band of a factor of 3; the rungs that are enough for 10 %; and the
+# estimate above the buckling load, with that load and without it.
+# Reads   data  tables rungs, chosen (scene model estimate error stable),
+#               least (straight)
 # Writes  out   SVG
 if (!exists("data")) data = "build/data/23_least_model/twelve.tsv"
 if (!exists("out"))  out  = "figures/23_least_model/twelve.svg"
@@ -14,6 +16,8 @@ set xlabel "true error of the displacement (%)"
 set ylabel "estimated error (%)"
 set format xy "%g"
 set key at graph 0.02, graph 0.98 left top vertical maxrows 3 reverse Left samplen 2
+unstable = 0
+stats data index "rungs" using (strcol("stable") eq "unstable" ? unstable = column("error") : NaN) nooutput
 of(r) = strcol("model") eq r && strcol("stable") eq "stable" ? column("estimate") : NaN
 set style textbox opaque noborder margins 0.2, 0.2
 set label 1 "3 times" at 0.125, 0.5 rotate by 38 textcolor rgb "#555555"
@@ -35,4 +39,6 @@ plot "+" using (0.012 * (200 / 0.012) ** (($0) / 99.0)):(0.012 * (200 / 0.012) *
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
          with points pt 2 ps 2.1 lw 6 lc rgb "white" notitle, \
      "" index "rungs" using "error":(strcol("stable") eq "unstable" ? column("estimate") : NaN) \
-         with points pt 2 ps 1.9 lw 2.5 lc rgb "#C00000" title "unstable"
+         with points pt 2 ps 1.9 lw 2.5 lc rgb "#C00000" title "unstable", \
+     "" index "least" using (unstable):"straight" \
+         with points pt 4 ps 1.7 lw 2.5 lc rgb "#C00000" title "without P_{cr}"

@@ -8,10 +8,10 @@
  * da sets G da free, G = d/da (f.u / 2), here the difference of the cuts a + h
  * and a - h.  The handbook has, in plane strain,
  *
- *     G = (1 - nu^2) / E K_I^2,   K_I = s sqrt(pi a) F(a / b),
- *     F(r) = 1.12 - 0.231 r + 10.55 r^2 - 21.72 r^3 + 30.39 r^4
+ *     G = (1 - nu^2) / E K_I^2,   K_I = s sqrt(pi a) Y(a / b),
+ *     Y(r) = 1.12 - 0.231 r + 10.55 r^2 - 21.72 r^3 + 30.39 r^4
  *
- * with F within 0.5 per cent up to r = 0.6.
+ * with Y within 0.5 per cent up to r = 0.6.
  *
  * Source: Tada, Paris & Irwin, The Stress Analysis of Cracks Handbook, the
  *         single edge notch test specimen.

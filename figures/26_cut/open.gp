@@ -1,4 +1,4 @@
-# open.gp - a strip that is cut from its side and pulled, and its factor F.
+# open.gp - a strip that is cut from its side and pulled, and its factor Y.
 # Expected: the factors of the handbook, and an error of order 1 in h.
 # Reads   data  tables strip, factor, error
 # Writes  out   SVG
@@ -28,7 +28,7 @@ set tmargin at screen 0.90
 set bmargin at screen 0.60
 set key above left vertical maxrows 3 reverse Left
 set xlabel "length of the cut over the width, a/b"
-set ylabel "F(a/b)"
+set ylabel "Y(a/b)"
 set xrange [0.15:0.65]
 set ytics 1
 set yrange [1:4.5]
@@ -44,7 +44,7 @@ unset key
 set logscale xy
 set ytics (0.01, 0.1)
 set xlabel "flops to factor K"
-set ylabel "missing part of F, a/b = 0.5"
+set ylabel "missing part of Y, a/b = 0.5"
 set xrange [1e5:3e9]
 set yrange [0.01:0.3]
 set format x "10^{%T}"
