@@ -1,5 +1,5 @@
 /*
- * 24_live.c - the square in your hand: a loop that cannot be broken.
+ * 24_live.c - the square in your hand: a loop that loses no frame.
  *
  * Notes: Lecture 1, "get user boundary condition input, solve nonlinear system,
  * render solution to screen", and "abnormally robust to user input".

@@ -1,5 +1,5 @@
 /*
- * 24_live.c - what a loop that cannot be broken satisfies.
+ * 24_live.c - what a loop that loses no frame satisfies.
  *
  * Arguments: slot, argument: varied by checks
  *   24a from, pointer: the_hand_is_bounded
