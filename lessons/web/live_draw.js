@@ -68,9 +68,10 @@ self.liveDrawing = (box, canvas, chart, most) => {
     /* Size, and from pixels to metres. */
     let scale = 1, ratio = 1;
     function fit() {
-        /* the buttons and the chart fit on the screen, too */
-        const width = Math.min(canvas.parentElement.clientWidth,
-                               Math.max(280, 0.5 * innerHeight * wide / high));
+        /* the buttons and the chart fit on the screen, too; whole pixels, for the
+         * browser rounds others */
+        const width = Math.floor(Math.min(canvas.parentElement.clientWidth,
+                                          Math.max(280, 0.5 * innerHeight * wide / high)));
         ratio = window.devicePixelRatio || 1;
         scale = width / wide;
         for (const [c, w, h] of [[canvas, width, width * high / wide],
