@@ -14,7 +14,6 @@
 #include "base/table.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { LEVELS = 9, FINEST = 1 << (LEVELS - 1), FRAMES = 3 };
 static const double SWING = 0.3; /* (m) */
@@ -75,17 +74,20 @@ static struct result chart(int n, const char *table)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    double *u[3], *reference = scene->u, error[LEVELS];
+    struct run fine[3];
+    double *reference = scene->u, error[LEVELS];
     struct result result = {0};
     struct run run;
 
     for (int k = 0; k < 3; k++)
-        u[k] = run_swing(model, scene->g, IMPLICIT_MIDPOINT, FINEST << k).end.u;
+        fine[k] = run_swing(model, scene->g, IMPLICIT_MIDPOINT, FINEST << k);
+    double *const u0 = fine[0].end.u, *const u1 = fine[1].end.u;
     for (int i = 0; i < model->n_dof; i++) {
-        reference[i] = (4.0 * u[2][i] - u[1][i]) / 3.0;
-        u[1][i] = (4.0 * u[1][i] - u[0][i]) / 3.0;
+        reference[i] = (4.0 * fine[2].end.u[i] - u1[i]) / 3.0;
+        u1[i] = (4.0 * u1[i] - u0[i]) / 3.0;
     }
-    result.bound = distance(model, u[1], reference);
+    result.bound = distance(model, u1, reference);
+    for (int k = 0; k < 3; k++) state_free(&fine[k].end);
     result.critical = 2.0 / model_frequency(model);
     table_begin(table, "method per_frame dt status steps error energy "
                        "iterations factorisations seconds");
@@ -124,7 +126,6 @@ static struct result chart(int n, const char *table)
               "the midpoint rule needs %d steps for 1 %%", due);
         state_free(&run.end);
     }
-    for (int k = 0; k < 3; k++) free(u[k]);
     model_free(model);
     scene_free(scene);
     return result;

@@ -18,18 +18,20 @@
 #include "base/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
+#include "motion/integrate.h"
 #include "plane/quadratic.h"
-#include "plane/step.h"
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double HALF = 40e-3, HEIGHT = 32e-3; /* (m) */
 static const double WIDTH = 1e-3, DEEP = 16e-3;   /* of the cut (m) */
 static const double HOOK = 8e-3;                  /* of skin, pulled (m) */
 static const double E = 3000.0, NU = 0.45, RHO = 1000.0; /* of fat */
 static const double PULL = 600.0, UP = 0.5; /* (N/m^2); upwards, of it */
+static const double GRADE = 1.5; /* of the rows, towards the cut */
 enum { FRAMES = 20, RATE = 30 }; /* pictures; of them in a second */
 
 struct wound {
@@ -74,9 +76,8 @@ static void pull_edge(struct wound *w, int a, int next, int order)
     }
 }
 
-/* s of row j is (j / rows)^grade. */
-static struct wound wound_alloc(enum element element, int r, double grade,
-                                enum law law)
+/* s of row j is (j / rows)^GRADE. */
+static struct wound wound_alloc(enum element element, int r, enum law law)
 {
     const int n = 10 * r, rows = 4 * r;
     struct mesh *mesh = mesh_rectangle(n, rows, 1.0, 1.0);
@@ -90,7 +91,7 @@ static struct wound wound_alloc(enum element element, int r, double grade,
     for (int j = 0; j <= rows; j++)
         for (int i = 0; i <= n; i++) {
             const int a = j * (n + 1) + i;
-            place(r, i, pow((double)j / rows, grade), &mesh->X[2 * a]);
+            place(r, i, pow((double)j / rows, GRADE), &mesh->X[2 * a]);
             w.held[a] = j == rows && i >= 2 * r && i <= 8 * r;
         }
     if (order == 2) quadratic_straighten(mesh);
@@ -164,7 +165,7 @@ static void laws(void)
     double at[3], cubic, line;
     for (int k = 0; k < 3; k++) {
         struct wound w =
-            wound_alloc(QUADRATIC_TRIANGLE, 8, 1.5, k == 1 ? CUBIC : LOG);
+            wound_alloc(QUADRATIC_TRIANGLE, 8, k == 1 ? CUBIC : LOG);
         at[k] = k == 2 ? linear(&w) : rest(&w);
         wound_free(w);
     }
@@ -188,7 +189,7 @@ static void meshes(void)
     for (int e = 0; e < 2; e++)
         for (int k = 0; k < MESHES; k++) {
             struct wound w = wound_alloc(e ? QUADRATIC_TRIANGLE
-                                           : LINEAR_TRIANGLE, r[k], 1.5, LOG);
+                                           : LINEAR_TRIANGLE, r[k], LOG);
             const struct matrix *K = w.body->K;
             open[e][k] = rest(&w);
             unknowns[k] = K->n;
@@ -223,44 +224,54 @@ static void meshes(void)
 struct way {
     const char *name;
     int steps; /* in a frame; 0: at rest */
-    int bdf2;  /* backward Euler over 2/3 of the step, from the state that
-                * the last two give [eq:one-solve]; the first step has none */
+    enum method method;
 };
+
+/* The step that a method asks for, with all that makes Newton robust. */
+static struct step_report robust_step(struct model *model, double d,
+                                      const double a[], const double b[],
+                                      const double g[], double u[])
+{
+    const size_t size = (size_t)model->n_dof * sizeof *u;
+    double *v = allocate((size_t)model->n_dof, sizeof *v);
+    memcpy(u, a, size);
+    memcpy(v, b, size);
+    const struct step_report report = step_backward_euler(
+        model->body, model->context, d, g, model->f, u, v, NULL);
+    free(v);
+    return report;
+}
 
 /* The widest opening at the end of a frame, while a hand pulls for `rise`
  * seconds; the systems per frame. */
 static double move(struct way way, double rise, double *systems)
 {
-    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, 1.5, CUBIC);
+    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, CUBIC);
     struct step_control control = step_method("all");
-    const int part = way.steps ? way.steps : 1, n = 2 * w.mesh->n_vertex;
+    struct model *model = model_body(w.body);
+    struct state now = state_make(model->n_dof);
+    const int part = way.steps ? way.steps : 1;
     const double dt = 1.0 / (RATE * part);
-    double *before = w.v_before, *now = allocate((size_t)n, sizeof *now);
     double widest = 0.0;
     control.chord = 1;
     control.guess = FROM_VELOCITY;
+    model->solve = robust_step;
+    model->context = &control;
     *systems = 0.0;
     for (int k = 1; k <= FRAMES * part; k++) {
-        const int two = way.bdf2 && k > 1;
         load(&w, k * dt < rise ? 0.5 - 0.5 * cos(acos(-1.0) * k * dt / rise)
                                : 1.0);
-        for (int i = 0; i < n; i++) {
-            const double u = w.u[i], v = w.v[i];
-            if (two) w.u[i] = (4.0 * u - before[i]) / 3.0;
-            if (two) w.v[i] = (4.0 * v - now[i]) / 3.0;
-            before[i] = u;
-            now[i] = v;
-        }
+        memcpy(model->f, w.f, (size_t)model->n_dof * sizeof *w.f);
         const struct step_report report =
-            way.steps ? step_backward_euler(w.body, &control,
-                                            two ? 2.0 / 3.0 * dt : dt, w.g, w.f,
-                                            w.u, w.v, NULL)
-                      : step_solve(w.body, &control, at_rest(w.f), w.u);
+            way.steps ? integrate_step(model, way.method, dt, w.g, &now)
+                      : step_solve(w.body, &control, at_rest(w.f), now.u);
         if (report.status != OK)
             die("%s, step %d: %s", way.name, k, status_name(report.status));
         *systems += (double)report.iterations / FRAMES;
-        if (k % part == 0) widest = fmax(widest, opening(&w, w.u));
+        if (k % part == 0) widest = fmax(widest, opening(&w, now.u));
     }
+    state_free(&now);
+    model_free(model);
     wound_free(w);
     return widest;
 }
@@ -271,9 +282,10 @@ static void times_of(void)
     static const char *const hand[] = {"slow", "quick"};
     enum { WAYS = 8 };
     static const struct way way[WAYS] = {
-        {"rest", 0, 0}, {"backward", 1, 0}, {"backward", 4, 0},
-        {"backward", 16, 0}, {"bdf2", 1, 1}, {"bdf2", 2, 1}, {"bdf2", 4, 1},
-        {"bdf2", 16, 1}};
+        {"rest", 0, BACKWARD_EULER}, {"backward", 1, BACKWARD_EULER},
+        {"backward", 4, BACKWARD_EULER}, {"backward", 16, BACKWARD_EULER},
+        {"bdf2", 1, BDF2}, {"bdf2", 2, BDF2}, {"bdf2", 4, BDF2},
+        {"bdf2", 16, BDF2}};
     double error[2][WAYS];
     table_begin_note("time", "hand rise way steps widest error systems",
                      "s, in a frame (0: at rest), m, %%, in a frame");
@@ -312,7 +324,7 @@ static void fails(void)
             const char *reason = MISSING;
             most[l][m] = 0.0;
             for (double p = 1.0 / 64; p <= 64.0; p *= 2.0) {
-                struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, 1.5,
+                struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3,
                                              l ? LOG : CUBIC);
                 load(&w, p);
                 const struct step_report report = step_backward_euler(
@@ -337,7 +349,7 @@ static void fails(void)
  * halves: at rest, and open (mm). */
 static void net(void)
 {
-    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, 1.5, CUBIC);
+    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, CUBIC);
     const int n = w.mesh->n, vertices = w.mesh->n_vertex;
     rest(&w);
     table_begin("net", "when x0 y0 x1 y1");
