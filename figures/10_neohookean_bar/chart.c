@@ -7,8 +7,8 @@
  * Four programs: bar_newton(); bar_gsl.h; the sweeps of bar_fast.h, from the
  * left and from both ends [alg:fused-sweep].
  */
-#include "bar/bar_fast.h"
-#include "bar/bar_gsl.h"
+#include "bar_fast.h"
+#include "bar_gsl.h"
 #include "bar/bar_scene.h"
 #include "base/clock.h"
 #include "base/study.h"

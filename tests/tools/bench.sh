@@ -25,7 +25,8 @@ times >"$part"
 processor=$(awk -v wall=$((end - begin)) -F '[ms ]+' 'NR == 2 {
     print (60 * $1 + $2 + 60 * $3 + $4) / (wall + (wall == 0)) }' "$part")
 "$MAKE" peer || exit 1
-set -- "$BUILD"/data/speed/*.tsv "$BUILD/data/many/peer.tsv"
+set -- "$BUILD"/data/speed/*.tsv "$BUILD/data/many/peer.tsv" \
+    "$BUILD/data/10_neohookean_bar/chart.tsv"
 awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$@" \
     figures/speed/README.md >"$part" && cat "$part" >figures/speed/README.md || exit 1
 awk -v processor="$processor" -f tests/tools/bench.awk -f tests/tools/closing.awk "$@"

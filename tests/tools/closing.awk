@@ -14,6 +14,7 @@ function line(what, goal, got,    met, wanted, here, word) {
 }
 function kept(key, name) { return of("kept", "kept", key, name) }
 function peer(method, n) { return of("peer", "peer", method " " n, "over_ours") }
+function sweep(solver) { return of("chart", "large", solver " 1000000", "ns_per_unknown") }
 function mean(a, b) { return a == "-" || b == "-" ? "-" : (a + b) / 2 }
 # Exponent from n = 64 to 256, of its two doublings.
 function growth(solver, to) {
@@ -59,9 +60,9 @@ END {
     line("... caches full of another\047s numbers", 0, growth("dissection", "cold_to_"))
     line("... with factors kept across steps, warm", -2.6, growth("kept", "to_"))
     line("bar, 1e6 unknowns: ns per unknown and iteration", -6, \
-        of("newton_1d", "bar", "1000000 fused_both", "ns_per_unknown"))
+        sweep("both"))
     line("... than the same loop with GSL", 5, \
-        of("newton_1d", "bar", "1000000 gsl_newton", "over_fused_both"))
+        over(sweep("gsl"), sweep("both")))
     line("largest n in time (1/30 s, 99 % of steps), stretched", 128, \
         of("realtime", "realtime", "dissection", "n"))
     line("largest n of which the whole swing is, 8 systems a step", 64, \

@@ -1,6 +1,6 @@
 /* bar.c - laws of common/material/material.h, tensor.h and bar.h. */
 #include "bar/bar.h"
-#include "bar/bar_fast.h"
+#include "figures/10_neohookean_bar/bar_fast.h"
 
 #include "unit.h"
 

@@ -1,7 +1,7 @@
 /* bars.c - laws of common/bar/: bar_scene.h, bar_gsl.h, and when Newton's
  * method of bar.h, bar_fast.h and bar_gsl.h stops and why. */
-#include "bar/bar_fast.h"
-#include "bar/bar_gsl.h"
+#include "figures/10_neohookean_bar/bar_fast.h"
+#include "figures/10_neohookean_bar/bar_gsl.h"
 #include "bar/bar_scene.h"
 
 #include "../oracle/10_neohookean_bar.h"

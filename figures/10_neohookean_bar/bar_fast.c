@@ -1,5 +1,5 @@
 /* bar_fast.c - see bar_fast.h. */
-#include "bar/bar_fast.h"
+#include "bar_fast.h"
 
 #include "linear/vec.h"
 

@@ -7,8 +7,8 @@
  *
  * Source: GSL manual, "Linear Algebra", "Tridiagonal Systems".
  */
-#ifndef COMMON_BAR_GSL_H
-#define COMMON_BAR_GSL_H
+#ifndef BAR_GSL_H
+#define BAR_GSL_H
 
 #include "bar/bar.h"
 

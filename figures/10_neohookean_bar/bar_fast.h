@@ -22,8 +22,8 @@
  * meet at a node do not wait for each other: each has a lane of the same
  * registers (vec.h).
  */
-#ifndef COMMON_BAR_FAST_H
-#define COMMON_BAR_FAST_H
+#ifndef BAR_FAST_H
+#define BAR_FAST_H
 
 #include "bar/bar.h"
 

@@ -1,5 +1,5 @@
 /* bar_gsl.c - see bar_gsl.h. */
-#include "bar/bar_gsl.h"
+#include "bar_gsl.h"
 
 #include <assert.h>
 #include <gsl/gsl_errno.h>
