@@ -1,6 +1,6 @@
 #!/bin/sh
 # bench.sh - what becomes of the tables that `make bench` measures: the closing
-# table says met, missed and not there, and the chapter gets its table of
+# table says met, missed and not there, and the chapter gets its tables of
 # seconds, and nothing else changes in it.
 #
 # Prints "ok bench: ..." or "FAIL bench: ...".
@@ -21,6 +21,8 @@ printf '# machine: made up\n\n\n# peer\n# PETSc 9.9\nmethod\tn\tstep_ms\tover_ou
 notes\t8\t7\t7\t14\nmethod\t8\t2\t2\t4\n' >"$tmp/speed/peer.tsv"
 printf '# machine: made up\n\n\n# steps\nmethod\tn\tmedian_ms
 best\t8\t1.2345\nblocked\t8\t5.5\n' >"$tmp/speed/step.tsv"
+printf '# machine: made up\n\n\n# solvers\nsolver\tn\tstep_ms
+kept_single\t8\t0.5\n' >"$tmp/speed/solvers.tsv"
 closing() {
     awk -v processor="$1" -f tests/tools/bench.awk -f tests/tools/closing.awk \
         "$tmp"/*/*.tsv
@@ -37,7 +39,8 @@ awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$tmp"/*/*.tsv "$page" \
     >"$tmp/page.md"
 has() { grep -qF -- "$1" "$tmp/page.md" || echo "not '$1'"; }
 rule 'the chapter gets what was measured, with its machine' \
-    "$(has '| 8 | - | 7.00 | 2.00 | 1.23 | - |'
+    "$(has '| 8 | - | 7.00 | 2.00 | 1.23 | - | 0.500 |'
+       has '| 8 | 3.50 | 2.00 | 7.00 | 14.0 |'
        has '*made up; PETSc 9.9.*')"
 without() { sed '/^<!-- seconds [a-z]* -->/,/^<!-- seconds end -->/d' "$1"; }
 without "$page" >"$tmp/before"

@@ -1,9 +1,9 @@
-# seconds.awk - the table of seconds in the chapter Speed, as `make bench` has
+# seconds.awk - the tables of seconds in the chapter Speed, as `make bench` has
 # measured them.  Behind bench.awk; the last file is the page, which is printed:
 #
-#     <!-- seconds step -->  ...  <!-- seconds end -->
+#     <!-- seconds NAME -->  ...  <!-- seconds end -->
 #
-# Nothing else writes there.
+# The names: step, rivals.  Nothing else writes there.
 function digits(x) {
     if (x == "-") return "-"
     return sprintf(x >= 99.5 ? "%.0f" : x >= 9.95 ? "%.1f" : x >= 0.995 ? "%.2f" : \
@@ -12,21 +12,34 @@ function digits(x) {
 function step(name, n) { return digits(of("step", "steps", name " " n, "median_ms")) }
 function peer(method, n, column) { return of("peer", "peer", method " " n, column) }
 function print_step(    n) {
-    print "| $n$ | `readable` | PETSc, `notes` | PETSc, `method` | `best` | `sparse` |"
-    print "|---:|---:|---:|---:|---:|---:|"
+    print "| $n$ | `readable` | PETSc, `notes` | PETSc, `method` | `best` | `sparse` | " \
+        "`sparse`, kept factors |"
+    print "|---:|---:|---:|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2)
         print "| " n " | " step("readable", n) " | " \
             digits(peer("notes", n, "step_ms")) " | " \
             digits(peer("method", n, "step_ms")) " | " \
-            step("best", n) " | " step("sparse", n) " |"
+            step("best", n) " | " step("sparse", n) " | " \
+            digits(of("solvers", "solvers", "kept_single " n, "step_ms")) " |"
+}
+function print_rivals(    n, all, code) {
+    print "| $n$ | strategy | code | both | both, kept factors |"
+    print "|---:|---:|---:|---:|---:|"
+    for (n = 8; n <= 128; n *= 2) {
+        all = peer("notes", n, "over_ours")
+        code = peer("method", n, "over_ours")
+        print "| " n " | " digits(over(all, code)) " | " digits(code) " | " \
+            digits(all) " | " digits(peer("notes", n, "over_kept")) " |"
+    }
 }
 END {
     for (i = 1; i <= pages; i++) {
         if (page[i] == "<!-- seconds end -->") inside = 0
         if (!inside) print page[i]
-        if (page[i] != "<!-- seconds step -->") continue
+        if (page[i] !~ /^<!-- seconds (step|rivals) -->$/) continue
         inside = 1
-        print_step()
+        if (page[i] ~ / step /) print_step()
+        else print_rivals()
         for (file in machine)
             if (file ~ /speed.step/) where = machine[file] "; " package
         print "\n*" where ".*"
