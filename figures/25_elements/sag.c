@@ -3,8 +3,8 @@
  *
  * The square of lesson 12's study of locking, at three of Poisson's ratios.
  * Tables: how much of the sag of (1, 0) is missing, against the limit of graded
- * quadratic triangles, and the size of div u, of that of the limit; of these
- * n = 8 and 32 alone; linear triangles on far finer meshes; and the limit.
+ * quadratic triangles, and the size of div u, of that of the limit; linear
+ * triangles on far finer meshes; and the limit.
  */
 #include "hang.h"
 
@@ -33,13 +33,12 @@ static int unknowns(enum hang_element element, int n)
     return 2 * (cells * (cells + 1) + middles);
 }
 
-/* Rows of every mesh, or only of the first and the last of each element. */
-static void print(const char *name, int every)
+static void print_sag(void)
 {
-    table_begin(name, "element m n unknowns missing_0.3 missing_0.49 "
-                      "missing_0.4999 div_0.3 div_0.49 div_0.4999");
+    table_begin("sag", "element m n unknowns missing_0.3 missing_0.49 "
+                       "missing_0.4999 div_0.3 div_0.49 div_0.4999");
     for (int k = 0; k < KINDS; k++)
-        for (int j = 0; j < SIZES; j += every) {
+        for (int j = 0; j < SIZES; j++) {
             /* differences, of which the condition of K takes digits */
             struct cell row[10] = {cell_word(word[kind[k].element]),
                                    cell_number(kind[k].m), cell_number(8 << j),
@@ -125,8 +124,7 @@ int main(void)
         last[k] = missing[k][SIZES - 1][RATIOS - 1];
         of_div[k] = div_u[k][SIZES - 1][RATIOS - 1];
     }
-    print("sag", 1);
-    print("ends", SIZES - 1);
+    print_sag();
     finer(&limit[RATIOS - 1]);
     table_begin("limit", "nu sag");
     for (int r = 0; r < RATIOS; r++)

@@ -26,6 +26,7 @@ result() { # result STATUS WHAT WHY
 programs() {
     cat <<'END'
 segmentation fault | slot | int *volatile nowhere = (int *)-4096L; *nowhere = 1; | CRASHED
+freed twice | slot | char *p = malloc(8); char *volatile q = p; free(p); free(q); | CRASHED
 a gigabyte on the stack | slot | volatile char all[1 << 30]; for (long k = 0; k < 1 << 30; k += 4096) all[k] = 1; | CRASHED
 one number too many | slot | double three[3]; for (volatile int k = 0; k <= 3; k++) three[k] = k; | CRASHED
 trap | main | raise(SIGFPE); | CRASHED
@@ -35,6 +36,7 @@ endless loop, signals ignored | main | for (int s = 1; s < 32; s++) signal(s, SI
 endless sleep | slot | for (;;) sleep(1000); | TIMEOUT
 endless sleep, signals blocked | main | sigset_t all; sigfillset(&all); sigprocmask(SIG_SETMASK, &all, NULL); for (;;) pause(); | TIMEOUT
 stops itself | slot | raise(SIGSTOP); | CRASHED
+stops itself in main | main | raise(SIGSTOP); | CRASHED
 endless stdout | slot | for (;;) puts("and on and on"); | CRASHED
 endless stderr | main | for (;;) fputs("and on and on", stderr); | CRASHED
 endless stdout, SIGXFSZ ignored | main | signal(SIGXFSZ, SIG_IGN); for (;;) puts("and on and on"); | TIMEOUT
@@ -44,6 +46,7 @@ all memory, then on | main | static char *volatile hog; ## while ((hog = malloc(
 fifty sleepers | slot | static int born; ## if (!born++) for (int k = 0; k < 50; k++) if (fork() == 0) { sleep(1000); _exit(0); } | OK
 three hundred sleepers | slot | for (int k = 0; k < 300; k++) if (fork() == 0) { sleep(1000); _exit(0); } sleep(2); | CRASHED
 three hundred threads | slot | static void *nap(void *none) { sleep(1000); return none; } ## pthread_attr_t small; pthread_attr_init(&small); pthread_attr_setstacksize(&small, 1 << 16); for (int k = 0; k < 300; k++) { pthread_t one; pthread_create(&one, &small, nap, NULL); } sleep(2); | CRASHED
+sleeping daemon | main | if (fork() == 0) { setsid(); if (fork() == 0) { sleep(1000); } _exit(0); } | OK
 computing daemon | main | if (fork() == 0) { setsid(); if (fork() == 0) for (volatile int spin = 0;; spin = 1) {} _exit(0); } | OK
 daemon that ignores signals | slot | static int born; ## if (!born++ && fork() == 0) { for (int s = 1; s < 32; s++) signal(s, SIG_IGN); setsid(); sleep(1000); _exit(0); } | OK
 daemon with open output | main | if (fork() == 0) { setpgid(0, 0); sleep(1000); _exit(0); } | OK
@@ -52,17 +55,21 @@ reads the terminal | slot | FILE *tty = fopen("/dev/tty", "r"); if (tty) fgetc(t
 runs a shell | main | if (system("exit 0") == 0) puts("here"); | OK
 removes all in its folder | slot | DIR *d = opendir("."); for (struct dirent *e; d && (e = readdir(d));) unlink(e->d_name); | WRONG
 reads the solution | main | if (fopen("ROOT/solutions/03_dirichlet_correction.c", "r")) exit(7); | OK
+reads the judge | slot | if (open("ROOT/build/solutions/03_dirichlet_correction.judge", O_RDONLY) >= 0) exit(7); | OK
 is the reference | main | execv("ROOT/build/solutions/03_dirichlet_correction", argv); exit(7); | WRONG
 writes into solutions | slot | FILE *f = fopen("ROOT/solutions/03_dirichlet_correction.c", "a"); if (f) { fputs("spoiled", f); fclose(f); } | OK
+empties a check | slot | FILE *f = fopen("ROOT/tests/checks/03_dirichlet_correction.c", "w"); if (f) fclose(f); | OK
 empties the reference | slot | unlink("ROOT/build/solutions/03_dirichlet_correction"); | OK
 links the judge's output to a file | slot | symlink("ROOT/solutions/03_dirichlet_correction.c", "judge.stdout"); | OK
 a pipe for the judge's message | slot | mkfifo("judge.message", 0600); | OK
 changes the folder | slot | if (chdir("/")) {} | OK
+changes the folder in main | main | if (chdir("/")) {} | OK
 no permissions | main | umask(0777); chmod(".", 0); | OK
 closes every descriptor | slot | for (int fd = 0; fd < 1024; fd++) close(fd); | CRASHED
 closes stdout | main | fclose(stdout); | WRONG
 says VERDICT OK | main | puts("VERDICT 03: OK, all 11 checks"); | WRONG
 says VERDICT OK and leaves | slot | puts("VERDICT 03: OK, all 11 checks"); exit(0); | CRASHED
+a constructor | file | __attribute__((constructor)) static void early(void) { write(3, "finished", 8); _exit(0); } | WRONG (refused)
 a constructor by a macro | file | #define EARLY(x) __attribute__((con##x)) @@ EARLY(structor) static void early(void) { _exit(0); } | WRONG (refused)
 a constructor behind another #line | file | #line 1 "/usr/include/stdio.h" @@ __attribute__((__constructor__)) static void early(void) { _exit(0); } | WRONG (refused)
 an entry of .init_array | file | static void early(void) { _exit(0); } static void (*at_first)(void) __attribute__((section( @@ ".init_array"), used)) = early; | WRONG (refused)
@@ -81,6 +88,7 @@ a macro for the judge | empty file | %:define judge_judge(l, c, v) 0 @@ ??=defin
 a name of the judge's | file | extern int judging; int *peek = &judging; | WRONG (refused)
 a name of the judge's, by another | file | extern int mine __asm__("judging"); int *peek = &mine; | WRONG (refused)
 the first number on the stack | empty slot | volatile unsigned long long here = 0, *at = &here, w; do w = *at++; while (!(w >> 48) || w >> 48 == 0x7fff || w >> 48 == 0xffff); if (write(3, (const void *)&w, 8)) {} _exit(0); | CRASHED
+the solution, included by another path | file | #include "..//solutions/.//../solutions/03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by way of /proc | file | #include "/proc/self/cwd/solutions/./03_dirichlet_correction.c" | WRONG (refused)
 the solution, included by a macro | file | #define ALL <../solutions/03_dirichlet_correction.c> @@ #include ALL | WRONG (refused)|WRONG (does not compile)
 the solution, included by a link | file | #include "../linked.h" | WRONG (refused)
@@ -98,7 +106,9 @@ another program | slot | execl("/bin/true", "true", (char *)NULL); | OK
 loop at exit | main | static void again(void) { for (volatile int spin = 0;; spin = 1) {} } ## atexit(again); | TIMEOUT
 kills its group | slot | kill(0, SIGKILL); | CRASHED
 kills its parent | slot | kill(getppid(), SIGKILL); | OK|CRASHED
+kills its parent in main | main | kill(getppid(), SIGKILL); | CRASHED
 stops its parent | slot | kill(getppid(), SIGSTOP); | OK|CRASHED
+jumps to nowhere | slot | jmp_buf nowhere; memset(nowhere, 0, sizeof nowhere); longjmp(nowhere, 1); | CRASHED
 no output allowed | main | struct rlimit none = {0, 0}; setrlimit(RLIMIT_FSIZE, &none); | CRASHED
 no files allowed | slot | struct rlimit none = {0, 0}; setrlimit(RLIMIT_NOFILE, &none); | OK
 a table with a NUL in it | main | fwrite("# nul\nx\n1\0\n\n\n", 1, 13, stdout); | OK
@@ -246,7 +256,7 @@ others() {
             export MAKE='$MAKE'
             exec bwrap --bind / / --dev-bind /dev /dev --tmpfs /proc \"\$MAKE\" \"\$@\"" \
             >"$1.make" && chmod +x "$1.make"
-        programs | grep -e '^daemon with open' -e '^endless sleep |' \
+        programs | grep -e '^sleeping daemon' -e '^endless sleep |' \
             >"$1.programs"
         MAKE=$1.make each 300 <"$1.programs"
         rm "$1.make" "$1.programs"
