@@ -75,12 +75,12 @@ ifneq ($(filter -Ofast -ffast-math -ffinite-math-only -funsafe-math-%,$(CC) \
 $(error no -ffast-math or -Ofast here: the programs find NaN and infinity by \
         comparing)
 endif
-# Flags for tiles.c, front.c, readable.c, body.c, triangles.c and lanes.c, where
-# they count: of the list that the compiler takes; the last three go without the
-# last flag, so that their digits are the same everywhere, and without pairs made of
-# lines that stand one after the other, which gcc 12 contracts all the same.
-# They make the build one for this machine; `make clean` and NATIVE= give one for
-# any.
+# Flags for tiles.c, front.c, readable.c, and EXACT, where they count: of the list
+# that the compiler takes; EXACT go without the last flag, so that their digits are
+# the same everywhere, and without pairs made of lines that stand one after the
+# other, which gcc 12 contracts all the same.  They make the build one for this
+# machine; `make clean` and NATIVE= give one for any.
+EXACT := body triangles lanes particles particle_force
 ask_native = $(shell takes() { \
                  $(CC) -Werror "$$@" -fsyntax-only -x c /dev/null \
                  2>/dev/null && echo "$$@"; }; \
@@ -278,7 +278,7 @@ same_digits = $(filter-out -ffp-contract=fast,$1) -fno-tree-slp-vectorize
 native_for = $(if $(filter readable,$1),$(NATIVE)) \
              $(if $(filter tiles front,$1),$(patsubst \
                  -O3,$(LESS_THAN_O3),$(NATIVE))) \
-             $(if $(filter body triangles lanes,$1),$(call same_digits,$(NATIVE))) \
+             $(if $(filter $(EXACT),$1),$(call same_digits,$(NATIVE))) \
              $(if $(filter banded,$1),$(if $(NATIVE),$(LESS_THAN_O3)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)

@@ -1,9 +1,8 @@
 # same.mk - the same numbers on every machine; included by tests.mk.
 #
 # All solutions and studies again, in two builds: v8, vectors (vec.h) of eight
-# numbers with contraction where the processor has it, and body.c, triangles.c
-# and lanes.c with all flags for this machine but that, for which only these are
-# compiled anew;
+# numbers with contraction where the processor has it, and what is EXACT with all
+# flags for this machine but that, for which only these are compiled anew;
 # and clang, all of it by that compiler, with vectors of two and no flag for this
 # machine, or, where there is no clang, v2, these files so by CC.  In both the
 # clock counts how often it is asked, so that no second need be excepted.
@@ -14,12 +13,11 @@
 #
 # `make test` runs the solutions so; `make same`, as .ci/run does, the studies, too.
 
-ANEW := $(filter %/tiles.o %/front.o %/readable.o %/body.o %/triangles.o \
-            %/lanes.o, \
+ANEW := $(filter %/tiles.o %/front.o %/readable.o $(EXACT:%=%/%.o), \
             $(OBJECTS:$(BUILD)/%=%))
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
 # $(call anew_flags,BUILD,name of the file)
-anew_flags = $(if $(filter v8,$1),$(if $(filter body triangles lanes,$2),$(call \
+anew_flags = $(if $(filter v8,$1),$(if $(filter $(EXACT),$2),$(call \
                  same_digits,$(ALL_NATIVE)),$(ALL_NATIVE) -DVEC_WIDTH=8), \
                  -DVEC_WIDTH=2)
 $(T)/clang/%: override CC := clang

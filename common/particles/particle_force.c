@@ -1,6 +1,8 @@
 /* particle_force.c - see particle_force.h. */
 #include "particles/particle_force.h"
 
+#include "linear/vec.h"
+
 #include <assert.h>
 #include <limits.h>
 #include <math.h>
@@ -204,59 +206,56 @@ int particle_band(const struct particle_body *body, const int equation[])
 }
 
 /* The unknowns of a particle's nodes, -1 where there is none: their number in
- * K, the place of their diagonal entry, and q with their sign. */
+ * K, the place of their diagonal entry, and q with their sign; q[a][j] is
+ * component j of q of both unknowns of node a. */
 struct its_unknowns {
     int number[2 * SUPPORT_MAX];
-    double *diagonal[2 * SUPPORT_MAX], q[2 * SUPPORT_MAX][2];
+    double *diagonal[2 * SUPPORT_MAX];
+    two q[SUPPORT_MAX][2];
 };
 
 /* Add block (a, b), a >= b, of K and its transpose entry by entry: an unknown
  * may be missing, they may stand in any order, and two nodes may share one. */
 static void add_entries(const struct its_unknowns *of, int a, int b,
-                        double block[2][2])
+                        const two block[2])
 {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
             const int row = of->number[2 * a + i];
             const int column = of->number[2 * b + k], below = row - column;
             if (row < 0 || column < 0) continue;
-            if (below >= 0) of->diagonal[2 * b + k][below] += block[i][k];
+            if (below >= 0) of->diagonal[2 * b + k][below] += block[k][i];
             if (a != b && below <= 0)
-                of->diagonal[2 * a + i][-below] += block[i][k];
+                of->diagonal[2 * a + i][-below] += block[k][i];
         }
 }
 
-/* K += T^T (V q_a D q_b) T, T what the unknowns do to the nodes.  D is
+/* K += T^T (V q_a D q_b) T, T what the unknowns do to the n nodes.  D is
  * symmetric; of a banded K the lower half counts. */
-static void add_particle(const struct support *s, double volume,
-                         const mat2 D[4], const struct its_unknowns *of)
+static void add_particle(int n, double volume, two D[2][2][2],
+                         const struct its_unknowns *of)
 {
-    for (int b = 0; b < s->n; b++) {
+    for (int b = 0; b < n; b++) {
+        const int *from = &of->number[2 * b];
         double *const *column = &of->diagonal[2 * b];
-        mat2 dP[2]; /* V dP for a unit of each unknown: dF = e_k (x) q */
+        const int pair = from[0] >= 0 && from[1] == from[0] + 1;
+        two dP[2][2]; /* V dP for a unit of each unknown: dF = e_k (x) q */
         for (int k = 0; k < 2; k++)
-            for (int i = 0; i < 4; i++)
-                dP[k].m[i / 2][i % 2] =
-                    volume *
-                    (D[2 * k].m[i / 2][i % 2] * of->q[2 * b + k][0] +
-                     D[2 * k + 1].m[i / 2][i % 2] * of->q[2 * b + k][1]);
-        for (int a = b; a < s->n; a++) {
-            const int *at = &of->number[2 * a], *from = &of->number[2 * b];
-            const int below = at[0] - from[0];
-            double block[2][2];
-            for (int i = 0; i < 2; i++)
-                for (int k = 0; k < 2; k++)
-                    block[i][k] = dP[k].m[i][0] * of->q[2 * a + i][0] +
-                                  dP[k].m[i][1] * of->q[2 * a + i][1];
-            if (from[0] < 0 || from[1] != from[0] + 1 || at[1] != at[0] + 1 ||
-                below < (a > b)) {
+            for (int J = 0; J < 2; J++)
+                dP[k][J] = volume * (D[k][0][J] * of->q[b][0][k] +
+                                     D[k][1][J] * of->q[b][1][k]);
+        for (int a = b; a < n; a++) {
+            const int *at = &of->number[2 * a], below = at[0] - from[0];
+            const two *q = of->q[a];
+            const two block[2] = {dP[0][0] * q[0] + dP[0][1] * q[1],
+                                  dP[1][0] * q[0] + dP[1][1] * q[1]};
+            if (!pair || at[1] != at[0] + 1 || below < (a > b)) {
                 add_entries(of, a, b, block);
                 continue;
             }
-            column[0][below] += block[0][0];
-            column[0][below + 1] += block[1][0];
-            if (a > b) column[1][below - 1] += block[0][1];
-            column[1][below] += block[1][1];
+            TWO(column[0][below]) += block[0];
+            if (a > b) TWO(column[1][below - 1]) += block[1];
+            else column[1][0] += block[1][1];
         }
     }
 }
@@ -269,23 +268,30 @@ enum status particle_stiffness(const struct particle_body *body,
     for (int p = 0; p < body->particles->n; p++) {
         struct support s;
         struct its_unknowns of;
-        mat2 F, D[4]; /* D[2k + L] = dP for dF = e_k (x) e_L */
+        mat2 F;
+        two D[2][2][2]; /* D[k][L][J] = dP_.J for dF = e_k (x) e_L */
         const enum status status = at_particle(body, p, u, &s, &F);
         if (status != OK) return status;
         for (int k = 0; k < 2; k++)
             for (int L = 0; L < 2; L++) {
                 mat2 unit = {{{0.0}}};
                 unit.m[k][L] = 1.0;
-                D[2 * k + L] = dpk1(body, F, unit);
+                const mat2 dP = dpk1(body, F, unit);
+                for (int J = 0; J < 2; J++)
+                    D[k][L][J] = (two){dP.m[0][J], dP.m[1][J]};
             }
-        for (int r = 0; r < 2 * s.n; r++) {
-            const int all = 2 * s.node[r / 2] + r % 2, e = equation[all];
-            of.number[r] = e;
-            of.diagonal[r] = e < 0 ? NULL : &K->a[matrix_place(K, e, e)];
-            for (int j = 0; j < 2; j++)
-                of.q[r][j] = (sign ? sign[all] : 1.0) * s.gradient[r / 2][j];
+        for (int a = 0; a < s.n; a++) {
+            const int r = 2 * s.node[a];
+            const two by = {sign ? sign[r] : 1.0, sign ? sign[r + 1] : 1.0};
+            for (int J = 0; J < 2; J++) of.q[a][J] = by * s.gradient[a][J];
+            for (int k = 0; k < 2; k++) {
+                const int e = equation[r + k];
+                of.number[2 * a + k] = e;
+                of.diagonal[2 * a + k] =
+                    e < 0 ? NULL : &K->a[(size_t)e * K->stride];
+            }
         }
-        add_particle(&s, body->particles->volume[p], D, &of);
+        add_particle(s.n, body->particles->volume[p], D, &of);
     }
     return OK;
 }

@@ -51,9 +51,10 @@ int kernel_weights(int order, double h, double x, double w[], double dw[])
 
 double kernel_inertia(int order, double h, double x)
 {
-    const double f = x / h - floor(x / h);
     assert(order >= 1 && order <= ORDER_MAX);
-    return h * h * (order == 1 ? f * (1.0 - f) : order == 2 ? 0.25 : 1.0 / 3.0);
+    if (order > 1) return h * h * (order == 2 ? 0.25 : 1.0 / 3.0);
+    const double f = x / h - floor(x / h);
+    return h * h * (f * (1.0 - f));
 }
 
 /* ---- grid ---------------------------------------------------------------- */
@@ -115,16 +116,21 @@ enum status grid_support(const struct grid *grid, const double x[2],
             return OUTSIDE;
         s->inertia[k] = kernel_inertia(grid->order, h, way[k]);
     }
-    for (int r = 0; r < width[1]; r++)
-        for (int q = 0; q < width[0]; q++, s->n++) {
-            const int n = grid->nodes[0], i = first[0] + q, j = first[1] + r;
-            s->node[s->n] = j * n + (i % n + n) % n; /* around */
-            s->w[s->n] = w[0][q] * w[1][r];
-            s->gradient[s->n][0] = dw[0][q] * w[1][r];
-            s->gradient[s->n][1] = w[0][q] * dw[1][r];
-            s->offset[s->n][0] = h * i - way[0];
-            s->offset[s->n][1] = h * j - way[1];
+    s->n = width[0] * width[1];
+    for (int q = 0; q < width[0]; q++) {
+        const int n = grid->nodes[0], i = first[0] + q;
+        const int column = grid->periodic ? (i % n + n) % n : i; /* around */
+        const double offset = h * i - way[0];
+        for (int r = 0, a = q; r < width[1]; r++, a += width[0]) {
+            const int j = first[1] + r;
+            s->node[a] = j * n + column;
+            s->w[a] = w[0][q] * w[1][r];
+            s->gradient[a][0] = dw[0][q] * w[1][r];
+            s->gradient[a][1] = w[0][q] * dw[1][r];
+            s->offset[a][0] = offset;
+            s->offset[a][1] = h * j - way[1];
         }
+    }
     return OK;
 }
 
