@@ -98,8 +98,8 @@ self.liveDrawing = (box, canvas, chart, most) => {
             image = { data, wide: canvas.width, high: canvas.height,
                       pixels: new Uint32Array(data.data.buffer) };
         }
-        if (!edges || edges.size !== t.length)
-            edges = { ...edgesOf(t, n), size: t.length };
+        if (!edges || edges.size !== t.length || edges.n !== n) /* or it was cut */
+            edges = { ...edgesOf(t, n), size: t.length, n };
         for (let a = 0; a < n; a++)
             px.push(canvas.width / 2 + s * x[2 * a],
                     canvas.height / 2 - s * (x[2 * a + 1] - middle));

@@ -64,7 +64,7 @@ lines of C at a time: exercises with reference solutions for J. Teran's lecture 
 elasticity, biomechanics, and virtual surgery</em>. <a href="workbook.html#why-anyone-cares">Why</a>,
 <a href="workbook.html#the-course-and-its-rooms">the course and its rooms</a>, and <a href="workbook.html#how-to-use-it">how to use it</a>.</p>
 <p>In your hand: <a href="web/live.html">the square with all its keys</a>, <a href="web/tissue.html">a strip of
-tissue with a cut</a>. For a scene of your own: <a href="web/choose.html">the least model</a>.</p>
+tissue, a knife and a hand</a>. For a scene of your own: <a href="web/choose.html">the least model</a>.</p>
 <p>To look things up: <a href="workbook.html#notation">notation</a>, <a href="workbook.html#equations">equations</a>,
 <a href="workbook.html#map-of-the-library">the library</a>, <a href="lessons/CHEATSHEET.html">cheat sheet</a>,
 <a href="lessons/INDEX.html">index of the notes</a>, <a href="lessons/TROUBLE.html">when it does not work</a>,

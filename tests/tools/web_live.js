@@ -25,7 +25,7 @@ function insert(page, after, words) {
 }
 
 insert("workbook.html", 'figures/24_live/tissue.c"',
-    '<p><a href="web/tissue.html">Take such a strip in your hand</a>, here in the browser.</p>');
+    '<p><a href="web/tissue.html">Cut such a strip and pull at it</a>, here in the browser.</p>');
 insert("lessons/CHOOSE.html", '<h2 id="a-scene-of-your-own">',
     '<p><a href="../web/choose.html">The same as a form</a>, which runs here in the browser.</p>');
 insert("lessons/24_live.html", "opens a window (with SDL2)",

@@ -148,7 +148,7 @@ async function losses(browser) {
     await page.close();
 }
 
-/* The strip of the front page opens under a hand. */
+/* The strip of the front page is cut, and opens under a hand: both by the keyboard. */
 async function tissue(browser) {
     const page = await browser.page(url('web/tissue.html'));
     const begun = await page.until("document.querySelector('.live').live.state.frames > 5");
@@ -162,6 +162,11 @@ async function tissue(browser) {
             for (const end = state.frames + n; state.frames < end;)
                 await new Promise(done => requestAnimationFrame(done));
         };
+        hand.x = 0.01, hand.y = 0.83;
+        key('Enter');
+        for (let k = 0; k < 8; k++) { key('ArrowDown'); await frames(3); }
+        key('Enter');
+        await frames(3);
         hand.x = 0.2, hand.y = 0.4;
         key('Enter');
         for (let k = 0; k < 8; k++) { key('ArrowUp'); await frames(3); }
@@ -174,6 +179,9 @@ async function tissue(browser) {
     const frames = rows(lines, 'frames');
     const least = Math.min(...frames.map(row => Number(row.min_J)));
     const lost = frames.filter(row => row.rung === 'lost').length;
+    const [whole, cut] = [0, frames.length - 1].map(k => Number(frames[k].vertices));
+    say(whole === 816 && cut === whole + 7, 'the knife opens the tissue along seven edges',
+        `${whole} vertices, then ${cut}`);
     say(status === 0 && frames.length > 40 && lost === 0 && least < 0.95 && least > 0,
         'the tissue is pulled by the keyboard, no frame lost',
         `status ${status}, ${frames.length} frames, ${lost} lost, least J ${least}`);
@@ -186,9 +194,21 @@ async function lips(browser) {
     const page = await browser.page(url('web/tissue.html'));
     await page.until("document.querySelector('.live').live.state.frames > 5");
     const taken = await page.evaluate(`(async () => {
-        const { canvas, hand, drawing, press } = document.querySelector('.live').live;
-        Object.assign(hand, { x: 0.04, y: 0.45 });
-        canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }));
+        const { canvas, hand, drawing, press, state } = document.querySelector('.live').live;
+        const enter = () => canvas.dispatchEvent(new KeyboardEvent('keydown',
+            { key: 'Enter', bubbles: true }));
+        const frames = async (n, x, y) => {
+            Object.assign(hand, { x, y });
+            for (const end = state.frames + n; state.frames < end;)
+                await new Promise(done => requestAnimationFrame(done));
+        };
+        await frames(1, 0, 0.8);
+        enter();
+        await frames(3, 0, 0.8);
+        await frames(3, 0, 0.05);
+        enter();
+        await frames(3, 0.04, 0.45);
+        enter();
         const draw = drawing.body;
         for (let k = 0; k < 9; k++) await new Promise(done => { drawing.body = (frame, hand) => {
             const at = [...frame.rest], lowest = Math.min(...at.filter((y, r) => r % 2));
