@@ -1,6 +1,6 @@
 # open.gp - a strip that is cut from its side and pulled, and its factor Y.
-# Expected: the factors of the handbook, and an error of order 1 in h.
-# Reads   data  tables strip, factor, error
+# Expected: the factors of the handbook, and an error of order 1 in h on even meshes.
+# Reads   data  tables strip, factor, error, graded
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 760,520
@@ -46,9 +46,12 @@ set ytics (0.01, 0.1)
 set xlabel "flops to factor K"
 set ylabel "missing part of Y, a/b = 0.5"
 set xrange [1e5:3e9]
-set yrange [0.01:0.3]
+set yrange [0.004:0.3]
 set format x "10^{%T}"
 set label 1 "order 1: flops^{-1/4}" at 3e8,0.12 center
+set label 2 "even" at 4e8,0.042 tc ls 1
+set label 3 "graded" at 4e7,0.014 right tc ls 3
 plot data index "error" using "flops":"error" with linespoints ls 1, \
+     "" index "graded" using "flops":"error" with linespoints ls 3, \
      0.02533 * (956244702.0 / x) ** 0.25 with lines ls 8
 unset multiplot
