@@ -48,16 +48,18 @@ enum status bar_residual(const struct bar *bar, const double u[], double q[])
 enum status bar_tangent(const struct bar *bar, const double u[],
                         struct matrix *K)
 {
+    const int next = matrix_place(K, 1, 1), below = matrix_place(K, 1, 0);
+    double *a = K->a; /* entry (e - 1, e - 1) */
     matrix_zero(K);
-    for (int e = 1; e <= bar->n; e++) {
+    for (int e = 1; e <= bar->n; e++, a += next) {
         const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
         const double k = material1_dpk1(&bar->material, F) / bar->h;
         if (!isfinite(k)) return NONFINITE;
-        matrix_add(K, e - 1, e - 1, k);
-        matrix_add(K, e, e - 1, -k);
-        matrix_add(K, e, e, k);
-        if (K->storage == DENSE) matrix_add(K, e - 1, e, -k);
+        a[0] += k;
+        a[below] -= k;
+        a[next] += k;
+        if (K->storage == DENSE) a[1] -= k;
     }
     return OK;
 }
