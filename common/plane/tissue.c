@@ -48,6 +48,34 @@ struct tissue_whole tissue_hold(const struct tissue *square, double pull)
     return whole;
 }
 
+/* In cells.  A rectangle that stands is turned by a right angle: its vertices
+ * are numbered across the strip, which makes the narrowest band. */
+enum { STRIP_WIDE = 50, STRIP_HIGH = 15 };
+
+struct tissue tissue_strip(void)
+{
+    const double scale = sqrt(1000.0);
+    struct mesh *mesh = mesh_rectangle(STRIP_HIGH, STRIP_WIDE, 0.015 * scale,
+                                       0.05 * scale);
+    for (int a = 0; a < mesh->n_vertex; a++) {
+        double *X = &mesh->X[2 * a];
+        const double up = -X[0];
+        X[0] = X[1];
+        X[1] = up;
+    }
+    return tissue_alloc(mesh);
+}
+
+struct tissue_whole tissue_on_bone(const struct tissue *strip)
+{
+    const struct mesh *mesh = strip->mesh;
+    for (int a = STRIP_HIGH; a < mesh->n_vertex; a += STRIP_HIGH + 1)
+        strip->held[a] = 1;
+    return (struct tissue_whole){
+        mesh, mesh_across(mesh),
+        allocate(3 * (size_t)mesh->n_triangle, sizeof(int)), {0.0}, 1.0};
+}
+
 int tissue_nearest(const struct mesh *mesh, const double x[2])
 {
     int best = 0;

@@ -38,6 +38,14 @@ void tissue_free(struct tissue tissue);
  * (pull, 0) N/m; density 1.  The caller frees across and pulled. */
 struct tissue_whole tissue_hold(const struct tissue *square, double pull);
 
+/* A strip of soft tissue, 10 cm by 3 cm, as soft as brain, as heavy as water;
+ * not yet a body: bone holds its lower side, and nothing pulls.  The notes'
+ * material has the density 1 instead of 1000 kg/m^2, so the strip is sqrt(1000)
+ * times as large: then sound takes as long from end to end, and the motion is
+ * the same in the same time. */
+struct tissue tissue_strip(void);
+struct tissue_whole tissue_on_bone(const struct tissue *strip);
+
 /* The vertex nearest to x, the first of them. */
 int tissue_nearest(const struct mesh *mesh, const double x[2]);
 

@@ -1,5 +1,6 @@
 /*
- * hand.c - a square under load, and a knife: draw, and it opens as it moves.
+ * hand.c - a square under load, and a knife: draw, and it opens as it moves; or
+ * the strip of tissue of the pages, without a load.
  *
  * With the knife a held button cuts along the edges nearest to where the
  * pointer goes, from vertex to vertex, while the body moves on: a step of
@@ -51,6 +52,8 @@ struct patient {
     int grabbed; /* a vertex, -1: none */
     int at;      /* the vertex of the whole mesh where the blade is, -1: up */
     int knife, lost;
+    int strip;   /* of tissue, not the square */
+    double mass; /* before any cut (kg) */
 };
 
 /* Room and body for the state as it is now; the hand lets go. */
@@ -221,11 +224,14 @@ static void patient_drag(struct patient *p, const struct pointer *pointer)
     for (int i = 0; i < 2; i++) p->g[a + i] = p->s.u[a + i] + part * d[i];
 }
 
-static void patient_alloc(struct patient *p)
+static void patient_alloc(struct patient *p, int strip)
 {
-    *p = (struct patient){.square = tissue_alloc(mesh_square(SQUARES)),
-                          .knife = 1};
-    p->whole = tissue_hold(&p->square, LOAD);
+    *p = (struct patient){.square = strip ? tissue_strip()
+                                          : tissue_alloc(mesh_square(SQUARES)),
+                          .knife = 1, .strip = strip,
+                          .mass = strip ? 3.0 : 4.0};
+    p->whole = strip ? tissue_on_bone(&p->square)
+                     : tissue_hold(&p->square, LOAD);
     const size_t corners = 3 * (size_t)p->whole.mesh->n_triangle;
     p->cut = allocate(corners, sizeof *p->cut);
     p->cut_before = allocate(corners, sizeof *p->cut_before);
@@ -299,6 +305,11 @@ static enum status patient_frame(struct patient *p,
 {
     double work, mass = 0.0, taken = 0.0, least = INFINITY;
     int loose;
+    if (pointer->key == 's' && p->body) {
+        const int strip = !p->strip;
+        patient_free(p);
+        patient_alloc(p, strip);
+    }
     if (!p->body || pointer->key == 'r') patient_reset(p);
     if (pointer->key == 'g') p->knife = !p->knife;
     if (pointer->key == 'e') patient_excise(p);
@@ -330,7 +341,7 @@ static enum status patient_frame(struct patient *p,
     number[VERTICES] = mesh->n_vertex;
     number[PARTS] = tissue_parts(&p->s, &loose);
     number[TAKEN] = taken;
-    number[MASS_OFF] = fabs(mass - 4.0) / 4.0;
+    number[MASS_OFF] = fabs(mass - p->mass) / p->mass;
     number[JUMPED] = fabs(start - p->energy) / (1.0 + p->energy);
     number[GAINED] = energy - start - work;
     number[MIN_J] = least;
@@ -341,12 +352,12 @@ static enum status patient_frame(struct patient *p,
 #ifndef SCRIPTS /* scripts.c needs no window */
 int main(int argc, char *argv[])
 {
-    struct hand *hand = hand_open("26", HAND_WHOSE, "e-gr", argc, argv);
+    struct hand *hand = hand_open("26", HAND_WHOSE, "e-grs", argc, argv);
     struct patient p;
     struct pointer pointer;
     double number[NUMBERS];
     gsl_set_error_handler_off();
-    patient_alloc(&p);
+    patient_alloc(&p, 0);
     while (hand_next(hand, &pointer)) {
         const enum status status = patient_frame(&p, &pointer, number);
         const struct mesh *mesh = p.s.mesh;
@@ -358,11 +369,13 @@ int main(int argc, char *argv[])
                  "%s: %s, %d systems, %d frames lost\n"
                  "%d vertices, %.0f parts, %.4f kg taken away; "
                  "energy %.3g J\n[g] %s   [e] take loose parts away   "
-                 "[-] undo\n[r] whole again   [space] stop   [q] close",
+                 "[-] undo\n[r] whole again   [s] %s   [space] stop   "
+                 "[q] close",
                  status == OK ? "moves" : "lost", status_name(status),
                  p.systems, p.lost, mesh->n_vertex, number[PARTS],
                  number[TAKEN], p.energy,
-                 p.knife ? "knife: hold and draw" : "hand: drag a vertex");
+                 p.knife ? "knife: hold and draw" : "hand: drag a vertex",
+                 p.strip ? "square" : "strip of tissue");
         hand_draw(hand, &picture, COLUMNS, number);
     }
     patient_free(&p);

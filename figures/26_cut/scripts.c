@@ -31,7 +31,7 @@ int main(void)
         struct patient p;
         struct pointer pointer;
         double number[NUMBERS], sum = 0.0, least = 1.0, vertices = 1e9;
-        patient_alloc(&p);
+        patient_alloc(&p, 0);
         for (; hand_next(hand, &pointer); frames++) {
             patient_frame(&p, &pointer, number);
             for (int k = 0; k < NUMBERS; k++)

@@ -1,10 +1,7 @@
 /*
  * tissue.c - a strip of soft tissue, a knife and a hand; on a page only.
  *
- * 10 cm by 3 cm, held by bone below, as soft as brain and as heavy as water.
- * The notes' material has the density 1 instead of 1000 kg/m^3, so the strip is
- * drawn SCALE times as large: then sound takes as long from end to end, and the
- * motion is the same in the same time.  The loop is that of lesson 24.  The
+ * The strip is that of tissue.h, and the loop is that of lesson 24.  The
  * pointer is a knife where it is pressed beside the strip, and a hand where it
  * is pressed on it; paths, fans and what is carried are those of lesson 26.
  */
@@ -15,10 +12,7 @@
 #include "base/clock.h"
 #include "motion/window.h"
 
-/* In cells; vertices are numbered downwards, column by column, which makes the
- * narrowest band. */
-enum { WIDE = 50, HIGH = 15 };
-static const double SCALE = 31.6227766016838, RADIUS = 0.15;
+static const double RADIUS = 0.15;
 
 struct strip {
     struct tissue uncut, s; /* at rest; as it is, with its state in live->now */
@@ -27,24 +21,6 @@ struct strip {
     int knife; /* is the pointer down, and a knife? */
     int at;    /* the vertex of the uncut strip where it is */
 };
-
-/* The uncut strip: a rectangle that stands, turned by a right angle. */
-static void prepare(struct strip *strip)
-{
-    struct mesh *mesh = mesh_rectangle(HIGH, WIDE, 0.015 * SCALE, 0.05 * SCALE);
-    const size_t corners = 3 * (size_t)mesh->n_triangle;
-    for (int a = 0; a < mesh->n_vertex; a++) {
-        double *X = &mesh->X[2 * a], up = X[0];
-        X[0] = X[1];
-        X[1] = -up;
-    }
-    strip->uncut = tissue_alloc(mesh);
-    for (int a = HIGH; a < mesh->n_vertex; a += HIGH + 1)
-        strip->uncut.held[a] = 1; /* bone */
-    strip->whole = (struct tissue_whole){
-        mesh, mesh_across(mesh), allocate(corners, sizeof(int)), {0.0}, 1.0};
-    strip->cut = allocate(corners, sizeof *strip->cut);
-}
 
 /* The vertex that is nearest to x, and how far it is away. */
 static int nearest(const struct live *live, const double x[2], double *away)
@@ -172,11 +148,13 @@ int main_tissue(int argc, char *argv[])
     struct window *window = window_open();
     struct pointers all = {0, NULL};
     struct strip strip = {.at = -1};
-    struct live live = {.set = {WIDE, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1,
+    struct live live = {.set = {0, LOG, BACKWARD_EULER, PATCH, ELASTIC, 1,
                                 LINEAR_TRIANGLE}, .dt = 1.0 / 30.0};
     if (!window) die("tissue: there is no page");
     gsl_set_error_handler_off();
-    prepare(&strip);
+    strip.uncut = tissue_strip();
+    strip.whole = tissue_on_bone(&strip.uncut);
+    strip.cut = allocate(3 * (size_t)strip.whole.mesh->n_triangle, sizeof(int));
     renew(&live, &strip, &strip.uncut);
     table_begin("frames", "k rung status systems part min_J vertices");
     for (int k = 0; window_next(window, &all, k, 1); k++) {

@@ -3,6 +3,7 @@
 
 #include "unit.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Two squares, 0 1 2 3 and 4 5 6 7, that share no vertex: 3 and 4 are at one
@@ -77,6 +78,35 @@ static void a_square_is_held_pulled_and_marked(void)
     tissue_free(s);
 }
 
+/* The strip: 50 x 15 cells of one size, held below and pulled nowhere, and
+ * neighbours have near numbers. */
+static void a_strip_lies_on_bone(void)
+{
+    struct tissue s = tissue_strip();
+    const struct tissue_whole w = tissue_on_bone(&s);
+    int bone = 0;
+    ck_assert_int_eq(w.mesh->n_vertex, 51 * 16);
+    ck_assert_int_eq(w.mesh->n_triangle, 2 * 50 * 15);
+    for (int a = 0; a < w.mesh->n_vertex; a++) {
+        const double *X = &w.mesh->X[2 * a];
+        ck_assert(fabs(X[0]) < 1.58114 && fabs(X[1]) < 0.474342);
+        ck_assert_int_eq(s.held[a], X[1] < -0.4743);
+        bone += s.held[a];
+    }
+    ck_assert_int_eq(bone, 51);
+    for (int c = 0; c < 3 * w.mesh->n_triangle; c++) {
+        const int *t = &w.mesh->triangle[c / 3 * 3];
+        double g[6];
+        close_to(mesh_gradients(w.mesh, c / 3, g), 0.002, 1e-12);
+        ck_assert_int_le(abs(t[c % 3] - t[(c + 1) % 3]), 17);
+        ck_assert(!w.pulled[c] && w.across[c] >= 0);
+    }
+    close_to(w.rho, 1.0, 1e-15);
+    free(w.across);
+    free(w.pulled);
+    tissue_free(s);
+}
+
 /* K of the cut body times (y and copies y + d), its rows added up, is K of the
  * whole body and the border times (y, d). */
 static void a_border_is_the_cut_body(void)
@@ -144,6 +174,7 @@ static const struct unit_law laws[] = {
      parts_hang_together_and_are_held_by_two},
     {"lips_open", lips_open},
     {"a_square_is_held_pulled_and_marked", a_square_is_held_pulled_and_marked},
+    {"a_strip_lies_on_bone", a_strip_lies_on_bone},
     {"a_border_is_the_cut_body", a_border_is_the_cut_body},
 };
 UNIT_MAIN("tissue", laws)
