@@ -22,22 +22,23 @@ static const double FULL = 0.015; /* m */
 
 static void print_cells(const struct strip *s, const char *name)
 {
-    for (int e = 0; e < s->mesh->n_triangle; e += 2) {
-        const int *t = &s->mesh->triangle[3 * e];
-        const int corner[4] = {2 * t[0], 2 * t[1], 2 * t[2], 2 * t[5]};
+    for (int k = 0; k < s->n * s->rows; k++) { /* row by row, upwards */
+        const int below = s->rows - 1 - k / s->n;
+        const int *t = &s->s.mesh->triangle[6 * (k % s->n * s->rows + below)];
+        const int corner[4] = {2 * t[1], 2 * t[2], 2 * t[5], 2 * t[0]};
         struct cell x[9] = {cell_word(name)};
         for (int a = 0; a < 4; a++)
             for (int i = 0; i < 2; i++)
                 x[1 + 2 * a + i] = cell_number(
-                    (double)lrint(1e6 * (s->mesh->X[corner[a] + i] +
-                                         s->u[corner[a] + i])));
+                    (double)lrint(1e6 * (s->s.mesh->X[corner[a] + i] +
+                                         s->s.u[corner[a] + i])));
         table_row_of(9, x);
     }
 }
 
 int main(void)
 {
-    struct strip whole = strip_alloc(40, 12), cut = strip_alloc(40, 6);
+    struct strip whole = strip_alloc(40, 0), cut = strip_alloc(40, 6);
     double work = 0.0;
     gsl_set_error_handler_off();
 

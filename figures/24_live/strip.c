@@ -1,103 +1,104 @@
 /* strip.c - see strip.h. */
 #include "strip.h"
 
-#include "motion/live.h"
+int program_main(int argc, char *argv[]);
+#define PROGRAM "../../solutions/26_cut.c"
+#define main program_main
+#include PROGRAM
+#undef main
 
-#include <stdlib.h>
-#include <string.h>
+#include "base/options.h"
+#include "base/table.h"
+#include "motion/live.h"
 
 static const double WIDTH = 0.1, HEIGHT = 0.03; /* m */
 static const double DEPTH = 0.01; /* of which forces and energies are (m) */
 
-/* Vertex i of row j, of a lip where it has two. */
-static int vertex(const struct strip *s, int i, int j)
+struct strip strip_alloc(int n, int cells)
 {
-    return j * (s->n + 2) + (i == s->n / 2 + 1 && j <= s->tip ? i - 1 : i);
-}
-
-static struct mesh *cut_mesh(const struct strip *s)
-{
+    struct strip s = {.n = n, .rows = 3 * n / 10};
+    /* a rectangle that stands, turned by a right angle */
     struct mesh *mesh =
-        mesh_rectangle(s->n + 1, s->rows, 0.5 * WIDTH, 0.5 * HEIGHT);
-    int *t = mesh->triangle;
-    for (int j = 0; j <= s->rows; j++)
-        for (int i = 0; i <= s->n + 1; i++) {
-            const int place = i > s->n / 2 ? i - 1 : i;
-            mesh->X[2 * (j * (s->n + 2) + i)] =
-                WIDTH * ((double)place / s->n - 0.5);
-            /* no cell beyond the last vertices, and none between the lips */
-            if (j == s->rows || i > s->n || i == s->n / 2) continue;
-            const int a = vertex(s, i, j), c = vertex(s, i + 1, j + 1);
-            const int cell[6] = {a, vertex(s, i + 1, j), c,
-                                 a, c, vertex(s, i, j + 1)};
-            memcpy(t, cell, sizeof cell);
-            t += 6;
-        }
-    mesh->n_triangle = 2 * s->n * s->rows;
-    return mesh;
-}
-
-struct strip strip_alloc(int n, int tip)
-{
-    struct strip s = {.n = n, .rows = 3 * n / 10, .tip = tip};
-    s.mesh = cut_mesh(&s);
-    const size_t size = 2 * (size_t)s.mesh->n_vertex;
-    int *held = allocate(size, sizeof *held);
-    for (int j = 0; j <= s.rows; j++) {
-        held[vertex(&s, 0, j)] = held[vertex(&s, n + 1, j)] = 1;
-        if (j <= tip) held[j * (n + 2) + n / 2 + 1] = 1; /* alone */
+        mesh_rectangle(s.rows, n, 0.5 * HEIGHT, 0.5 * WIDTH);
+    for (int a = 0; a < mesh->n_vertex; a++) {
+        double *X = &mesh->X[2 * a];
+        const double up = -X[0];
+        X[0] = X[1];
+        X[1] = up;
     }
-    s.body = body_alloc(s.mesh, material_notes(LOG), 0.0, LUMPED, held);
-    s.u = allocate(size, sizeof(double));
-    s.g = allocate(size, sizeof(double));
-    s.q = allocate(size, sizeof(double));
-    free(held);
+    s.uncut = tissue_alloc(mesh);
+    for (int a = 0; a < mesh->n_vertex; a++)
+        s.uncut.held[a] = fabs(mesh->X[2 * a]) > 0.499 * WIDTH;
+
+    const size_t corners = 3 * (size_t)mesh->n_triangle;
+    const struct tissue_whole whole = {
+        mesh, mesh_across(mesh), allocate(corners, sizeof(int)), {0.0}, 1.0};
+    int *cut = allocate(corners, sizeof *cut);
+    int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
+    const double blade[4] = {0.0, 0.5 * HEIGHT, 0.0,
+                             HEIGHT * (0.5 - (double)cells / s.rows)};
+    const int length = path(mesh, blade, tissue_nearest(mesh, blade),
+                            tissue_nearest(mesh, &blade[2]), chain);
+    tissue_mark(mesh, length, chain, cut);
+    s.s = cut_body(&whole, cut, &s.uncut);
+    s.body = body_alloc(s.s.mesh, material_notes(LOG), 0.0, LUMPED, s.s.held);
+    s.g = allocate(2 * (size_t)s.s.mesh->n_vertex, sizeof *s.g);
+    s.q = allocate(2 * (size_t)s.s.mesh->n_vertex, sizeof *s.q);
+    free(chain);
+    free(cut);
+    free(whole.pulled);
+    free(whole.across);
     return s;
 }
 
 void strip_free(struct strip *s)
 {
     body_free(s->body);
-    mesh_free(s->mesh);
-    free(s->u);
+    tissue_free(s->s);
+    tissue_free(s->uncut);
     free(s->g);
     free(s->q);
 }
 
-/* The balance from s->u, which has its held values; returns the systems. */
+static int in_hand(const struct strip *s, int a)
+{
+    return s->s.mesh->X[2 * a] > 0.499 * WIDTH;
+}
+
+/* The balance from s->s.u, which has its held values; returns the systems. */
 static int balance(struct strip *s)
 {
     const struct step_control newton = step_method("search");
-    const int lip = 2 * vertex(s, s->n / 2, s->rows);
+    double *u = s->s.u;
     const struct step_report report =
-        step_solve(s->body, &newton, at_rest(NULL), s->u);
+        step_solve(s->body, &newton, at_rest(NULL), u);
     if (report.status != OK ||
-        step_certify(s->body, at_rest(NULL), s->u) != OK ||
-        body_energy(s->body, s->u, &s->energy) != OK ||
-        body_force(s->body, s->u, s->q) != OK) die("no stable balance");
+        step_certify(s->body, at_rest(NULL), u) != OK ||
+        body_energy(s->body, u, &s->energy) != OK ||
+        body_force(s->body, u, s->q) != OK) die("no stable balance");
     s->energy *= DEPTH;
-    s->opening = s->u[lip + 2] - s->u[lip];
+    s->opening = tissue_opening(s->s.mesh, u);
     s->force = 0.0;
-    for (int j = 0; j <= s->rows; j++)
-        s->force += DEPTH * s->q[2 * vertex(s, s->n + 1, j)];
+    for (int a = 0; a < s->s.mesh->n_vertex; a++)
+        if (in_hand(s, a)) s->force += DEPTH * s->q[2 * a];
     return report.iterations;
 }
 
 void strip_pull(struct strip *s, double d)
 {
-    for (int j = 0; j <= s->rows; j++) s->g[2 * vertex(s, s->n + 1, j)] = d;
-    if (live_lift(s->body, at_rest(NULL), s->u, s->g, EXACT, s->q) != OK)
+    for (int a = 0; a < s->s.mesh->n_vertex; a++)
+        if (in_hand(s, a)) s->g[2 * a] = d;
+    if (live_lift(s->body, at_rest(NULL), s->s.u, s->g, EXACT, s->q) != OK)
         die("no lift to %g m", d);
-    memcpy(s->u, s->q, 2 * (size_t)s->mesh->n_vertex * sizeof *s->u);
+    memcpy(s->s.u, s->q, 2 * (size_t)s->s.mesh->n_vertex * sizeof *s->q);
     balance(s);
 }
 
 int strip_cut(const struct strip *whole, struct strip *s)
 {
-    memcpy(s->u, whole->u, 2 * (size_t)s->mesh->n_vertex * sizeof *s->u);
-    for (int j = s->tip + 1; j <= s->rows; j++) {
-        double *lip = &s->u[2 * vertex(s, s->n / 2, j)];
-        memcpy(lip + 2, lip, 2 * sizeof *lip);
-    }
+    for (int c = 0; c < 3 * s->s.mesh->n_triangle; c++)
+        memcpy(&s->s.u[2 * s->s.mesh->triangle[c]],
+               &whole->s.u[2 * whole->s.mesh->triangle[c]],
+               2 * sizeof *s->s.u);
     return balance(s);
 }

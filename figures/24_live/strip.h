@@ -1,12 +1,9 @@
 /*
- * strip.h - a strip of tissue, 10 cm by 3 cm, with a cut from above in its
- * middle; the left end is held, and a hand pulls at the right one.
+ * strip.h - a strip of tissue, 10 cm by 3 cm, cut from above in its middle by
+ * the knife of lesson 26; the left end is held, and a hand pulls at the right.
  *
- *     o--o--o  o--o--o    n cells along and 3 n / 10 across.  Column n / 2 of
- *     |  |  |  |  |  |    vertices is there twice, as n / 2 + 1, for the two
- *     o--o--o  o--o--o    lips; up to row `tip` both are the first, and the
- *     |  |   \/   |  |    second, which no triangle has, is held.  With the tip
- *     o--o----o---o--o    on top the strip is whole.
+ * It has n cells along and 3 n / 10 across; its vertices and cells are numbered
+ * downwards, column by column, which makes the narrowest band.
  *
  * The notes' material under LOG, quasistatic, a depth of 1 cm.
  *
@@ -15,20 +12,20 @@
 #ifndef FIGURES_STRIP_H
 #define FIGURES_STRIP_H
 
-#include "plane/mesh.h"
+#include "plane/tissue.h"
 
 struct strip {
-    int n, rows, tip;
-    struct mesh *mesh; /* owned, and so are these */
+    int n, rows;
+    struct tissue uncut, s; /* owned, and so are these; its state is in s */
     struct body *body;
-    double *u, *g, *q; /* [2 n_vertex] state, hand, forces */
+    double *g, *q;     /* [2 n_vertex] hand, forces */
     double force;      /* in the hand, along the strip (N) */
     double energy;     /* (J) */
-    double opening;    /* between the lips on top (m) */
+    double opening;    /* between the lips, at most (m) */
 };
 
-/* The caller frees it. */
-struct strip strip_alloc(int n, int tip);
+/* The cut goes through so many cells; the caller frees it. */
+struct strip strip_alloc(int n, int cells);
 void strip_free(struct strip *s);
 
 /* On to the pull d (m), from the elastic lift of the state before; dies where
