@@ -155,18 +155,32 @@ async function tissue(browser) {
     say(begun, 'the tissue begins', page.errors.join(' ') || 'no frame');
     if (!begun) return page.close();
     await page.evaluate(`(async () => {
-        const { state, canvas, hand } = document.querySelector('.live').live;
+        const { state, canvas, hand, drawing } = document.querySelector('.live').live;
+        const edges = () => new Promise(done => { /* drawn in the next frame */
+            const draw = drawing.body, ink = canvas.getContext('2d');
+            drawing.body = (...frame) => {
+                let n = 0;
+                ink.moveTo = (x, y) => { n++; CanvasRenderingContext2D.prototype.moveTo.call(ink, x, y); };
+                const knots = draw(...frame);
+                delete ink.moveTo;
+                drawing.body = draw;
+                done(n);
+                return knots;
+            };
+        });
         const key = name => canvas.dispatchEvent(new KeyboardEvent('keydown',
             { key: name, bubbles: true }));
         const frames = async n => {
             for (const end = state.frames + n; state.frames < end;)
                 await new Promise(done => requestAnimationFrame(done));
         };
+        self.edges = [await edges()];
         hand.x = 0.01, hand.y = 0.83;
         key('Enter');
         for (let k = 0; k < 8; k++) { key('ArrowDown'); await frames(3); }
         key('Enter');
         await frames(3);
+        self.edges.push(await edges());
         hand.x = 0.2, hand.y = 0.4;
         key('Enter');
         for (let k = 0; k < 8; k++) { key('ArrowUp'); await frames(3); }
@@ -182,6 +196,9 @@ async function tissue(browser) {
     const [whole, cut] = [0, frames.length - 1].map(k => Number(frames[k].vertices));
     say(whole === 816 && cut === whole + 7, 'the knife opens the tissue along seven edges',
         `${whole} vertices, then ${cut}`);
+    const [before, after] = await page.evaluate('self.edges');
+    say(after === before + 21, 'each edge that is cut is drawn twice, and as the rim',
+        `${before} lines, then ${after}`);
     say(status === 0 && frames.length > 40 && lost === 0 && least < 0.95 && least > 0,
         'the tissue is pulled by the keyboard, no frame lost',
         `status ${status}, ${frames.length} frames, ${lost} lost, least J ${least}`);

@@ -27,6 +27,8 @@ const MISTAKES = [
      'if (false) alert', LIVE('losses'), 'frames that are lost are said'],
     ['Enter does not grab', 'live.js', 'hand.down = hand.down ? 0 : 1', 'hand.down = 0',
      LIVE('tissue'), 'the tissue is pulled by the keyboard'],
+    ['the edges are those of before the cut', 'live_draw.js', ' || edges.n !== n', '',
+     LIVE('tissue'), 'each edge that is cut is drawn'],
     ['the program is loaded before it is asked for', 'live.js',
      "if (!('onDemand' in data)) return begin();", 'begin();', LIVE('pages'),
      'the chapter begins the square'],
