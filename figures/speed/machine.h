@@ -1,6 +1,6 @@
 /*
  * machine.h - what the studies of speed ask the machine at hand: the limits of
- * one core, and LAPACK and CHOLMOD, where there are any.
+ * one core, and LAPACK, where there is one.
  *
  * All in this header, because it is to be compiled with the flags of the study
  * that includes it: NATIVE_FLAGS names those for this machine, and LAPACK, when
@@ -11,15 +11,11 @@
 
 #include "base/clock.h"
 #include "linear/matrix.h"
-#include "linear/sparse.h"
 
 #include <gsl/gsl_cblas.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#ifdef CHOLMOD
-#include <cholmod.h>
-#endif
 
 #ifndef NATIVE_FLAGS
 #define NATIVE_FLAGS ""
@@ -109,86 +105,5 @@ static inline double machine_read_gigabyte(size_t bytes)
     free(a);
     return 1e-9 * (double)(repeats * n) * sizeof(double) / least;
 }
-
-/* ---- CHOLMOD, where there is one: MACHINE_RIVAL is not empty -------------
- *
- * For a sparse K, in its order, supernodal; analysed by rival_alloc().  False
- * when K is not positive definite.
- */
-#ifdef CHOLMOD
-/* The lower triangle of a sparse K by columns, and its factor. */
-struct rival {
-    cholmod_common common;
-    cholmod_sparse *A;
-    cholmod_factor *L;
-};
-
-/* Values of A (and with them its pattern, which does not change). */
-static inline void rival_fill(struct rival *c, const struct matrix *K)
-{
-    const struct sparse *s = K->pattern;
-    int *start = c->A->p, *row = c->A->i, k = 0;
-    double *value = c->A->x;
-    for (int v = 0; v < s->n_vertex; v++)
-        for (int j = 0; j < 2; j++) {
-            start[2 * v + j] = k;
-            for (int b = s->start[v]; b < s->start[v + 1]; b++)
-                for (int i = 0; i < 2; i++) {
-                    if (2 * s->row[b] + i < 2 * v + j) continue;
-                    row[k] = 2 * s->row[b] + i;
-                    value[k++] = K->a[4 * b + 2 * j + i];
-                }
-        }
-    start[K->n] = k;
-}
-
-static inline struct rival *rival_alloc(const struct matrix *K)
-{
-    struct rival *c = allocate(1, sizeof *c);
-    const size_t n = (size_t)K->n;
-    cholmod_start(&c->common);
-    c->common.nmethods = 1;
-    c->common.method[0].ordering = CHOLMOD_NATURAL;
-    c->common.supernodal = CHOLMOD_SUPERNODAL;
-    c->A = cholmod_allocate_sparse(n, n, K->size, 0, 1, -1, CHOLMOD_REAL,
-                                   &c->common);
-    rival_fill(c, K);
-    c->L = cholmod_analyze(c->A, &c->common);
-    return c;
-}
-
-static inline int rival_factor(struct rival *c, const struct matrix *K)
-{
-    rival_fill(c, K);
-    cholmod_factorize(c->A, c->L, &c->common);
-    return c->common.status == CHOLMOD_OK;
-}
-
-static inline void rival_solve(struct rival *c, double b[])
-{
-    const size_t n = c->A->nrow;
-    cholmod_dense B = {.nrow = n, .ncol = 1, .nzmax = n, .d = n, .x = b,
-                       .xtype = CHOLMOD_REAL, .dtype = CHOLMOD_DOUBLE};
-    cholmod_dense *x = cholmod_solve(CHOLMOD_A, c->L, &B, &c->common);
-    memcpy(b, x->x, n * sizeof *b);
-    cholmod_free_dense(&x, &c->common);
-}
-
-static inline void rival_free(struct rival *c)
-{
-    cholmod_free_factor(&c->L, &c->common);
-    cholmod_free_sparse(&c->A, &c->common);
-    cholmod_finish(&c->common);
-    free(c);
-}
-#define MACHINE_RIVAL "cholmod"
-#else
-struct rival;
-#define rival_alloc(K) ((void)(K), (struct rival *)NULL)
-#define rival_factor(c, K) ((void)(c), (void)(K), 0)
-#define rival_solve(c, b) ((void)(c), (void)(b))
-#define rival_free(c) ((void)(c))
-#define MACHINE_RIVAL ""
-#endif
 
 #endif

@@ -1,50 +1,179 @@
 /*
- * rival.h - a step of backward Euler with the solver of machine.h's rival:
- * guess, lift, factors kept in the step, and stop are those of step.h.
+ * rival.h - other solvers in the place of sparse.h: CHOLMOD, supernodal, in the
+ * order of nested dissection, and LAPACK's band, row by row, where there are
+ * any.  K is assembled as ever, and step.h does not know who factors it, so
+ * that guess, lift, kept factors and stop are the same.
  */
 #ifndef FIGURES_RIVAL_H
 #define FIGURES_RIVAL_H
 
 #include "machine.h"
-#include "plane/scene.h"
+#include "linear/sparse.h"
+#include "plane/body.h"
+#ifdef CHOLMOD
+#include <cholmod.h>
+#endif
 
-static inline enum status rival_step(struct scene *s, struct rival *c)
+struct rival {
+    int lapack; /* 0: CHOLMOD */
+    struct matrix_sparse methods;
+#ifdef CHOLMOD
+    cholmod_common common; /* the lower triangle by columns, and its factor */
+    cholmod_sparse *A;
+    cholmod_factor *L;
+#endif
+    struct matrix *band;
+    int *number; /* [n_vertex] of a place in the band */
+    double *x;
+};
+
+/* Who factors now: set by whoever takes a turn. */
+static struct rival *rival_now;
+
+#ifdef CHOLMOD
+/* Values of A (and with them its pattern, which does not change). */
+static inline void cholmod_fill(struct rival *c, const struct sparse *s,
+                                const double a[])
 {
-    const int n = s->n_dof;
-    double *w = allocate((size_t)n, sizeof *w);
-    double *next = allocate((size_t)n, sizeof *next);
-    double *q = allocate((size_t)n, sizeof *q);
-    double *x = allocate((size_t)n, sizeof *x), size = INFINITY;
-    const struct incremental Phi = {s->set.dt, w, NULL};
-    enum status status = OK;
-    for (int r = 0; r < n; r++) {
-        w[r] = s->u[r] + s->set.dt * s->v[r];
-        next[r] = w[r] + s->set.dt * (s->v[r] - s->v_before[r]);
+    int *start = c->A->p, *row = c->A->i, k = 0;
+    double *value = c->A->x;
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int j = 0; j < 2; j++) {
+            start[2 * v + j] = k;
+            for (int b = s->start[v]; b < s->start[v + 1]; b++)
+                for (int i = 0; i < 2; i++) {
+                    if (2 * s->row[b] + i < 2 * v + j) continue;
+                    row[k] = 2 * s->row[b] + i;
+                    value[k++] = a[4 * b + 2 * j + i];
+                }
+        }
+    start[2 * s->n_vertex] = k;
+}
+
+static inline void cholmod_make(struct rival *c, const struct matrix *K)
+{
+    const size_t n = (size_t)K->n;
+    cholmod_start(&c->common);
+    c->common.nmethods = 1;
+    c->common.method[0].ordering = CHOLMOD_NATURAL;
+    c->common.supernodal = CHOLMOD_SUPERNODAL;
+    c->A = cholmod_allocate_sparse(n, n, K->size, 0, 1, -1, CHOLMOD_REAL,
+                                   &c->common);
+    cholmod_fill(c, K->pattern, K->a);
+    c->L = cholmod_analyze(c->A, &c->common);
+}
+
+static inline void cholmod_answer(struct rival *c, double b[])
+{
+    const size_t n = c->A->nrow;
+    cholmod_dense B = {.nrow = n, .ncol = 1, .nzmax = n, .d = n, .x = b,
+                       .xtype = CHOLMOD_REAL, .dtype = CHOLMOD_DOUBLE};
+    cholmod_dense *x = cholmod_solve(CHOLMOD_A, c->L, &B, &c->common);
+    memcpy(b, x->x, n * sizeof *b);
+    cholmod_free_dense(&x, &c->common);
+}
+#define MACHINE_CHOLMOD "cholmod"
+#else
+#define MACHINE_CHOLMOD ""
+#endif
+
+static inline void band_make(struct rival *c, const struct body *body)
+{
+    const int *place = body->pattern->place;
+    const int n = body->mesh->n;
+    int next = 0;
+    c->number = allocate((size_t)body->pattern->n_vertex, sizeof *c->number);
+    c->x = allocate((size_t)body->K->n, sizeof *c->x);
+    for (int v = 0; v < body->mesh->n_vertex; v++) { /* rows from the right */
+        const int at = place[v + n - 2 * (v % (n + 1))];
+        if (at >= 0) c->number[at] = next++;
     }
-    scene_hold(s, ++s->steps * s->set.dt);
-    step_boundary(s->body, s->g, 1, next);
-    for (int k = 0; status == OK; k++) {
-        status =
-            body_assemble(s->body, Phi, next, k ? NO_TANGENT : EXACT, q);
-        if (status != OK || size <= 1e-10) break;
-        if (k == 0 && !rival_factor(c, s->body->K)) status = NOT_SPD;
-        if (k == 30) status = MAX_ITERATIONS;
-        body_gather(s->body, q, x);
-        rival_solve(c, x);
-        body_scatter(s->body, x, q);
-        size = body_max_free(s->body, q);
-        for (int r = 0; r < n; r++) next[r] -= q[r];
+    c->band = matrix_alloc(BANDED, body->K->n, 2 * n - 1);
+}
+
+static inline void band_fill(struct rival *c, const struct sparse *s,
+                             const double a[])
+{
+    matrix_zero(c->band);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int b = s->start[v]; b < s->start[v + 1]; b++)
+            for (int k = 0; k < 4; k++) {
+                const int i = 2 * c->number[s->row[b]] + k % 2;
+                const int j = 2 * c->number[v] + k / 2;
+                if (i >= j) matrix_add(c->band, i, j, a[4 * b + k]);
+                else matrix_add(c->band, j, i, a[4 * b + k]); /* or zero */
+            }
+}
+
+static inline void rival_solve(const struct sparse *s, int single,
+                               double memory[], double b[])
+{
+    struct rival *c = rival_now;
+    (void)single, (void)memory;
+#ifdef CHOLMOD
+    if (!c->lapack) {
+        cholmod_answer(c, b);
+        return;
     }
-    for (int r = 0; r < n; r++) {
-        s->v_before[r] = s->v[r];
-        s->v[r] = (next[r] - s->u[r]) / s->set.dt;
-        s->u[r] = next[r];
+#endif
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&c->x[2 * c->number[v]], &b[2 * v], 2 * sizeof *b);
+    lapack_solve(c->band, c->x);
+    for (int v = 0; v < s->n_vertex; v++)
+        memcpy(&b[2 * v], &c->x[2 * c->number[v]], 2 * sizeof *b);
+}
+
+static inline enum status rival_factor(const struct sparse *s, const double a[],
+                                       int single, double memory[], double b[])
+{
+    struct rival *c = rival_now;
+    int fine = 0;
+    if (c->lapack) {
+        band_fill(c, s, a);
+        fine = lapack_factor(c->band);
     }
-    free(w);
-    free(next);
-    free(q);
-    free(x);
-    return status;
+#ifdef CHOLMOD
+    if (!c->lapack) {
+        cholmod_fill(c, s, a);
+        cholmod_factorize(c->A, c->L, &c->common);
+        fine = c->common.status == CHOLMOD_OK;
+    }
+#endif
+    if (fine && b) rival_solve(s, single, memory, b);
+    return fine ? OK : NOT_SPD;
+}
+
+/* From now on K of the body, which is sparse, is its. */
+static inline struct rival *rival_alloc(int lapack, struct body *body)
+{
+    struct rival *c = allocate(1, sizeof *c);
+    struct matrix *K = body->K;
+    c->lapack = lapack;
+    c->methods = *K->sparse;
+    c->methods.factor = rival_factor;
+    c->methods.solve = rival_solve;
+    if (lapack) band_make(c, body);
+#ifdef CHOLMOD
+    if (!lapack) cholmod_make(c, K);
+#endif
+    K->sparse = &c->methods;
+    return c;
+}
+
+static inline void rival_free(struct rival *c)
+{
+    if (!c) return;
+#ifdef CHOLMOD
+    if (!c->lapack) {
+        cholmod_free_factor(&c->L, &c->common);
+        cholmod_free_sparse(&c->A, &c->common);
+        cholmod_finish(&c->common);
+    }
+#endif
+    matrix_free(c->band);
+    free(c->number);
+    free(c->x);
+    free(c);
 }
 
 #endif

@@ -2,11 +2,11 @@
  * solvers.c - which solver does a step need, and when does the answer change?
  *
  * K of system.h: analysis, factorisation and solve by the band, by dissection,
- * by the same in single precision, refined, and by CHOLMOD, where there is one,
- * in the same order; and steps of the stretch, after the jolt of the start,
- * also with factors kept across steps.  They take turns, of steps after ten in
- * a row, before which one finds the caches full of others' numbers and counts
- * as cold.  A backward error above 1e-12 has no time.
+ * by the same in single precision, refined, by CHOLMOD in the same order and by
+ * LAPACK's band, where there are any (rival.h); and steps of the stretch, after
+ * the jolt of the start, also with factors kept across steps.  They take turns,
+ * of steps after ten in a row, before which one finds the caches full of other
+ * numbers and counts as cold.  A backward error above 1e-12 has no time.
  */
 #include "machine.h"
 #include "rival.h"
@@ -17,7 +17,8 @@
 #include "base/table.h"
 
 enum solver {
-    BAND, DISSECTION, SINGLE, KEPT, KEPT_SINGLE, CHOLMOD_SAME, SOLVERS
+    BAND, DISSECTION, SINGLE, KEPT, KEPT_SINGLE, CHOLMOD_SAME, LAPACK_SAME,
+    SOLVERS
 };
 static const struct {
     const char *name;
@@ -25,7 +26,7 @@ static const struct {
     int across; /* kept across steps */
 } solver[] = {{"band", 0, 0},   {"dissection", 0, 0},
               {"single", 1, 0}, {"kept", 0, 1},
-              {"kept_single", 1, 1}, {"cholmod", 0, 0}};
+              {"kept_single", 1, 1}, {"cholmod", 0, 0}, {"lapack", 0, 0}};
 static const int sizes[] = {8, 16, 24, 32, 40, 48, 56, 64, 96, 128, 256};
 enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9 };
 enum { ROUNDS = 3, IN_A_ROW = 10 };
@@ -35,21 +36,36 @@ struct measured {
     double mb; /* megabytes */
 };
 
-/* A step as step.h makes it, which does it itself without a rival. */
-static enum status one_step(struct scene *s, int across, struct rival *c)
+/* Is there solver k?  Of LAPACK only OpenBLAS is quick enough for n > 64. */
+static int takes_part(int k, int n)
+{
+    const int quick = strstr(MACHINE_LAPACK, "openblas") != NULL;
+    if (k == CHOLMOD_SAME) return *MACHINE_CHOLMOD != '\0';
+    return k != LAPACK_SAME ||
+           (*MACHINE_LAPACK && n <= (quick ? 128 : 64));
+}
+
+/* K of solver k; NULL: it is ours. */
+static struct rival *store(struct body *body, int k)
+{
+    body_store(body, k == BAND ? BANDED : SPARSE);
+    return k < CHOLMOD_SAME ? NULL : rival_alloc(k == LAPACK_SAME, body);
+}
+
+/* A step as step.h makes it. */
+static enum status one_step(struct scene *s, int across)
 {
     struct step_control control = step_method("lift");
     control.chord = 1;
     if (!across) s->body->kept.usable = 0;
-    return c ? rival_step(s, c) : scene_step(s, &control).status;
+    return scene_step(s, &control).status;
 }
 
 static void measure_system(struct system *s, int k, struct measured *m)
 {
     struct body *body = s->scene->body;
     double t[4] = {clock_seconds()};
-    body_store(body, k == BAND ? BANDED : SPARSE);
-    struct rival *c = k == CHOLMOD_SAME ? rival_alloc(body->K) : NULL;
+    struct rival *c = rival_now = store(body, k);
     const double analysis = clock_seconds() - t[0];
     system_store(s, body->K->storage);
     if (k == SINGLE) matrix_keep_single(body->K, 1);
@@ -61,12 +77,10 @@ static void measure_system(struct system *s, int k, struct measured *m)
     body_gather(body, s->b, x);
     for (int turn = k == BAND; turn < 2; turn++) { /* 0: memory is touched */
         t[1] = clock_seconds();
-        fine = k == CHOLMOD_SAME ? rival_factor(c, body->K)
-                                 : matrix_factor(body->K) == OK;
+        fine = matrix_factor(body->K) == OK;
     }
     t[2] = clock_seconds();
-    if (k == CHOLMOD_SAME) rival_solve(c, x);
-    else if (k == SINGLE) refine_solve(body->K, 1e-12, x, NULL);
+    if (k == SINGLE) refine_solve(body->K, 1e-12, x, NULL);
     else matrix_solve(body->K, x);
     t[3] = clock_seconds();
     for (int v = 0; v < s->n_vertex; v++)
@@ -78,7 +92,7 @@ static void measure_system(struct system *s, int k, struct measured *m)
     times_record(&m->factor, t[2] - t[1], valid);
     times_record(&m->solve, t[3] - t[2], valid);
     m->mb = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
-    if (c) rival_free(c);
+    rival_free(c);
     free(x);
     free(b);
     free(by_rows);
@@ -88,38 +102,40 @@ static void measure_system(struct system *s, int k, struct measured *m)
 static void measure(int n, struct measured m[SOLVERS])
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
-    struct scene *scene[SOLVERS];
+    struct scene *scene[SOLVERS] = {NULL};
     struct system *system = system_alloc(n);
-    const int present = *MACHINE_RIVAL ? SOLVERS : CHOLMOD_SAME;
     set.reach = 0.5;
     for (int turn = 0; turn < (n <= 64 ? 15 : n <= 128 ? 5 : 2); turn++)
-        for (int k = 0; k < present; k++)
-            if (k < KEPT || k == CHOLMOD_SAME)
+        for (int k = 0; k < SOLVERS; k++)
+            if ((k < KEPT || k >= CHOLMOD_SAME) && takes_part(k, n))
                 measure_system(system, k, &m[k]);
     struct rival *c[SOLVERS] = {NULL};
-    for (int k = 0; k < present; k++) {
+    for (int k = 0; k < SOLVERS; k++) {
+        if (!takes_part(k, n)) continue;
         scene[k] = scene_alloc(&set);
         scene[k]->body->exact = !solver[k].single;
         for (int step = 0; step < START; step++)
-            one_step(scene[k], solver[k].across, NULL);
-        body_store(scene[k]->body, k == BAND ? BANDED : SPARSE);
-        if (k == CHOLMOD_SAME) c[k] = rival_alloc(scene[k]->body->K);
+            one_step(scene[k], solver[k].across);
+        c[k] = store(scene[k]->body, k);
     }
     for (int turn = 0; turn < (n <= 128 ? ROUNDS : 1); turn++)
-        for (int k = 0; k < present; k++)
-            for (int step = 0; step <= IN_A_ROW; step++) {
+        for (int k = 0; k < SOLVERS; k++)
+            for (int step = 0; takes_part(k, n) && step <= IN_A_ROW; step++) {
                 const double before = clock_seconds();
+                rival_now = c[k];
                 const enum status status =
-                    one_step(scene[k], solver[k].across, c[k]);
+                    one_step(scene[k], solver[k].across);
                 times_record(step == 0 ? &m[k].cold : &m[k].step,
                              clock_seconds() - before, status == OK);
             }
-    for (int k = 0; k < present; k++)
-        for (int r = 0; r < scene[k]->n_dof; r++)
+    for (int k = 0; k < SOLVERS; k++)
+        for (int r = 0; takes_part(k, n) && r < scene[k]->n_dof; r++)
             if (!(fabs(scene[k]->u[r] - scene[0]->u[r]) <= 1e-9))
                 m[k].step.second[0] = NAN; /* another answer has no time */
-    for (int k = 0; k < present; k++) scene_free(scene[k]);
-    if (c[CHOLMOD_SAME]) rival_free(c[CHOLMOD_SAME]);
+    for (int k = 0; k < SOLVERS; k++) {
+        scene_free(scene[k]);
+        rival_free(c[k]);
+    }
     system_free(system);
 }
 
@@ -148,9 +164,11 @@ int main(void)
     for (int i = 0; i < SIZES; i++) measure(sizes[i], m[i]);
     table_begin_note("solvers", "solver n steps analysis_ms factor_ms solve_ms "
                      "step_ms over_dissection megabytes",
-                     "CHOLMOD: %s", *MACHINE_RIVAL ? "yes" : "not found");
+                     "CHOLMOD: %s; LAPACK: %s",
+                     *MACHINE_CHOLMOD ? "yes" : "not found",
+                     *MACHINE_LAPACK ? MACHINE_LAPACK : "not found");
     for (int k = 0; k < SOLVERS; k++)
-        for (int i = 0; i < SIZES && m[0][k].step.runs > 0; i++) {
+        for (int i = 0; i < SIZES && m[i][k].step.runs > 0; i++) {
             const struct measured *now = &m[i][k];
             table_row(solver[k].name, sizes[i], now->step.runs,
                       ms(&now->analysis), ms(&now->factor), ms(&now->solve),
@@ -164,7 +182,7 @@ int main(void)
     table_end();
     table_begin("growth", "solver to_128 to_256 cold_to_128 cold_to_256");
     const int at[] = {N_64, N_64 + 2, N_64 + 3}; /* 64, 128, 256 */
-    for (int k = 0; k < SOLVERS && m[0][k].step.runs > 0; k++) {
+    for (int k = 0; k < SOLVERS && m[SIZES - 1][k].step.runs > 0; k++) {
         double order[4];
         for (int i = 0; i < 2; i++) {
             const struct measured *half = &m[at[i]][k], *n = &m[at[i + 1]][k];

@@ -22,12 +22,13 @@ function growth(solver, to) {
         of("solvers", "growth", solver, to "256"))
 }
 END {
-    gsl = lapack = rival = notes = worst = late = "-"
+    gsl = lapack = rival = band = notes = worst = late = "-"
     for (n = 32; n <= 128; n *= 2) {
         gsl = least(gsl, of("band", "band", "gsl_banded " n, "over_ours"))
         lapack = least(lapack, of("band", "band", "lapack_dpbtrf " n, "over_ours"))
     }
     for (n = 32; n <= 256; n *= 2) rival = least(rival, gain("dissection", "cholmod", n))
+    for (n = 32; n <= 128; n *= 2) band = least(band, gain("dissection", "lapack", n))
     for (n = 16; n <= 128; n *= 2) notes = least(notes, peer("notes", n))
     split("stretch rigid traction spin", scene, " ")
     for (i = 1; i <= 4; i++) {
@@ -48,6 +49,7 @@ END {
     line("... least of n = 16 to 128", 10, notes)
     line("... with our method (code against code), n = 64", 0, peer("method", 64))
     line("... CHOLMOD in our own step, least of n = 32 to 256", 1.6, rival)
+    line("... LAPACK\047s band in our own step, least of n = 32 to 128", 0, band)
     line("factors kept across steps, n = 128, stretch", 1.4, \
         kept("stretch across", "faster"))
     line("... in single precision", 1.9, kept("stretch across_single", "faster"))
