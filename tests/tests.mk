@@ -271,7 +271,7 @@ RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
            $(T)/limits.result $(T)/behave.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
            $(T)/update.result $(T)/hand.result \
            $(T)/many.result $(T)/web-small.result $(T)/web-pages.result \
-           $(T)/web.result $(T)/web-judge.result $(T)/web-student.result \
+           $(T)/web.result $(patsubst %,$(T)/web-%.result,judge panel student) \
            $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
            $(patsubst %,$(T)/build-%.result,gcc clang mac sanitize \

@@ -95,7 +95,8 @@ web:
 # ---- in a headless Chromium: once the pages are made, each test is by itself.  What
 # is missing for them is said in one line.  What was left out or has failed is tried
 # again.
-WEB_RESULTS := $(patsubst %,$(T)/%.result,web-small web-pages web web-judge web-student $(WEB_TESTS))
+WEB_RESULTS := $(patsubst %,$(T)/%.result,web-small web-pages web web-judge web-panel web-student \
+                    $(WEB_TESTS))
 .PHONY: test-web web-again
 test-web: $(WEB_RESULTS)
 	@if grep -h '^skip web: ' $^; then :; else cat $^ | sh tests/tools/count.sh; fi
@@ -124,7 +125,8 @@ define web_test
 $(T)/$1.result: $(T)/web-pages.result tests/tools/browser.js $(wildcard $(word 2,$2) \
         tests/web/page.mjs)
 	$$(call say,test,$(word 2,$2))
-	$(Q)if grep -q '^ok ' $$<; then BUILD='$(BUILD)' $2 > $$@ 2> $$@.log || grep -q '^FAIL' $$@ || \
+	$(Q)if grep -q '^ok ' $$<; then BUILD='$(BUILD)' COMPILE='$$(PLAIN) -O1 -g0' \
+	    OBJECTS='$$(LIB)' LIBS='$$(LIBS)' $2 > $$@ 2> $$@.log || grep -q '^FAIL' $$@ || \
 	    echo "FAIL web: $(word 2,$2): $$$$(tail -n 5 $$@.log | tr '\n' ' ')" >> $$@; \
 	    else : > $$@; fi
 endef

@@ -6,6 +6,7 @@
 # the headers of that package: it has one libc with the student's.
 
 WASI := $(BUILD)/wasi
+SITE := $(WASI)/site
 YOWASP := $(BUILD)/source/node_modules/@yowasp/clang/gen
 ask_llvm = $(shell em-config LLVM_ROOT 2>/dev/null)
 WASI_EMULATED := SIGNAL GETPID PROCESS_CLOCKS MMAN
@@ -49,29 +50,25 @@ $(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/
 	    -DPROGRAM='"$(word 2,$^)"' -c $< -o $@
 
 # Into the page: all that a lesson needs, and what all of them do.
-$(LESSONS:%=$(WASI)/%.tar.gz): $(WASI)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
+$(LESSONS:%=$(SITE)/%.tar.gz): $(SITE)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
         $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/solutions/% $(BUILD)/solutions/%.judge \
         $(BUILD)/mistakes/%/all.judge $$(wildcard figures/$$*/hand.c) tests/tools/web_lesson.sh tests/tools/web_kept.js
 	$(call say,wasi,$@)
 	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< > $(PART) && $(MOVED)
-$(WASI)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
+$(SITE)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
         $(wildcard common/*/*.h tests/checks/*.h tests/oracle/*.h)
 	$(call say,wasi,$@)
 	$(Q)$(WHOLE) tar -cf $(PART) --sort=name --owner=0 --group=0 --mtime=@0 \
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
-	    -C $(CURDIR)/$(WASI) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
+	    -C $(abspath $(WASI)) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
 	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@; rm -f $(PART)
-WASI_SITE := $(addprefix $(WASI)/site/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
+WASI_SITE := $(addprefix $(SITE)/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
                  llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
-$(WASI)/site/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
+$(SITE)/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
 	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } | gzip -9n > $@
-$(WASI)/site/%.wasm.gz: $(YOWASP)/%.wasm
+$(SITE)/%.wasm.gz: $(YOWASP)/%.wasm
 	$(call say,wasi,$@)
 	$(Q)$(HERE) && gzip -9n < $< > $@
-$(WASI)/site/%.tar.gz: $(WASI)/%.tar.gz
-	$(Q)$(HERE) && cp $< $@
-.PHONY: wasi
-wasi: $(WASI_SITE) ; @:
 
 # Into the pages that web.mk has made, with what of it the page would have to load.
 $(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASI_SITE)
@@ -83,13 +80,10 @@ web-pages: $(BUILD)/web/student/files.json
 $(T)/web-pages.result: tests/web_student.mk $(wildcard tests/web/*.[ch]) \
         $(LESSONS:%=tests/mistakes/%.txt)
 
-# The judge in the page says what the native one says, by node alone; and in a headless
-# Chromium it is quick, can be stopped, and holds a scene.
-$(T)/web-judge.result: tests/web/judge.mjs $(LESSONS:%=$(BUILD)/mistakes/%/all.judge)
-$(T)/web-student.result: tests/web/student.mjs tests/tools/browser.js tests/web/page.mjs $(LIB)
-$(T)/web-judge.result $(T)/web-student.result: $(T)/web-%.result: $(T)/web-pages.result \
-        tests/web/student_node.mjs $(wildcard lessons/web/student*)
-	$(call say,test,tests/web/$*.mjs)
-	$(Q)if grep -q '^ok ' $<; then COMPILE='$(PLAIN) -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' \
-	    node tests/web/$*.mjs $(BUILD)/web $(BUILD) > $@ 2> $@.log || \
-	    echo "FAIL web $*: $$(tail -n 5 $@.log | tr '\n' ' ')" >> $@; else : > $@; fi
+# The judge in the page says what the native one says, by its button in a headless
+# Chromium, and by node alone; it is quick, can be stopped, and holds a scene.
+$(foreach t,judge panel student,$(eval $(call web_test,web-$t,node tests/web/$t.mjs \
+    $(BUILD)/web $(BUILD))))
+$(patsubst %,$(T)/web-%.result,judge panel student): tests/web/cases.mjs
+$(T)/web-judge.result: tests/web/student_node.mjs
+$(T)/web-student.result: $(LIB)

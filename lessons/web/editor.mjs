@@ -3,7 +3,7 @@
  * with CodeMirror into editor.js (tests/web.mk).
  *
  *     settings: {text, label, describedBy, changed(text), check()}
- *     {text(), setText(text), setPrediction(key, answer), showAll(on), mark(places), focus(slot)}
+ *     {view, text(), setText(text), setPrediction(key, answer), showAll(on), mark(places)}
  *
  * Only the slots can be changed; what has no slot in it is folded.  showAll(true) shows
  * all of the file and lets it be changed, too.
@@ -20,8 +20,8 @@ import { classHighlighter } from "@lezer/highlight";
 const SLOT = /^[ \t]*\/\* SLOT (\w+)\b[^]*?\*\/\n([^]*?)\n[ \t]*\/\* END \1 \*\//gm;
 const ours = Annotation.define(); /* a change that the page makes */
 
-/* The slots of a text: what may be changed goes from `from` to `to`, and the contract
- * and its function from `first` to `last`. */
+/* Return the slots of a text: {name, from, to} of the lines that may be changed; first and
+ * last enclose the function and its contract. */
 function slotsOf(text) {
     return [...text.matchAll(SLOT)].map((found) => {
         const end = found.index + found[0].length;
@@ -35,7 +35,7 @@ const slots = StateField.define({
     create: (state) => slotsOf(state.doc.toString()),
     update: (value, change) => change.docChanged ? slotsOf(change.newDoc.toString()) : value,
 });
-/* Lines that may be changed have their class. */
+/* Mark the lines that may be changed. */
 const shaded = EditorView.decorations.compute([slots], (state) => {
     const lines = [];
     for (const {from, to} of state.field(slots))
@@ -51,7 +51,7 @@ function allowed(change) {
     }, true);
     return all;
 }
-/* What is between the functions with slots, three lines or more. */
+/* Return the folds: three lines or more between two functions with slots. */
 function folds(state) {
     const gaps = [], {doc} = state;
     let from = 0;
@@ -120,12 +120,6 @@ self.slotEditor = (parent, {text, label, describedBy, changed, check}) => {
                     const {from, to} = doc.line(line), at = Math.min(from + column - 1, to);
                     return {from: at, to: Math.min(to, at + 1), severity, message};
                 })));
-        },
-        focus(name) {
-            const slot = view.state.field(slots).find((one) => one.name === name) ||
-                         view.state.field(slots)[0];
-            if (slot) view.dispatch({selection: {anchor: slot.from}, scrollIntoView: true});
-            view.focus();
         },
     };
 };

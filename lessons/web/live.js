@@ -176,7 +176,7 @@ function live(box) {
                 for (const J of frame.J) if (!(J >= least)) least = J;
                 said.textContent = frame.said ?? frame.text.split('\n')[0] + '; least J ' +
                     least.toFixed(2) + '; knots: ' + state.knots;
-                said.className = 'said' + (/^lost/.test(frame.text) ? ' bad' : '');
+                said.className = 'said' + (frame.alarm ?? /^lost/.test(frame.text) ? ' bad' : '');
                 chart.setAttribute('aria-label', 'Milliseconds of the last ' +
                     took.length + ' frames, without drawing: the longest took ' +
                     Math.max(...took).toFixed(1) + ', and 33 are allowed');

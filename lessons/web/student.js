@@ -6,8 +6,8 @@
  *     const result = await student.check("03_dirichlet_correction", text, {progress});
  *
  * A plain script: it sets globalThis.makeStudent.  Nothing is fetched before the first
- * run() or check().  One call at a time; a second one waits for the first.  text is the
- * whole file, as it is in lessons/NN_slug.c.
+ * run(), check() or hand().  One of these at a time.  text is the whole file, as it is
+ * in lessons/NN_slug.c.
  *
  * student.run(slug, text, args, {progress, seconds}) is what `make lesson-NN ARGS=` does:
  * args is an array of words.  A promise of
@@ -21,36 +21,34 @@
  *
  * student.check(slug, text, {progress, patience}) is what `make check-NN` does: a promise
  * of
- *     {verdict, text, slot, check, mistakes, diagnostics}
+ *     {verdict, text, slot, check, diagnostics}
  *     verdict   "OK", "WRONG", "UNFINISHED", "CRASHED", "TIMEOUT", "NONFINITE",
  *               "NOT COMPILED" or "REFUSED" (which `make check` calls WRONG)
  *     text      the report word for word; its last line begins with VERDICT
  *     slot      of the first check that fails, as "3a", or ""
  *     check     its name, or ""
- *     mistakes  the names of the known mistakes that give the same numbers
  *     diagnostics   as above
  * Seconds of a limit are those of a clock, for a page cannot ask for those of a processor;
  * patience (1) multiplies them, on a busy machine.
  *
- * student.hand(slug, text, {progress, args}) is what `make live-NN` does, with the slots
+ * student.hand(slug, text, {progress}) is what `make live-NN` does, with the slots
  * that are not written yet from the solution, a frame at a time, for a page that has its
  * own canvas and clock: a promise of
- *     {whose, frame, close, stdout, diagnostics, end}
+ *     {frame, close, stdout, diagnostics, end}
  *     frame({x, y, down, key})   a promise of the picture of the next frame (metres; key
  *                  is a letter or "."), or of null when it has ended
- *     whose        "yours: 12a 12b; reference: 12c"
  *     end          null while it runs; then "exit", "crash" or "not compiled", and
  *                  diagnostics the line that says why, as `make live-NN` does
+ *     close()      ends it; a frame that is under way has a second for its own end
  *     stdout       the table `frames`, complete when close() has been waited for
  * A picture has the members of struct view_picture (common/motion/view.h) as arrays, x,
  * triangle, value, held, ring, arrow and curve, alarm, caption, note, and ms of computing.
- * Its names of Errors are "NoScene", and "OldBrowser" where WebAssembly cannot wait, as
+ * Its Errors have the names "NoScene", and "OldBrowser" where WebAssembly cannot wait, as
  * Chromium can since 2025.
  *
  * student.stop() ends whatever is under way, in any phase; its promise is rejected with
  * an Error whose name is "Stopped".  Others: name "Offline" (a file of `base` cannot be
- * read; from file:// a browser reads none), "OldBrowser" (what is missing is in its
- * message), "Died" (a worker ended by itself, as for want of memory; the next call has a
+ * read), "OldBrowser" (what is missing is in its message), "Died" (a worker ended by itself, as for want of memory; the next call has a
  * new one).  The message is a sentence for the reader.
  *
  * progress(phase, fraction) is called on the way: phases "load" (the compiler, on first
@@ -75,15 +73,9 @@ const signals = {4: "an index beyond the end of an array, or below 0", 6: "Abort
 
 globalThis.makeStudent = ({base, worker}) => {
     if (globalThis.document) base = new URL(base, document.baseURI).href;
-    worker ||= (name) => {
-        try {
-            return new Worker(new URL(name, here),
-                              {type: name === "student_compile.js" ? "module" : "classic"});
-        } catch { /* from file:// */
-            throw new Failure("Offline", "C runs here when a web server brings this page, not from a file.");
-        }
-    };
-    let compiler = null, current = null, last = null, queue = Promise.resolve();
+    worker ||= (name) => new Worker(new URL(name, here),
+                                    {type: name === "student_compile.js" ? "module" : "classic"});
+    let compiler = null, current = null, last = null;
 
     /* Ask a worker; hear() is told of each message, and returns the answer when it is
      * one.  The promise is rejected when the worker dies, by stop(), and by late(), which
@@ -193,8 +185,8 @@ globalThis.makeStudent = ({base, worker}) => {
 
     async function check(slug, text, {progress = () => {}, patience = 1} = {}) {
         const nn = slug.slice(0, 2), path = `lessons/${slug}.c`;
-        const said = (verdict, lines, shown, next) => ({verdict, slot: "", check: "", mistakes: [],
-            diagnostics: "", text: `${lines}\nVERDICT ${nn}: ${shown}    next: make ${next}-${nn}\n`});
+        const said = (verdict, lines, shown, next) => ({verdict, slot: "", check: "", diagnostics: "",
+            text: `${lines}\nVERDICT ${nn}: ${shown}    next: make ${next}-${nn}\n`});
         if (!/\S/.test(text))
             return said("UNFINISHED", `${path} is empty.`, "UNFINISHED (empty file)", "reset");
         const made = await compiled(slug, text, progress);
@@ -209,30 +201,44 @@ globalThis.makeStudent = ({base, worker}) => {
             args: ["judge", "--file", path, "--source", "/" + path, "--reference", "/" + slug,
                    "--mistakes", "/mistakes", "--kept", "/kept", "--result", "/result",
                    "--work", "/work"]}, progress, SECONDS_JUDGE, patience);
-        const [verdict, name, slot, mistakes] = (its.files.result || "").trim().split(" ");
+        const [verdict, name, slot] = (its.files.result || "").trim().split(" ");
         if (!verdict) throw new Failure("Died", `The judge has ended: ${its.err || its.died || its.status}`);
         return {verdict, text: its.out, slot: slot === "-" ? "" : slot, check: name === "-" ? "" : name,
-                mistakes: mistakes === "-" ? [] : mistakes.split(","), diagnostics: made.diagnostics};
+                diagnostics: made.diagnostics};
     }
 
-    async function hand(slug, text, {progress = () => {}, args = []} = {}) {
+    async function hand(slug, text, {progress = () => {}} = {}) {
         if (globalThis.document && !WebAssembly.Suspending)
             throw new Failure("OldBrowser", "For this a browser is needed in which WebAssembly can " +
                 "wait (JSPI), as Chromium can since 2025.");
         const made = await compiled(slug, text, progress, true);
-        const scene = {whose: made.whose || "", end: null, diagnostics: "", stdout: "", frame: async () => null, close() {}};
+        const scene = {end: null, diagnostics: "", stdout: "", frame: async () => null, close() {}};
         if (!made.code)
             return Object.assign(scene, {end: "not compiled", diagnostics: made.diagnostics || made.errors.join("\n")});
         const who = worker("student_judge.js");
-        let err = "", waiting = null, began;
-        const begun = new Promise((done) => { began = done; });
-        const over = (end, why) => {
+        const late = (what) => setTimeout(over, 1e3 * SECONDS_FRAME, "crash",
+                                          `live-${slug.slice(0, 2)}: TIMEOUT: ${what} does not end`);
+        let err = "", waiting = null, closing = null, began;
+        const begun = new Promise((done, failed) => {
+            const timer = late("what is before the first frame");
+            const end = (settle, what) => {
+                clearTimeout(timer);
+                current = null;
+                settle(what);
+            };
+            began = () => end(done);
+            current = () => {
+                who.terminate();
+                end(failed, new Failure("Stopped", "You have stopped it."));
+            };
+        });
+        function over(end, why) {
             if (scene.end) return;
             who.terminate();
             Object.assign(scene, {end, diagnostics: why});
             began();
             waiting?.(null);
-        };
+        }
         who.onmessage = ({data}) => {
             if (data.err) err += data.err;
             if (data.out) scene.stdout += data.out;
@@ -242,15 +248,15 @@ globalThis.makeStudent = ({base, worker}) => {
             else began();
         };
         who.onerror = (event) => { event.preventDefault?.(); over("crash", event.message); };
-        who.postMessage({scene: true, code: made.code, files: {}, args: ["live", ...args]});
+        who.postMessage({scene: true, code: made.code, files: {}, args: ["live"]});
         scene.frame = ({x, y, down = 0, key = "."}) => new Promise((done) => {
-            if (scene.end) return done(null);
-            const late = setTimeout(over, 1e3 * SECONDS_FRAME, "crash",
-                                    `live-${slug.slice(0, 2)}: TIMEOUT: this frame does not end`);
-            waiting = (picture) => { clearTimeout(late); waiting = null; done(picture); };
+            if (scene.end || closing) return done(null);
+            const timer = late("this frame");
+            waiting = (picture) => { clearTimeout(timer); waiting = null; done(picture); };
             who.postMessage({pointer: [x, y, down ? 1 : 0, key.charCodeAt(0)]});
         });
-        scene.close = () => new Promise((done) => { /* with the end of its table */
+        scene.close = () => closing ||= new Promise((done) => { /* with the end of its table */
+            waiting?.(null);
             waiting = done;
             if (scene.end) done();
             else who.postMessage({pointer: null});
@@ -260,15 +266,8 @@ globalThis.makeStudent = ({base, worker}) => {
         return scene;
     }
 
-    const turn = (call) => (...given) => {
-        const mine = queue.then(() => call(...given));
-        queue = mine.catch(() => {});
-        return mine;
-    };
     return {
-        run: turn(run),
-        check: turn(check),
-        hand: turn(hand),
+        run, check, hand,
         stop() { current?.(); },
         async size(slug) {
             const response = await fetch(base + "files.json", {cache: "no-cache"}).catch(() => null);

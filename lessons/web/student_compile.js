@@ -24,7 +24,7 @@ class Failure extends Error {
     constructor(name, message) { super(message); this.name = name; }
 }
 const offline = (url) => new Failure("Offline", `${url} cannot be read: a web server must bring it.`);
-/* What versions the server has of the files, or had when it was last there. */
+/* Return the checksums of the files on the server, or those it had when last reached. */
 async function versionsOf(base, store) {
     const url = base + "files.json";
     const response = await fetch(url, {cache: "no-cache"}).catch(() => null);
@@ -33,8 +33,8 @@ async function versionsOf(base, store) {
     if (!last) throw offline(url);
     return last.json();
 }
-/* A file of base, unpacked; from the browser's store where there is one, unless the
- * server has another version. */
+/* Return a file of base, unpacked: from the browser's store, unless the server has
+ * another version. */
 async function bytesOf(base, name, count = () => {}) {
     const store = await self.caches?.open("student").catch(() => null);
     const version = (await (loaded.versions ||= versionsOf(base, store)))[name];
@@ -61,7 +61,7 @@ async function bytesOf(base, name, count = () => {}) {
     return new Uint8Array(await new Response(whole).arrayBuffer());
 }
 
-/* The files of an archive of tar: bytes by path. */
+/* Return the files of an archive of tar: bytes by path. */
 function untar(bytes) {
     const files = {}, ascii = new TextDecoder();
     const word = (at, size) => ascii.decode(bytes.subarray(at, at + size)).replace(/\0.*$/s, "");
@@ -73,7 +73,7 @@ function untar(bytes) {
     }
     return files;
 }
-/* The same as the compiler has it: a folder is an object. */
+/* Return the same as the compiler wants it: each folder an object. */
 function treeOf(files) {
     const root = {};
     for (const [path, content] of Object.entries(files)) {
@@ -88,7 +88,7 @@ function treeOf(files) {
 const CODE = ["llvm.core.wasm", "llvm.core2.wasm", "llvm.core3.wasm", "llvm.core4.wasm"];
 const BYTES = 24e6; /* of all, packed; for the bar alone */
 
-/* The compiler with at most so much memory: the greatest number of the memory section. */
+/* Bound the compiler's memory: the second number of the memory section. */
 function bounded(bytes, megabytes) {
     let at = 8;
     const number = () => {
@@ -129,7 +129,7 @@ async function loadCompiler(base) {
                                   totalSize: 1}, instantiate, "llvm");
     progress("load", 1);
 }
-/* What the reference and the known mistakes have printed (tests/tools/web_kept.js). */
+/* Unpack the output of the reference and of the known mistakes (tests/tools/web_kept.js). */
 function kept({lines, files}) {
     const coder = new TextEncoder();
     return Object.fromEntries(Object.entries(files).map(([name, parts]) => {
@@ -195,9 +195,9 @@ const MEMORY = 384 << 20; /* of one instance of the judge; student_judge.js, too
 
 /* ---- the student's program ----------------------------------------------- */
 
-/* Of the preprocessed text: the program with what the checks call behind it, the
- * contract where a struct of it has other members, and the functions it has not
- * (tests/tools/program.awk). */
+/* Read the preprocessed text (tests/tools/program.awk).  Return {text, missing, contract}:
+ * the program with the calls of the checks behind it, the functions that it lacks, and the
+ * contract anew where one of its structs has other members. */
 function readProgram(text, path, lesson) {
     const members = new Map(Array.from(
         lesson.contract.matchAll(/(?<=\n)struct ([A-Za-z_0-9]+) \{[^}]*\}/g), ([all, tag]) => [tag, all]));
@@ -259,8 +259,8 @@ function readProgram(text, path, lesson) {
     return {text: program.join("\n") + "\n", missing: [...missing], contract: other ? contract : null};
 }
 
-/* What stands in an object: the symbols, with the place of their flags, the names of its
- * data segments, its functions that run before main(), and what it imports. */
+/* Read an object: its symbols, with the place of their flags, the names of its data
+ * segments, the number of functions that run before main(), and its imports. */
 function readObject(bytes) {
     let at = 8;
     const number = () => {
@@ -321,8 +321,8 @@ function readObject(bytes) {
     return object;
 }
 
-/* No name of the object is the linker's but those that the checks call
- * (tests/tools/assembler.awk); it is changed in place. */
+/* Make all names of the object local but those that the checks call, in place
+ * (tests/tools/assembler.awk). */
 function close(bytes, lesson) {
     const [UNDEFINED_NAME, WEAK, LOCAL, VISIBLE] = [0x40, 1, 2, 7];
     const object = readObject(bytes), {owner} = lesson;
@@ -348,10 +348,10 @@ function close(bytes, lesson) {
 
 const errorsOf = (said) => said.split("\n").filter((line) => /error|undefined|cannot find|not found/.test(line));
 const some = (names) => [...new Set(names)].sort().slice(0, 4).join(", ");
-/* The functions that a text defines. */
+/* Return the names of the functions that a text defines. */
 const heads = (text) => [...text.matchAll(/^[a-z][^;=(\n]*[ *]([A-Za-z_]\w*)\(/gm)].map(([, name]) => name);
 
-/* As explain_compile() of tests/tools/student.sh. */
+/* Say why it does not compile, as explain_compile() of tests/tools/student.sh does. */
 async function explain(path, text, {missing = [], said = ""}, lesson) {
     const alone = await tool(["clang", "-fsyntax-only", ...LANGUAGE, ...PATHS, ...STRICT, path], {...put(path, text)});
     const diagnostics = alone.said;
@@ -411,8 +411,8 @@ async function compile({base, slug, text}) {
     return {code, files: lesson.files, diagnostics: made.said};
 }
 
-/* A student's text in which what is not written yet is the solution's
- * (tests/tools/hand.awk), and whose slots are whose. */
+/* Fill the slots that are not written yet from the solution (tests/tools/hand.awk).  Return
+ * the text, and a line that says which slots are whose. */
 function together(solution, mine) {
     const slot = /(\/\* SLOT (\d+[a-z])\([^]*?\*\/\n)([^]*?)(?=^.*\/\* END \2 \*\/)/gm;
     const bodies = new Map([...solution.matchAll(slot)].map(([, , name, body]) => [name, body]));
@@ -438,10 +438,10 @@ async function compileScene({base, slug, text}) {
     if (!made.ok) return explain(path, all.text, made, lesson);
     const code = await link(["hand.o", "view.o", "--export=page_trapped"], {"hand.o": made.files["hand.o"]});
     if (code.said) return explain(path, all.text, code, lesson);
-    return {code, whose: all.whose, diagnostics: ""};
+    return {code, diagnostics: ""};
 }
 
-/* A WebAssembly.Module, or what the linker says. */
+/* Return a WebAssembly.Module, or the words of the linker. */
 async function link(objects, files) {
     progress("link");
     const lib = (name) => `/usr/lib/wasm32-wasip1/lib${name}.a`;

@@ -31,7 +31,7 @@ class End extends Error {
     constructor(status, limit = 0) { super(); Object.assign(this, {status, limit}); }
 }
 
-/* The signal that a trap would be elsewhere; the words are those of three browsers. */
+/* Return the signal that a native program would have; three browsers word a trap. */
 function signalOf(error) {
     const words = String(error);
     if (/divi|unrepresentable|integer overflow/i.test(words)) return 8;
@@ -60,7 +60,7 @@ class File {
     }
 }
 
-/* What all instances of a run have in common. */
+/* The files, limits and children that all instances of a run share. */
 class World {
     constructor({code, args, files, ended = {}}, post) {
         Object.assign(this, {code, args, ended, post, children: 0, begun: performance.now()});
@@ -74,7 +74,7 @@ class World {
         for (let at = path.lastIndexOf("/"); at > 0; at = path.lastIndexOf("/", at - 1))
             this.folders.add(path.slice(0, at));
     }
-    /* names of what is in a folder */
+    /* Return the names in a folder. */
     list(folder) {
         const from = folder && folder + "/";
         return [...this.files.keys(), ...this.folders]
@@ -107,7 +107,7 @@ class Process {
     get view() { return new DataView(this.memory.buffer); }
     bytes(at, size) { return new Uint8Array(this.memory.buffer, at, size); }
     string(at, size) { return new TextDecoder().decode(this.bytes(at, size)); }
-    /* a string of C */
+    /* Return a path from a string of C, without its first slash. */
     path(at) {
         const bytes = new Uint8Array(this.memory.buffer, at);
         return this.string(at, bytes.indexOf(0)).replace(/^\/+/, "");
@@ -154,7 +154,7 @@ class Process {
         } catch (error) {
             end = endOf(error);
         }
-        /* one that has grown would be larger than the next parent is */
+        /* a memory that has grown would be larger than the next parent's */
         if (memory.buffer.byteLength === mine.byteLength) world.room.push(memory);
         return end;
     }
@@ -171,7 +171,7 @@ class Process {
         pointer?.forEach((number, k) => this.view.setFloat64(to + 8 * k, number, true));
         return pointer ? 1 : 0;
     }
-    /* struct view_picture of view.h */
+    /* Copy a struct view_picture of view.h. */
     picture(at, seconds) {
         const word = (k) => this.view.getInt32(at + k, true), ARROWS = 64;
         const behind = 32 + 32 * ARROWS;
@@ -210,9 +210,7 @@ class Process {
         this.view.setBigUint64(to, BigInt(Math.round(1e6 * ms)), true);
         return 0;
     }
-    random_get(at, size) { return crypto.getRandomValues(this.bytes(at, size)), 0; }
     proc_exit(status) { throw new End(status); }
-    sched_yield() { return 0; }
 
     fd_prestat_get(fd, to) {
         if (fd !== 3) return BADF;
@@ -257,7 +255,7 @@ class Process {
         this.view.setBigUint64(to, BigInt(at), true);
         return 0;
     }
-    /* the parts of memory that a read or a write is about */
+    /* Return the pieces of memory of a read or a write. */
     parts(at, n) {
         const view = this.view;
         return Array.from({length: n}, (_, k) => this.bytes(view.getUint32(at + 8 * k, true),
@@ -365,7 +363,7 @@ class Process {
     path_remove_directory(fd, at, size) { return this.world.folders.delete(this.named(fd, at, size)) ? 0 : NOENT; }
 }
 
-/* A process of what was asked for. */
+/* Return the first process. */
 function processOf(world, post) {
     const printer = (what) => {
         const decoder = new TextDecoder();
@@ -380,7 +378,7 @@ function processOf(world, post) {
     return new Process(world, memory, [reader(new File()), printer("out"), printer("err"), {folder: ""}]);
 }
 
-/* Run it to its end: {status, limit, files}. */
+/* Run a job to its end.  Return {status, limit, files}. */
 function runToEnd(job, post) {
     const world = new World(job, post);
     let end = new End(0);
@@ -395,7 +393,7 @@ function runToEnd(job, post) {
     return {status: end.status, limit: end.limit, files};
 }
 
-/* A scene: the pointer of the next frame is what is sent next. */
+/* Run a scene; the next message has the pointer of its next frame. */
 let pointed = null;
 async function play(job, post) {
     const world = new World(job, post);

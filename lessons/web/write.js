@@ -15,20 +15,23 @@ const verdict = find(".verdict"), bar = find("progress"), state = find("[role=st
 const view = resultView(find(".results"), {program: program + ".mine", plot: here.plot});
 let editor = null;  /* once it is there */
 let student = null; /* what compiles and judges */
-let busy = null;    /* what ends what is under way */
+let busy = null;    /* ends what is under way */
 let hint = {slot: null, level: 0};
 
-function say(text, kind = "") {
+/* Say how it goes; with a link to an element of the page, where more is. */
+function say(text, kind = "", link = null) {
     state.textContent = text;
     state.dataset.kind = kind;
+    if (link) state.append(" ", make("a", {href: "#" + link[0]}, link[1]));
 }
 
 /* ---- the file ----------------------------------------------------------------- */
 
 const PREDICT = /^( \* PREDICT (\w+) [^:\n]*: ?)(.*)$/gm;
-/* The answers of the fields in the text, and those of a text in the fields. */
+/* Return the text with the answers of the fields. */
 const filled = (text) => text.replace(PREDICT, (line, asked, key) =>
     asked + (guesses.find((field) => field.name === key)?.value.trim() || "..."));
+/* Put the answers of a text into the fields. */
 function answers(text) {
     let changed = false;
     for (const [, , key, answer] of text.matchAll(PREDICT)) {
@@ -123,21 +126,20 @@ function progress(phase, fraction) {
 }
 async function bringStudent() {
     if (student) return;
+    if (location.protocol === "file:")
+        throw new Error("No browser lets a page from a file compile C. Serve the folder of these pages (in it: " +
+                        "python3 -m http.server) and open http://localhost:8000, or download the file, which " +
+                        `make check-${number} judges.`);
     try {
         if (!self.makeStudent) await bring("../web/student.js");
     } catch {
         throw new Error("The compiler is not with these pages: download the file, and make " +
                         `check-${number} judges it.`);
     }
-    student = makeStudent({base: "../student/"});
+    student ||= makeStudent({base: "../student/"});
 }
-/* How much the first run or check will load, or why it cannot. */
+/* Say how much the first run or check will load, or why it cannot. */
 async function sizeOf() {
-    if (location.protocol === "file:") {
-        find(".size").textContent = "C is compiled here only when a web server brings this page: download " +
-            `the file, and make check-${number} judges it.`;
-        return;
-    }
     try {
         await bringStudent();
         const {bytes, cached} = await student.size(program);
@@ -154,33 +156,37 @@ function mayWork() {
     for (const name of ["run", "check", "hand"]) if (press(name)) press(name).disabled = busy !== null;
     press("stop").disabled = busy === null;
 }
-/* One thing at a time: what(text) is told when it is stopped. */
+/* One thing at a time: what(text, unless) waits by unless(promise), which Stop rejects. */
 async function work(what) {
     if (busy) return;
-    const stops = [];
-    busy = () => stops.forEach((stop) => stop());
+    const stopped = new Promise((done, failed) => {
+        busy = () => {
+            student?.stop();
+            failed(Object.assign(new Error("You have stopped it."), {name: "Stopped"}));
+        };
+    });
+    const unless = (promise) => Promise.race([promise, stopped]);
+    const pressed = document.activeElement.closest(".act button") || press("check");
     mayWork();
     say("It begins ...", "running");
     verdict.hidden = true;
     try {
-        await begin();
-        await bringStudent();
-        stops.push(() => student.stop());
-        await what(text(), stops);
+        await unless(begin());
+        await unless(bringStudent());
+        await what(text(), unless);
         PHASES.load = "Loading the compiler";
         find(".size").textContent = "";
     } catch (error) {
-        say(error.name === "Stopped" ? "You have stopped it." : error.message,
-            error.name === "Stopped" ? "stopped" : "crash");
+        say(error.message, error.name === "Stopped" ? "stopped" : "crash");
     }
     busy = null;
     bar.hidden = true;
-    const focus = document.activeElement === press("stop");
+    const lost = [document.body, press("stop")].includes(document.activeElement);
     mayWork();
-    if (focus) press("check").focus();
+    if (lost) pressed.focus({preventScroll: true});
 }
 
-/* What the compiler says, in the editor too; false: nothing. */
+/* Show the messages of the compiler, in the editor too. */
 function diagnosed(diagnostics) {
     const places = [...diagnostics.matchAll(/^[^:\n]*:(\d+):(\d+): (?:fatal )?(error|warning): (.*)$/gm)]
         .map(([, line, column, severity, message]) =>
@@ -188,39 +194,37 @@ function diagnosed(diagnostics) {
     editor?.mark(places);
     if (diagnostics) report(diagnostics);
 }
+/* Show a report; a long line goes on below its own words, and chapters are links. */
 function report(words) {
     verdict.hidden = false;
-    verdict.replaceChildren();
-    let from = 0; /* chapters as links */
-    for (const found of words.matchAll(/lessons\/(\d\d_\w+)\.md/g)) {
-        verdict.append(words.slice(from, found.index),
-                       make("a", {href: found[1] + ".html"}, found[0]));
-        from = found.index + found[0].length;
-    }
-    verdict.append(words.slice(from));
+    verdict.replaceChildren(...words.split(/(?<=\n)/).map((line) => {
+        const inside = /^ *([A-Za-z]+  +)?/.exec(line)[0].length;
+        const parts = line.split(/(lessons\/\d\d_\w+\.md)/).map((part, k) => k % 2 === 0 ? part
+            : make("a", {href: part.slice(8, -3) + ".html"}, part));
+        return make("span", {style: `--inside: ${inside}ch`}, ...parts);
+    }));
 }
 
-async function runIt(file, stops) {
+async function runIt(file, unless) {
     const args = options();
-    const mine = await student.run(program, file, args, {progress, seconds: Number(here.seconds)});
+    const mine = await unless(student.run(program, file, args, {progress, seconds: Number(here.seconds)}));
     diagnosed(mine.diagnostics);
     if (mine.end === "not compiled") return say("It does not compile.", "refused");
     say("Running the reference beside it ... Stop ends it.", "running");
-    const other = runProgram(await loadProgram("../programs/lessons.js"), program, args, Number(here.seconds));
-    stops.push(other.stop);
-    const reference = await other.finished;
+    const other = runProgram(await unless(loadProgram("../programs/lessons.js")), program, args, Number(here.seconds));
+    const reference = await unless(other.finished).finally(other.stop);
     view.show(mine.stdout, reference.out);
     const last = lastLine(mine.stderr) || "";
     say({exit: mine.status === 0 ? "It has run; what differs from the reference is marked."
                                  : last || `It has ended with status ${mine.status}.`,
          crash: `It has crashed: ${last}`, limit: `Stopped: it has taken more than ${here.seconds} seconds.`,
          flood: "Stopped: it has printed more than 8 MB."}[mine.end],
-        mine.end === "exit" ? (mine.status === 0 ? "ok" : "unsolved") : mine.end);
+        mine.end === "exit" ? (mine.status === 0 ? "ok" : "unsolved") : mine.end, ["mine", "The results."]);
 }
 
-async function judge(file) {
+async function judge(file, unless) {
     find(".results").replaceChildren();
-    const result = await student.check(program, file, {progress});
+    const result = await unless(student.check(program, file, {progress, patience: box.patience}));
     diagnosed(result.diagnostics || "");
     report(result.text);
     box.result = result;
@@ -230,19 +234,22 @@ async function judge(file) {
         shown = "all";
         showMeasured();
     }
-    say(`Verdict: ${result.verdict}${result.slot ? `, slot ${result.slot}` : ""}.` +
-        (result.verdict === "OK" ? "" : " The report is below; then come the hints."),
-        result.verdict === "OK" ? "ok" : "refused");
+    say(`Verdict: ${result.verdict}${result.slot ? `, slot ${result.slot}` : ""}.`,
+        result.verdict === "OK" ? "ok" : "refused",
+        ["report", result.verdict === "OK" ? "The report." : "The report and hints."]);
     follow(result.verdict === "WRONG" ? result.check : null, result.slot);
 }
-/* The scene of make live-NN; it ends by its button, or by Stop. */
-async function inHand(file, stops) {
-    const hand = await student.hand(program, file, {progress});
+/* Run the scene of make live-NN; it ends by its button, or by Stop. */
+async function inHand(file, unless) {
+    const hand = await unless(student.hand(program, file, {progress}));
     diagnosed(hand.diagnostics);
     if (hand.end === "not compiled") return say("It does not compile.", "refused");
     bar.hidden = true;
     for (const name of ["elements", "live_draw", "live"])
-        if (!self.liveScene) await bring(`../web/${name}.js`);
+        if (!self.liveScene) await unless(bring(`../web/${name}.js`)).catch((error) => {
+            hand.close();
+            throw error.name === "Stopped" ? error : new Error(`../web/${name}.js cannot be read.`);
+        });
     const scene = document.createElement("div");
     scene.className = "live";
     Object.assign(scene.dataset, {label: `The scene of lesson ${number}, with your slots`, pull: "Drag here"});
@@ -250,15 +257,19 @@ async function inHand(file, stops) {
     say("In your hand: drag in the picture. Stop ends it.", "running");
     await new Promise((over) => {
         scene.source = async (page) => {
-            stops.push(() => scene.live.press("q"));
+            busy = () => {
+                scene.live.press("q");
+                hand.close();
+            };
             for (let now; (now = await page.next());) {
                 const picture = await hand.frame({x: now[0], y: now[1], down: now[2], key: String.fromCharCode(now[3])});
                 if (!picture) break;
-                const {x, triangle, value, held, ring, arrow, curve, caption, ms} = picture;
+                const {x, triangle, value, held, ring, arrow, curve, alarm, caption, note, ms} = picture;
                 const arrows = [];
                 for (let k = 0; k < (arrow || []).length; k += 4) arrows.push([...arrow.slice(k, k + 4)]);
-                page.draw({x, triangle, J: value, held: held || [], knot: ring || [], arrows, curve, ms, lost: 0,
-                           text: caption, said: caption.split("\n").filter((line) => !/\[/.test(line)).join("; ")});
+                page.draw({x, triangle, J: value, held: held || [], knot: ring || [], arrows, curve, ms, lost: 0, alarm,
+                           text: caption, said: [...caption.split("\n"), note].filter((line) => line && !/\[/.test(line))
+                               .join("; ")});
             }
             await hand.close();
             over();
@@ -289,7 +300,7 @@ for (const choice of box.querySelectorAll("button[name=hint]"))
         choice.disabled = left === 0;
         if (next) { next.tabIndex = -1; next.focus(); }
     };
-/* What has failed has its hint first. */
+/* Put the hint for the check or slot that has failed first. */
 function follow(check, slot) {
     for (const choice of box.querySelectorAll("button[name=hint]")) {
         const about = choice.value;

@@ -24,22 +24,24 @@ export async function open() {
     };
 }
 
-/* A plain file server of a folder: {address, close(), hidden}; what is hidden is not there. */
+/* A plain file server of a folder: {address, close(), asked, hidden, change}.  asked counts
+ * by path; what is hidden is not there; change(path, bytes) is what is sent. */
 export async function serve(folder) {
     const types = { html: 'text/html', js: 'text/javascript', css: 'text/css', svg: 'image/svg+xml',
                     wasm: 'application/wasm' };
     const server = createServer((request, response) => {
         const path = decodeURIComponent(new URL(request.url, 'http://x').pathname);
         try {
+            self.asked[path] = (self.asked[path] || 0) + 1;
             if (self.hidden?.test(path)) throw new Error();
-            const bytes = readFileSync(folder + path);
+            const bytes = self.change(path, readFileSync(folder + path));
             response.writeHead(200, { 'Content-Type': types[path.split('.').pop()] || '' }).end(bytes);
         } catch {
             response.writeHead(404).end();
         }
     });
     await new Promise(done => server.listen(0, '127.0.0.1', done));
-    const self = { address: `http://127.0.0.1:${server.address().port}/`,
+    const self = { address: `http://127.0.0.1:${server.address().port}/`, asked: {}, change: (path, bytes) => bytes,
              close: () => { server.close(); server.closeAllConnections(); } };
     return self;
 }

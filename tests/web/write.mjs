@@ -56,6 +56,13 @@ async function work(name) {
     await press(name);
     return page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 120);
 }
+/* Of these [role, name, what else is said of it] what a screen reader has not. */
+async function spoken(...wanted) {
+    const { nodes } = await page.send('Accessibility.getFullAXTree'), status = await said();
+    return wanted.filter(([role, name, more = '']) => !nodes.some(node => !node.ignored && node.role?.value === role &&
+        (role === 'status' ? status : node.name?.value) === name &&
+        (JSON.stringify([node.description, node.properties]) || '').includes(more)));
+}
 async function upload(path) {
     const { root } = await page.send('DOM.getDocument');
     const { nodeId } = await page.send('DOM.querySelector', { nodeId: root.nodeId, selector: '[name=upload]' });
@@ -85,8 +92,12 @@ try {
     say(same.length === 3, 'lesson 03 is written by keys', same + code(written, '3b'));
     await page.key('Escape');
     await page.key('Tab');
-    const left = await page.evaluate('document.activeElement.name');
-    say(left === 'run', 'Escape, then Tab leaves the editor', left);
+    const left = [];
+    for (let k = 0; k < 6; k++, await page.key('Tab')) left.push(await page.evaluate('document.activeElement.name'));
+    say(`${left}` === 'run,check,download,upload,reset,all', 'Escape, then Tab leaves the editor for the buttons', left);
+    const nothing = await spoken(['textbox', `lessons/${FILE}`, 'Escape, then Tab leaves the editor'],
+        ...['Run', 'Check', 'Stop', 'Download', 'Begin again'].map(name => ['button', name]), ['checkbox', 'the whole file']);
+    say(nothing.length === 0, 'what one writes with is spoken', nothing);
 
     /* predictions in the file that is downloaded */
     await script(() => {
@@ -114,12 +125,16 @@ try {
     say(/cannot be read/.test(await said()), 'without the compiler it says why', await said());
     server.hidden = null;
     const begin = Date.now();
-    await work('check');
+    await page.evaluate(`${WRITE}.editor.view.focus()`);
+    await page.key('Enter', undefined, 2); /* with Ctrl */
+    await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 120);
     const passed = await page.evaluate(`${WRITE}.result`);
     const own = passed.text.split('\n').filter(one => !check.stdout.includes(one));
     say(passed.verdict === 'OK' && passed.text.length > 300 && own.length === 0,
         'Check says what make check-03 says', `${passed.verdict} ${own}`);
     console.log(`web: the first verdict after ${((Date.now() - begin) / 1e3).toFixed(1)} s`);
+    const lacks = await spoken(['region', 'the report'], ['status', 'Verdict: OK. The report.', 'polite']);
+    say(lacks.length === 0, 'the verdict is spoken, and the report has a name', lacks);
     const after = await page.evaluate(`[!${WRITE}.querySelector('.after').hidden, guesses.every(field =>
         /^measured/.test(field.nextElementSibling.textContent))].join()`);
     say(after === 'true,true', 'after a pass there are the solution and what was measured', after);
@@ -180,6 +195,14 @@ try {
             return document.querySelectorAll('.hint-text:not([hidden])').length; }).join() + choice.disabled;
     });
     say(levels === '1,2,3true', 'hints come one by one', levels);
+    const local = await browser.page(`file://${site}/lessons/${LESSON}.html`), its = `[${WRITE}.querySelector('.size'),
+        ${WRITE}.querySelector('[role=status]')].map(one => one.textContent)`;
+    await local.evaluate(`${WRITE}.scrollIntoView(), ${WRITE}.querySelector('[name=check]').click()`);
+    await local.until(`${WRITE}.editor !== undefined && ${its}.every(text => text.length > 20)`, 20);
+    const both = await local.evaluate(its);
+    say(both[0] === both[1] && /python3 -m http.server.*make check-03/.test(both[0]) && local.errors.length === 0,
+        'from a file it says what to do', `${both} ${local.errors}`);
+    await local.close();
     const nameless = await page.nameless();
     const wide = await page.evaluate('document.documentElement.scrollWidth - innerWidth');
     say(nameless.length === 0 && wide <= 0, 'all that can be used has its name', `${nameless}, ${wide} pixels too wide`);
