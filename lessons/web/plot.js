@@ -25,7 +25,7 @@ function short(x) {
     return text.replace("e+", "e");
 }
 
-/* The least and the largest, of however many. */
+/* Return the least and the largest; Math.min has a limit of arguments. */
 function extent(numbers) {
     let least = Infinity, most = -Infinity;
     for (const x of numbers) {
@@ -35,7 +35,7 @@ function extent(numbers) {
     return [least, most];
 }
 
-/* An axis over these numbers: at(x) from 0 to 1, and where its ticks are.  Round
+/* Return an axis over these numbers: at(x) from 0 to 1, and its ticks.  Round
  * steps of 1, 2 or 5; with log whole decades, every k-th if there are many. */
 function axis(numbers, log) {
     let [from, to] = extent(numbers);
@@ -59,7 +59,7 @@ function axis(numbers, log) {
     return {ticks, at: (x) => (x - from) / (to - from)};
 }
 
-/* Points of the two columns that can be shown, a list for each word of the key. */
+/* Return the points of two columns that can be drawn, a list for each word of the key. */
 function curves(table, {x, y, key, logx, logy}) {
     const [i, j, k] = [x, y, key].map((name) => table.columns.indexOf(name));
     const lists = new Map();
@@ -73,8 +73,8 @@ function curves(table, {x, y, key, logx, logy}) {
     return lists;
 }
 
-/* width: of the picture in pixels, so that its letters are those of the page.  The
- * curves of a reference, the same table, are below the others. */
+/* Draw a table.  The width in pixels gives the letters the size of the page's.  The
+ * curves of the reference lie below the others. */
 function plot(table, setting, width, reference = null) {
     const lists = curves(table, setting);
     const below = reference ? [...curves(reference, setting).values()] : [];

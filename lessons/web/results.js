@@ -12,7 +12,7 @@ function make(name, attributes, ...children) {
 }
 
 const MOST_ROWS = 200;
-/* Of numbers only what is beyond a millionth of the column's largest. */
+/* Return whether two cells differ: numbers by more than 1e-6 of the column's largest. */
 function differs(text, other, largest) {
     if (text === other) return false;
     const off = Math.abs(text - other);

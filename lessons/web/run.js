@@ -6,7 +6,7 @@
  */
 "use strict";
 
-/* What the worker does: lines are sent in heaps, each at the end of a table at the
+/* Run a program in the worker.  Lines are sent in heaps, each at the end of a table at the
  * latest, and all before the status.  A program that cannot go on has no status.
  * The files, texts by name, are there before, and come back with the status. */
 function work(program, name, args, code, files) {
@@ -38,8 +38,8 @@ function work(program, name, args, code, files) {
 }
 
 /*
- * Run the program of this name: {finished, stop, result}.  finished is a promise of the result, which is
- * {status, out, err, ms, files, end}:
+ * Run the program of this name.  Return {finished, stop, result}: a promise of the
+ * result, which is {status, out, err, ms, files, end}.
  * end is "exit" with a status, or "stopped" by stop(), "limit" after so many
  * seconds, "flood" when it has printed more than 16 MB, "crash" with its reason in
  * err.  What it had printed till then is in out.
@@ -78,7 +78,7 @@ function runProgram({script, code}, name, args, seconds, files = {}) {
     return {finished, stop, result};
 }
 
-/* Why it has no status. */
+/* Say why a program has no status. */
 function endWords({end, err}, seconds) {
     return {stopped: "You have stopped it.",
             limit: `Stopped: it has taken more than ${seconds} seconds.`,
@@ -87,8 +87,8 @@ function endWords({end, err}, seconds) {
 }
 const lastLine = (text) => text.trim().split("\n").at(-1);
 
-/* The tables of an output: {name, notes, columns, rows}; cells are text.  A table
- * that was cut off is there as far as it goes. */
+/* Return the tables of an output: {name, notes, columns, rows}; cells are text.  A table
+ * that was cut off has the rows before the cut. */
 function readTables(out) {
     return out.split("\n\n\n").filter((text) => text.startsWith("# ")).map((text) => {
         const lines = text.split("\n").filter((line) => line !== "");

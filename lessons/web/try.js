@@ -14,7 +14,7 @@ let running = null;
 
 /* ---- the form --------------------------------------------------------------- */
 
-/* What differs from the default, as on a command line. */
+/* Return the options that differ from their defaults, as on a command line. */
 function options() {
     return [...form.elements].filter((field) => field.dataset.default !== undefined &&
                                                 field.value !== field.dataset.default)
@@ -27,7 +27,7 @@ function showCommand() {
         `make lesson-${here.program.slice(0, 2)}${args && ` ARGS='${args}'`}`;
 }
 
-/* The program's message stands at the field that it names. */
+/* Mark the field that the program's message names. */
 function markField(message) {
     for (const field of form.elements) field.removeAttribute("aria-invalid");
     const named = message && /--(\w+)/.exec(message);
@@ -48,7 +48,7 @@ function mayRun() {
     button("stop").disabled = running === null;
 }
 
-/* As tests/checks/predict.c says it. */
+/* Compare as tests/checks/predict.c does. */
 function compared(text, measured) {
     const [top, bottom] = text.split("/").map(Number);
     const expected = bottom ? top / bottom : top;

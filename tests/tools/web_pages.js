@@ -122,10 +122,10 @@ ${fs.existsSync(`figures/${lesson}/hand.c`) ? '<button type="button" name="hand"
 <label><input type="checkbox" name="all"> the whole file</label></p>
 <progress aria-label="progress" max="1" hidden></progress>
 <p role="status" aria-live="polite"></p></div>
-<pre class="verdict" tabindex="0" role="region" aria-label="the report" hidden></pre>
+<pre class="verdict" id="report" tabindex="0" role="region" aria-label="the report" hidden></pre>
 <p class="after" hidden>Now compare with <a href="../solutions/${lesson}.html#code-${slots[0]}">the solution</a>.</p>
 <div class="hand"></div>
-<div class="results"></div>
+<div class="results" id="mine"></div>
 ${hints(lesson)}
 </section>
 <script src="../web/write.js" defer></script>
