@@ -1,8 +1,9 @@
 # same.mk - the same numbers on every machine; included by tests.mk.
 #
-# All solutions and studies again, in two builds: v8, vectors (vec.h) of eight
-# numbers with contraction where the processor has it, and what is EXACT with all
-# flags for this machine but that, for which only these are compiled anew;
+# All solutions, scenes in the hand and studies again, in two builds: v8, vectors
+# (vec.h) of eight numbers with contraction where the processor has it, and what is
+# EXACT with all flags for this machine but that, for which only these are compiled
+# anew;
 # and clang, all of it by that compiler, with vectors of two and no flag for this
 # machine, or, where there is no clang, v2, these files so by CC.  In both the
 # clock counts how often it is asked, so that no second need be excepted.
@@ -11,7 +12,7 @@
 # In the second the programs themselves have the sanitizers, and what is reserved
 # and not written has the bytes of NaN, so that a table shows who reads it.
 #
-# `make test` runs the solutions so; `make same`, as .ci/run does, the studies, too.
+# `make test` runs the solutions and scenes so; `make same`, as .ci/run does, the studies, too.
 
 ANEW := $(filter %/tiles.o %/front.o %/readable.o $(EXACT:%=%/%.o), \
             $(OBJECTS:$(BUILD)/%=%))
@@ -30,10 +31,13 @@ ask_checked = $(shell for f in '-ftrivial-auto-var-init=pattern' ''; do \
                   2>/dev/null && $(T)/checked.out && echo "$$@" && break; done)
 CHECKED = $(call once,checked)
 
+# Scenes, replayed without a window (figures/NN_slug/hand.c).
+HANDS := $(SCENES:%=%/hand)
+HELD = -I. -DPROGRAM='"solutions/$(notdir $(<D)).c"'
 STUDIED := $(if $(filter same,$(MAKECMDGOALS)),$(COUNTED))
 # the longest first
 RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
-            $(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(STUDIED)
+            $(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(HANDS) $(STUDIED)
 # $(call same_rules,BUILD,folder of all other objects,folder of the programs)
 define same_rules
 $(ANEW:%=$(T)/$1/%): $(T)/$1/%.o: %.c $(RULES)
@@ -57,6 +61,10 @@ $(COUNTED:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $3/figures/%.o \
         $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
 	$(call say,study,$1 $$*)
 	$(Q)$$(call SAME_RUN,$1)
+$(HANDS:%=$(T)/$1/data/%.tsv): $(T)/$1/data/%.tsv: $3/figures/%.o \
+        $(T)/$1/libworkbook.a $(if $(filter v8,$1),$(BUILD)/data/%.tsv)
+	$(call say,run,$1 $$*)
+	$(Q)$$(call SAME_RUN,$1,--input hard)
 $(T)/same-$1.result: $(RUNS:%=$(T)/$1/data/%.tsv) \
         $(if $(filter-out v8,$1),$(RUNS:%=$(T)/v8/data/%.tsv)) $(DATA) $(BOOK) \
         $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
@@ -92,6 +100,13 @@ $(patsubst $(BUILD)/%.o,$(T)/clang/%.o,$(filter-out $(ANEW:%=$(BUILD)/%), \
 	    $< $(OBJECT)
 $(PARTS:$(BUILD)/%=$(T)/$(NARROW)/%.o): $(T)/$(NARROW)/%.o: %.c $(RULES)
 	$(Q)$(HERE) && $(COMPILE) -O0 -g1 $(CHECKED) $< $(OBJECT)
+$(HANDS:%=$(BUILD)/figures/%.o): $(BUILD)/%.o: %.c $(RULES)
+	$(Q)$(HERE) && $(COMPILE) $(QUICK) $(HELD) $< $(OBJECT)
+$(HANDS:%=$(T)/$(NARROW)/figures/%.o): $(T)/$(NARROW)/%.o: %.c $(RULES)
+	$(Q)$(HERE) && $(COMPILE) -O0 -g1 $(CHECKED) $(HELD) $< $(OBJECT)
+$(HANDS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/figures/%.o $(LIB)
+	$(Q)$(HERE) && $(WHOLE) $(CC) $(CFLAGS) $^ $(LIBS) -o $@.program && \
+	    $@.program --input hard > $(PART) && rm $@.program && $(MOVED)
 # What clang says of these it need not be asked for again.
 SEEN_clang = $(if $(filter clang,$(NARROW)),$(filter-out $(ANEW:.o=), \
                  $(patsubst $(BUILD)/%.o,%,$(NOT_NATIVE)) \

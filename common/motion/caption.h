@@ -13,7 +13,7 @@
 
 enum { CAPTION = 360 };
 
-/* text := lines of at most 50 letters, without a newline at the end.  Each key
+/* text := lines of at most 60 letters, without a newline at the end.  Each key
  * of POINTER_KEYS but `.` stands in brackets, before what it does. */
 void caption_of(const struct live *live, const struct live_report *report,
                 double seconds, char text[CAPTION]);

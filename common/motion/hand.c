@@ -1,11 +1,12 @@
 /* hand.c - see hand.h. */
+#undef PROGRAM /* where a test compiles it beside a scene */
 #include "motion/hand.h"
 
 #include "base/clock.h"
 #include "base/options.h"
-#include "base/status.h"
 #include "base/table.h"
 
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
@@ -16,7 +17,7 @@
 #ifndef HAND_SECONDS
 #define HAND_SECONDS 60 /* that a frame may take */
 #endif
-enum { NUMBERS = 8, KEYED = 37 };
+enum { BEFORE = 6, NUMBERS = 8, KEYED = 37 };
 
 struct hand {
     const char *whose, *keys;
@@ -71,11 +72,13 @@ struct hand *hand_open(const char *lesson, const char *whose,
 {
     struct hand *hand = allocate(1, sizeof *hand);
     const char *input = NULL;
-    int seed = 1;
+    int seed = 1, frames = 600;
     const struct option options[] = {
         {"input", .text = &input, .unit = "a file's name, pull, hard or mad",
          .help = "what the pointer does; without it the mouse"},
         {"seed", .integer = &seed, .min = 1, .max = 1000000, .help = "of mad"},
+        {"frames", .integer = &frames, .min = 1, .max = 1000000,
+         .help = "of mad"},
         {"record", .text = &hand->record, .unit = "a file's name",
          .help = "where the input is written to"},
         {"shot", .text = &hand->shot, .unit = "a file's name",
@@ -86,10 +89,14 @@ struct hand *hand_open(const char *lesson, const char *whose,
     char name[32];
     snprintf(name, sizeof name, "live-%s", lesson);
     options_parse(name, options, COUNT(options), argc, argv);
+    gsl_set_error_handler_off();
     hand->whose = whose;
     hand->keys = keys;
     hand->scripted = input != NULL;
-    if (input) hand->input = pointers_named(input, 3.0, seed);
+    if (input && strcmp(input, "mad") == 0)
+        hand->input = pointers_mad(seed, frames);
+    else if (input)
+        hand->input = pointers_named(input, 3.0, seed);
     const int n_key = (int)strlen(keys);
     if (input && (strcmp(input, "hard") == 0 || strcmp(input, "mad") == 0))
         for (int k = KEYED; k < hand->input.n; k += KEYED)
@@ -192,43 +199,48 @@ static void print_svg(FILE *file, const struct view_picture *p)
 
 /* ---- a frame ---------------------------------------------------------- */
 
-static void check_finite(const struct view_picture *p)
+/* The sum of all numbers in the picture. */
+static double sum(const struct view_picture *p)
 {
-    int finite = 1;
-    for (int r = 0; r < 2 * p->n_point; r++) finite &= isfinite(p->x[r]);
-    for (int e = 0; e < p->n_triangle; e++) finite &= isfinite(p->value[e]);
+    double all = 0.0;
+    for (int r = 0; r < 2 * p->n_point; r++) all += p->x[r];
+    for (int e = 0; e < p->n_triangle; e++) all += p->value[e];
     for (int k = 0; k < p->n_arrow; k++)
-        for (int i = 0; i < 4; i++) finite &= isfinite(p->arrow[k][i]);
-    for (int k = 0; k < 2 * p->n_curve; k++) finite &= isfinite(p->curve[k]);
-    if (!finite) stop("NONFINITE", "what it returned is no number", NULL);
+        for (int i = 0; i < 4; i++) all += p->arrow[k][i];
+    for (int k = 0; k < 2 * p->n_curve; k++) all += p->curve[k];
+    return all;
+}
+
+static struct cell cell_of(double x)
+{
+    if (!isfinite(x)) return cell_if(0, x);
+    return x != floor(x) ? cell_rounded(6, x) : cell_number(x);
 }
 
 void hand_draw(struct hand *hand, struct view_picture *picture,
-               const char *columns, const double number[])
+               enum status status, const char *columns, const double number[])
 {
-    const double seconds = clock_seconds() - hand->start;
+    const double seconds = clock_seconds() - hand->start, seen = sum(picture);
     const struct pointer *p = &hand->input.frame[hand->k - 1];
-    struct cell row[4 + NUMBERS] = {cell_number(hand->k), cell_number(p->x),
-                                    cell_number(p->y), cell_number(p->down)};
-    int n = 4;
-    check_finite(picture);
+    struct cell row[BEFORE + NUMBERS] = {
+        cell_number(hand->k), cell_number(p->x), cell_number(p->y),
+        cell_number(p->down), cell_word(status_name(status)), cell_of(seen)};
+    int n = BEFORE;
+    if (!isfinite(seen))
+        stop("NONFINITE", "what it returned is no number", NULL);
     hand_slot(NULL);
+    picture->alarm = status != OK;
     if (!hand->began++) {
         char names[200];
-        snprintf(names, sizeof names, "frame x y down %s", columns);
+        snprintf(names, sizeof names, "frame x y down status seen %s", columns);
         table_begin("frames", names);
     }
-    for (const char *c = columns; c && n < 4 + NUMBERS; c = strchr(c, ' ')) {
-        c += *c == ' ';
-        const double x = number[n - 4];
-        row[n] = x != floor(x) ? cell_rounded(6, x) : cell_number(x);
-        if (!isfinite(x)) row[n] = cell_if(0, x);
-        n++;
-    }
+    for (const char *c = columns; c && n < COUNT(row); c = strchr(c + 1, ' '))
+        row[n] = cell_of(number[n - BEFORE]), n++;
     table_row_of(n, row);
     const size_t length = strlen(picture->caption);
     snprintf(picture->caption + length, sizeof picture->caption - length,
-             "\n%s", hand->whose);
+             "\n[r] reset   [space] stop   [q] close\n%s", hand->whose);
     const int last = hand->scripted && hand->k == hand->input.n;
     if (hand->view)
         view_draw(hand->view, picture, seconds, last ? hand->shot : NULL);
@@ -265,10 +277,11 @@ void hand_arrow(struct view_picture *picture, const double a[2],
     }
 }
 
-int hand_nearest(const struct pointer *pointer, int n, const double x[],
-                 double reach)
+int hand_grab(int held, const struct pointer *pointer, int n, const double x[],
+              double reach)
 {
     int nearest = -1;
+    if (!pointer->down || held >= 0) return pointer->down ? held : -1;
     for (int a = 0; a < n; a++) {
         const double far = hypot(x[2 * a] - pointer->x,
                                  x[2 * a + 1] - pointer->y);
@@ -277,4 +290,12 @@ int hand_nearest(const struct pointer *pointer, int n, const double x[],
         nearest = a;
     }
     return nearest;
+}
+
+struct view_picture hand_triangles(const struct mesh *mesh, const double x[],
+                                   const double value[])
+{
+    return (struct view_picture){
+        .n_point = mesh->n_vertex, .x = x, .n_triangle = mesh->n_triangle,
+        .triangle = mesh->triangle, .value = value};
 }

@@ -6,7 +6,7 @@
  *     while (hand_next(hand, &pointer)) {
  *         hand_slot("12e");         what is called now, should it never return
  *         ... one frame ...
- *         hand_draw(hand, &picture, "min_J systems", numbers);
+ *         hand_draw(hand, &picture, status, "min_J systems", numbers);
  *     }
  *     return hand_close(hand);
  *
@@ -16,11 +16,23 @@
  * A slot that crashes, that does not return within a minute, that exits or
  * returns a place that is not finite ends the program with one line that names
  * it, and status 1.
+ *
+ * Names: program_.
  */
 #ifndef COMMON_HAND_H
 #define COMMON_HAND_H
 
+/* The program whose slots it is, and whose main() is another here. */
+#ifdef PROGRAM
+int program_main(int argc, char *argv[]);
+#define main program_main
+#include PROGRAM
+#undef main
+#endif
+
+#include "base/status.h"
 #include "motion/view.h"
+#include "plane/mesh.h"
 
 struct hand;
 
@@ -29,8 +41,9 @@ struct hand;
 #define HAND_WHOSE "the reference's slots"
 #endif
 
-/* keys: letters that the scene knows.  Options: --input, --seed, --record,
- * --shot (the last picture of the window), --picture (the same as SVG). */
+/* keys: letters that the scene knows, `r` among them.  Options: --input,
+ * --seed, --frames, --record, --shot (the last picture of the window) and
+ * --picture (the same as SVG).  GSL's own handler of errors is off then. */
 struct hand *hand_open(const char *lesson, const char *whose,
                        const char *keys, int argc, char *argv[]);
 
@@ -41,12 +54,14 @@ int hand_next(struct hand *hand, struct pointer *pointer);
 /* The slot that is called from here on; NULL: none. */
 void hand_slot(const char *slot);
 
-/* Show the frame, and print its numbers as a row of the table `frames`, whose
- * columns are frame, x, y, down and these (separated by a space), to six digits
- * where they are not whole, and missing where they are not finite.  The caption
- * gets a last line: which slots are the student's. */
+/* Show the frame, whose caption is red unless it ended OK, and print a row of
+ * the table `frames`: its columns are frame, x, y, down, status, seen (the sum
+ * of all numbers of the picture) and these (separated by a space), to six
+ * digits where they are not whole, and missing where they are not finite.  The
+ * caption gets two last lines: the keys of all scenes, and which slots are the
+ * student's. */
 void hand_draw(struct hand *hand, struct view_picture *picture,
-               const char *columns, const double number[]);
+               enum status status, const char *columns, const double number[]);
 
 /* The exit status; hand is freed. */
 int hand_close(struct hand *hand);
@@ -55,8 +70,13 @@ int hand_close(struct hand *hand);
 void hand_arrow(struct view_picture *picture, const double a[2],
                 const double d[2], double scale);
 
-/* The point nearest to the pointer, if it is within reach (m), or -1. */
-int hand_nearest(const struct pointer *pointer, int n, const double x[],
-                 double reach);
+/* The point that is held from here on, or -1: while the button is down the one
+ * that was, or else the nearest one that is within reach (m). */
+int hand_grab(int held, const struct pointer *pointer, int n, const double x[],
+              double reach);
+
+/* A picture of the triangles of a mesh, whose vertices are at x now. */
+struct view_picture hand_triangles(const struct mesh *mesh, const double x[],
+                                   const double value[]);
 
 #endif

@@ -4,6 +4,7 @@
 #include "motion/hand.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,10 +90,9 @@ struct view_picture side_picture(struct side *side)
         side->J[e] = mat2_det(body_deformation(s->body, s->u, e));
         side->min_J = fmin(side->min_J, side->J[e]);
     }
-    return (struct view_picture){
-        .n_point = s->mesh->n_vertex, .x = side->x, .held = s->held,
-        .n_triangle = s->mesh->n_triangle, .triangle = s->mesh->triangle,
-        .value = side->J};
+    struct view_picture picture = hand_triangles(s->mesh, side->x, side->J);
+    picture.held = s->held;
+    return picture;
 }
 
 double side_energy(struct side *side, struct view_picture *picture)
@@ -112,8 +112,9 @@ double side_energy(struct side *side, struct view_picture *picture)
         y += 2 * side->n_curve - 2;
         y[1] = -2.1 + 0.25 * fmax(0.0, fmin(6.0, log10(energy) + 2.0));
         for (int k = 0; k < side->n_curve; k++)
-            side->curve[2 * k] = 2.7 - 0.01 * (side->n_curve - 1 - k);
+            side->curve[2 * k] = 2.7 - 0.007 * (side->n_curve - 1 - k);
     }
+    snprintf(picture->note, sizeof picture->note, "energy: 0.25 m a decade");
     picture->n_curve = side->n_curve;
     picture->curve = side->curve;
     return energy;

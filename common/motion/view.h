@@ -27,8 +27,8 @@ struct view_picture {
     int n_curve;
     const double *curve; /* [2 n_curve] (m): a line through these points */
     int alarm;                    /* the caption is red */
-    char caption[VIEW_CAPTION];   /* lines */
-    char note[80];                /* beside the milliseconds */
+    char caption[VIEW_CAPTION];   /* lines; `[key] what it is` up to 3 spaces */
+    char note[80];                /* two lines beside the milliseconds */
 };
 
 struct view;

@@ -21,6 +21,8 @@ struct view {
     double scale;        /* pixels per metre */
     double next;         /* when the next frame begins (s) */
     int stopped, closed, drawn;
+    char key;            /* the last one, told of until frame `told` */
+    int told;
     double took[FRAMES]; /* seconds per frame, in a ring */
 };
 
@@ -52,7 +54,8 @@ static SDL_Texture *letters_load(SDL_Renderer *draw)
 }
 
 /* Lines of text on a plate, for the body may be behind them.  At most 60
- * letters are inside the smallest window. */
+ * letters are inside the smallest window.  What the last key has changed,
+ * `[key] what it is now`, has a plate of another colour for a second. */
 static void write_text(struct view *v, int x, int y, const char *text)
 {
     int longest = 0, lines = 1, letters = 0;
@@ -68,8 +71,16 @@ static void write_text(struct view *v, int x, int y, const char *text)
           (float)(lines * HIGH));
     ink(v, was.r, was.g, was.b);
     SDL_SetTextureColorMod(v->letters, was.r, was.g, was.b);
+    int changed = 0;
     for (int at = x; *text; text++, at += WIDE) {
         const int place = *text - ' ';
+        const size_t keys = strcspn(text, "]"); /* [+ -] has two */
+        if (*text == '[')
+            changed = v->drawn < v->told && keys < 5 &&
+                      memchr(text + 1, v->key, keys - 1);
+        if (*text == '\n' || strncmp(text, "   ", 3) == 0) changed = 0;
+        if (changed) ink(v, 255, 226, 120);
+        if (changed) block(v, (float)at, (float)(y - 2), WIDE, HIGH);
         if (*text == '\n') {
             at = x - WIDE;
             y += HIGH;
@@ -112,8 +123,10 @@ int view_next(struct view *v, const char *keys, struct pointer *pointer)
             if (code == SDLK_ESCAPE || code == SDLK_q) v->closed = 1;
             if (code == SDLK_EQUALS || code == SDLK_KP_PLUS) code = '+';
             if (code == SDLK_KP_MINUS) code = '-'; /* + is often on = */
-            if (code > ' ' && code < 127 && strchr(keys, code))
-                pointer->key = (char)code;
+            if (code > ' ' && code < 127 && strchr(keys, code)) {
+                pointer->key = v->key = (char)code;
+                v->told = v->drawn + 30;
+            }
         }
         const double now = clock_seconds();
         if (v->next > now) SDL_Delay((Uint32)(1e3 * (v->next - now)));
@@ -213,9 +226,10 @@ void view_draw(struct view *v, const struct view_picture *p, double seconds,
     draw_body(v, p);
     draw_arrows(v, p);
     draw_times(v, seconds);
+    ink(v, 20, 20, 20);
+    write_text(v, 18 + FRAMES, v->high - 46, p->note);
     ink(v, p->alarm ? 200 : 20, 20, 20);
     write_text(v, 12, 12, p->caption);
-    write_text(v, 18 + FRAMES, v->high - 36, p->note);
     SDL_Surface *s = shot ? SDL_CreateRGBSurfaceWithFormat(
         0, v->wide, v->high, 32, SDL_PIXELFORMAT_ARGB8888) : NULL;
     if (shot && (!s || SDL_RenderReadPixels(v->draw, NULL, s->format->format,

@@ -11,6 +11,7 @@
 struct window {
     struct view *view;
     int mouse;
+    int frames, saved, last; /* by the second rung: how many, the last one */
 };
 
 struct window *window_open(void)
@@ -57,11 +58,18 @@ void window_draw(struct window *w, const struct live *live,
         held[a] = live->body->equation[2 * a] < 0;
     caption_of(live, report, seconds, picture.caption);
     if (w->mouse)
-        strncat(picture.caption, "\ndrag with the mouse",
+        strncat(picture.caption, "   drag with the mouse",
                 sizeof picture.caption - strlen(picture.caption) - 1);
-    snprintf(picture.note, sizeof picture.note, "min J %.2f, %d knots",
+    w->frames++;
+    if (strcmp(report->rung, "downhill") == 0) {
+        w->saved++;
+        w->last = w->frames;
+    }
+    snprintf(picture.note, sizeof picture.note,
+             "min J %.2f, %d knots\ndownhill saved %d frames%s",
              body_min_J(live->body, live->now.u),
-             live_knots(mesh, live->now.u, knot));
+             live_knots(mesh, live->now.u, knot), w->saved,
+             w->saved && w->frames < w->last + 30 ? ", just now" : "");
     view_draw(w->view, &picture, seconds, shot);
     free(x);
     free(J);

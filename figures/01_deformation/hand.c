@@ -6,11 +6,6 @@
  * principal directions N of the Green strain E: F N, which is as long as the
  * stretch sqrt(1 + 2 E) times a tenth of a metre.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 
 #include <stdio.h>
@@ -36,15 +31,11 @@ int main(int argc, char *argv[])
     int grabbed = -1;
     memcpy(x, mesh->X, sizeof x);
     while (hand_next(hand, &pointer)) {
-        struct view_picture picture = {
-            .n_point = VERTICES, .x = x, .n_triangle = TRIANGLES,
-            .triangle = mesh->triangle, .value = J};
+        struct view_picture picture = hand_triangles(mesh, x, J);
         int inverted = 0;
         double sum = 0.0, most = 0.0;
         if (pointer.key == 'r') memcpy(x, mesh->X, sizeof x);
-        if (!pointer.down) grabbed = -1;
-        else if (grabbed < 0)
-            grabbed = hand_nearest(&pointer, VERTICES, x, 0.3);
+        grabbed = hand_grab(grabbed, &pointer, VERTICES, x, 0.3);
         if (grabbed >= 0) {
             x[2 * grabbed] = pointer.x;
             x[2 * grabbed + 1] = pointer.y;
@@ -74,11 +65,10 @@ int main(int argc, char *argv[])
         snprintf(picture.caption, sizeof picture.caption,
                  "%d of 12 inside out, longest stretch %.2f\n"
                  "sum of J area: %.2f m^2 (at rest 3.84)\n"
-                 "drag a vertex   [r] reset   [q] close",
+                 "drag a vertex",
                  inverted, most, sum);
-        picture.alarm = inverted > 0;
-        hand_draw(hand, &picture, "inverted stretch area",
-                  (double[]){inverted, most, sum});
+        hand_draw(hand, &picture, inverted ? INVERTED : OK,
+                  "inverted stretch area", (double[]){inverted, most, sum});
     }
     mesh_free(mesh);
     return hand_close(hand);

@@ -6,13 +6,7 @@
  * for 3000 N; the colour is log2 J.  [+] and [-] turn all of it by ten degrees,
  * which deforms nothing.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
-#include "plane/mesh.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -36,20 +30,20 @@ int main(int argc, char *argv[])
     struct hand *hand = hand_open("02", HAND_WHOSE, "lr+-", argc, argv);
     struct pointer pointer;
     double x[6], gradient[6];
-    int law = 0, grabbed = 0;
+    int law = 0, grabbed = -1, turned = 0;
     const double area = mesh_gradients(mesh, 0, gradient);
     const int held[3] = {1, 1, 0};
     memcpy(x, HAND_REST, sizeof x);
     while (hand_next(hand, &pointer)) {
         mat2 F = {{{0.0, 0.0}, {0.0, 0.0}}}, P = F;
         double psi = 0.0, J, force[2] = {0.0, 0.0};
+        const int turn = (pointer.key == '+') - (pointer.key == '-');
         if (pointer.key == 'r') memcpy(x, HAND_REST, sizeof x);
         if (pointer.key == 'l') law = (law + 1) % 3;
-        if (pointer.key == '+') hand_turn(acos(-1.0) / 18.0, x);
-        if (pointer.key == '-') hand_turn(-acos(-1.0) / 18.0, x);
-        if (!pointer.down) grabbed = 0;
-        else grabbed |= hand_nearest(&pointer, 1, &x[4], 0.3) == 0;
-        if (grabbed) {
+        turned = pointer.key == 'r' ? 0 : turned + 10 * turn;
+        if (turn) hand_turn(turn * acos(-1.0) / 18.0, x);
+        grabbed = hand_grab(grabbed, &pointer, 1, &x[4], 0.3);
+        if (grabbed >= 0) {
             x[4] = pointer.x;
             x[5] = pointer.y;
         }
@@ -61,9 +55,8 @@ int main(int argc, char *argv[])
         hand_slot("2c");
         const struct material m = lame(laws[law], 1000.0, 0.3);
         const enum status status = response2(&m, F, &psi, &P);
-        struct view_picture picture = {
-            .n_point = 3, .x = x, .n_triangle = 1, .held = held,
-            .triangle = mesh->triangle, .value = &J};
+        struct view_picture picture = hand_triangles(mesh, x, &J);
+        picture.held = held;
         if (status == OK) {
             for (int i = 0; i < 2; i++)
                 for (int k = 0; k < 2; k++)
@@ -75,11 +68,11 @@ int main(int argc, char *argv[])
             snprintf(answer, sizeof answer, "psi %.1f J/m^2, force %.1f N", psi,
                      hypot(force[0], force[1]));
         snprintf(picture.caption, sizeof picture.caption,
-                 "%s law, J %.2f: %s\ndrag the upper corner   [l] law\n"
-                 "[+ -] turn all   [r] reset   [q] close",
-                 material_law(laws[law]), J, answer);
-        picture.alarm = status != OK;
-        hand_draw(hand, &picture, "law J psi force_x force_y",
+                 "J %.2f: %s\n"
+                 "drag the upper corner   [l] law: %s\n"
+                 "[+ -] turn all: by %d degrees",
+                 J, answer, material_law(laws[law]), turned);
+        hand_draw(hand, &picture, status, "law J psi force_x force_y",
                   (double[]){laws[law], J, psi, force[0], force[1]});
     }
     mesh_free(mesh);

@@ -6,14 +6,9 @@
  * which it fails is lost: the bar stays, and the caption says why.
  *
  *     |####|####|####|####|    at x = -1.5 + 2.5 (X + u), the colours log2 F
- *      _____-----~~~~~~~~~     P over X, 1 m high for 2000 N/m^2
+ *      _____-----~~~~~~~~~     P over X, 1 m high for 4000 N/m^2
  *     ---------------------    0
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 
 #include <stdio.h>
@@ -29,7 +24,7 @@ static double hand_bar(const struct material *material, const double u[],
     for (int i = 0; i <= PARTS; i++)
         for (int k = 0; k < 2; k++) {
             x[4 * i + 2 * k] = -1.5 + 2.5 * ((double)i / PARTS + u[i]);
-            x[4 * i + 2 * k + 1] = 0.1 + 0.4 * k;
+            x[4 * i + 2 * k + 1] = 0.5 + 0.4 * k;
         }
     for (int e = 0; e < PARTS; e++) {
         F[2 * e] = F[2 * e + 1] = 1.0 + PARTS * (u[e + 1] - u[e]);
@@ -37,11 +32,11 @@ static double hand_bar(const struct material *material, const double u[],
             P = material1_pk1(material, F[2 * e]);
         for (int k = 0; k < 2; k++) {
             *c++ = -1.5 + 2.5 * (e + k) / PARTS;
-            *c++ = -0.8 + fmax(-1.0, fmin(0.8, P / 2000.0));
+            *c++ = -0.3 + fmax(-0.8, fmin(0.7, P / 4000.0));
         }
     }
     /* back along P = 0 */
-    *c++ = 1.0, *c++ = -0.8, *c++ = -1.5, *c++ = -0.8;
+    *c++ = 1.0, *c++ = -0.3, *c++ = -1.5, *c++ = -0.3;
     return P;
 }
 
@@ -80,17 +75,15 @@ int main(int argc, char *argv[])
         struct view_picture picture = {
             .n_point = POINTS, .x = x, .n_triangle = 2 * PARTS, .value = F,
             .triangle = triangle, .n_curve = POINTS, .curve = curve,
-            .alarm = report.status != OK};
+            .note = "the curve is P over X"};
         snprintf(picture.caption, sizeof picture.caption,
                  "%s: %s, %d systems, %d frames lost\n"
                  "least F %.2f, P at the right %.0f N/m^2\n"
-                 "drag the right end   [l] law: %s\n"
-                 "[r] reset   [space] stop   [q] close",
+                 "drag the right end   [l] law: %s",
                  report.status == OK ? "at rest" : "lost",
                  status_name(report.status), report.iterations, lost, least, P,
                  material_law(scene.material.law));
-        snprintf(picture.note, sizeof picture.note, "the curve is P over X");
-        hand_draw(hand, &picture, "systems lost least_F P",
+        hand_draw(hand, &picture, report.status, "systems lost least_F P",
                   (double[]){report.iterations, lost, least, P});
     }
     return hand_close(hand);

@@ -6,11 +6,6 @@
  * hand is, which is lifted in first.  A frame in which it fails is lost: the
  * body stays, and the caption says why.  Colours: log2 J.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 #include "motion/side.h"
 
@@ -24,7 +19,6 @@ int main(int argc, char *argv[])
     struct pointer pointer;
     const size_t n_dof = (size_t)side->now->n_dof;
     double *u = allocate(n_dof, sizeof *u);
-    gsl_set_error_handler_off();
     while (hand_next(hand, &pointer)) {
         struct scene *s = side_next(side, &pointer);
         memcpy(u, s->u, n_dof * sizeof *u);
@@ -42,15 +36,13 @@ int main(int argc, char *argv[])
                 mat2_det(deformation(&s->mesh->triangle[3 * e], g, s->u));
             side->min_J = e ? fmin(side->min_J, side->J[e]) : side->J[e];
         }
-        picture.alarm = report.status != OK;
         snprintf(picture.caption, sizeof picture.caption,
                  "%s: %s, %d systems, %d frames lost, least J %.2f\n"
-                 "drag the right side   [l] law: %s\n"
-                 "[r] reset   [space] stop   [q] close",
+                 "drag the right side   [l] law: %s",
                  report.status == OK ? "at rest" : "lost",
                  status_name(report.status), report.iterations, side->lost,
                  side->min_J, material_law(s->body->material.law));
-        hand_draw(hand, &picture, "systems lost min_J",
+        hand_draw(hand, &picture, report.status, "systems lost min_J",
                   (double[]){report.iterations, side->lost, side->min_J});
     }
     free(u);

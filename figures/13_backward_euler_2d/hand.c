@@ -5,11 +5,6 @@
  * One in which it fails is lost: the body stays, and the caption says why.
  * Colours: log2 J; the curve is the energy of the last five seconds.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 #include "motion/side.h"
 
@@ -20,7 +15,6 @@ int main(int argc, char *argv[])
     struct hand *hand = hand_open("13", HAND_WHOSE, "lr", argc, argv);
     struct side *side = side_alloc(CUBIC, 8, 1);
     struct pointer pointer;
-    gsl_set_error_handler_off();
     while (hand_next(hand, &pointer)) {
         struct scene *s = side_next(side, &pointer);
         hand_slot("13d");
@@ -28,17 +22,14 @@ int main(int argc, char *argv[])
         side->lost += report.status != OK;
         struct view_picture picture = side_picture(side);
         const double energy = side_energy(side, &picture);
-        picture.alarm = report.status != OK;
         snprintf(picture.caption, sizeof picture.caption,
                  "%s: %s, %d systems, %d frames lost\n"
                  "energy %.3g J, least J %.2f\n"
-                 "drag the right side, let go   [l] law: %s\n"
-                 "[r] reset   [space] stop   [q] close",
+                 "drag the right side, let go   [l] law: %s",
                  report.status == OK ? "moves" : "lost",
                  status_name(report.status), report.iterations, side->lost,
                  energy, side->min_J, material_law(s->body->material.law));
-        snprintf(picture.note, sizeof picture.note, "a decade of J is 0.25 m");
-        hand_draw(hand, &picture, "systems lost energy min_J",
+        hand_draw(hand, &picture, report.status, "systems lost energy min_J",
                   (double[]){report.iterations, side->lost, energy,
                              side->min_J});
     }

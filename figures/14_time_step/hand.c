@@ -9,11 +9,6 @@
  * machines have in common.  Colours: log2 J; the curve is the energy of the
  * last five seconds.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 #include "motion/side.h"
 
@@ -54,7 +49,7 @@ int main(int argc, char *argv[])
                               model_body(side->scene[1]->body)};
     struct state now = state_make(side->now->n_dof), before = state_make(now.n);
     struct pointer pointer;
-    int parts = 1, saved = 0;
+    int parts = 1, saved = 0, rescued = 0;
     enum method method = BACKWARD_EULER;
     while (hand_next(hand, &pointer)) {
         struct scene *s = side_next(side, &pointer);
@@ -71,7 +66,10 @@ int main(int argc, char *argv[])
             status = hand_steps(s, model[side_held(side)], method, parts, &now);
         else {
             hand_slot("14d");
-            status = frame_step(s->body, HAND_FRAME, s->g, NULL, &now).status;
+            const struct frame frame =
+                frame_step(s->body, HAND_FRAME, s->g, NULL, &now);
+            status = frame.status;
+            rescued += status == OK && frame.attempts > 1;
         }
         if (status != OK) state_copy(&before, &now);
         side->lost += status != OK;
@@ -81,18 +79,20 @@ int main(int argc, char *argv[])
         }
         struct view_picture picture = side_picture(side);
         const double energy = side_energy(side, &picture);
-        picture.alarm = status != OK;
         snprintf(picture.caption, sizeof picture.caption,
-                 "[i] %s, [+ -] %d per frame   [p] %s\n"
                  "%s: %s, %d frames lost, energy %.3g J\n"
                  "drag the right side, let go   [l] law: %s\n"
-                 "[r] reset   [space] stop   [q] close",
-                 saved ? "backward" : method_name(method), saved ? 1 : parts,
-                 saved ? "surviving frame" : "one attempt",
+                 "[i] %s   [+ -] %d per frame   [p] %s",
                  status == OK ? "moves" : "lost", status_name(status),
-                 side->lost, energy, material_law(s->body->material.law));
-        snprintf(picture.note, sizeof picture.note, "energy: 0.25 m a decade");
-        hand_draw(hand, &picture, "method parts saved lost energy min_J",
+                 side->lost, energy, material_law(s->body->material.law),
+                 saved ? "backward" : method_name(method), saved ? 1 : parts,
+                 saved ? "surviving frame" : "one attempt");
+        snprintf(picture.note, sizeof picture.note,
+                 "energy: 0.25 m a decade\n%d frames saved by p", rescued);
+        if (status != OK && method != SYMPLECTIC_EULER)
+            status = MAX_ITERATIONS; /* round-off says which it is */
+        hand_draw(hand, &picture, status,
+                  "method parts saved lost energy min_J",
                   (double[]){method, parts, saved, side->lost, energy,
                              side->min_J});
     }

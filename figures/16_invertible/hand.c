@@ -7,11 +7,6 @@
  * laws have; [p] takes it to rest at once by its release(), under a law of the
  * library.  Colours: log2 J.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 
 #include <stdio.h>
@@ -19,19 +14,39 @@ int program_main(int argc, char *argv[]);
 
 enum { CELLS = 4, VERTICES = 25, TRIANGLES = 32, DOFS = 50, PARTS = 60 };
 
-/* Advance u and v by dt; vertex `grabbed` goes on by `way` (m), if >= 0.  No
- * other is faster than 8 m/s along an axis: deep inside out the cubic law would
- * throw it a thousand times as fast.  NONFINITE: P is no number. */
-static enum status hand_step(const struct principal_law *law,
-                             const struct body *body, double dt, int grabbed,
-                             const double way[2], double u[], double v[])
+struct hand_scene {
+    struct body *body;
+    struct principal_law law;
+    double u[DOFS], v[DOFS], x[DOFS], J[TRIANGLES];
+    int grabbed, seed, inverted, lost; /* grabbed: a vertex, -1: none */
+    double way[2]; /* on which it goes in a part of a frame (m) */
+};
+
+static void hand_input(struct hand_scene *h, const struct pointer *pointer)
 {
-    double f[DOFS] = {0.0}, mass[VERTICES] = {0.0};
+    if (pointer->key == 'l') h->law.form = (h->law.form + 1) % N_FORM;
+    if (pointer->key == 'r') memset(h->u, 0, sizeof h->u);
+    if (pointer->key == 's')
+        release_scramble(h->body, (unsigned)++h->seed, h->u);
+    if (strchr("rs", pointer->key)) memset(h->v, 0, sizeof h->v);
+    h->grabbed = hand_grab(h->grabbed, pointer, VERTICES, h->x, 0.3);
+    const double at[2] = {pointer->x, pointer->y};
+    for (int i = 0; i < 2 && h->grabbed >= 0; i++)
+        h->way[i] = (at[i] - h->x[2 * h->grabbed + i]) / PARTS;
+}
+
+/* Advance u and v by dt.  No vertex but the grabbed one is faster than 8 m/s
+ * along an axis: deep inside out the cubic law would throw it a thousand times
+ * as fast.  NONFINITE: P is no number. */
+static enum status hand_step(struct hand_scene *h, double dt)
+{
+    const struct body *body = h->body;
+    double f[DOFS] = {0.0}, mass[VERTICES] = {0.0}, *v = h->v;
     for (int e = 0; e < TRIANGLES; e++) {
         const int *t = &body->vertex[3 * e];
         const double *g = &body->gradient[6 * e];
         hand_slot("16c");
-        const mat2 P = stress(law, body_deformation(body, u, e));
+        const mat2 P = stress(&h->law, body_deformation(body, h->u, e));
         for (int a = 0; a < 3; a++) {
             mass[t[a]] += body->area[e] / 3.0; /* the density is 1 */
             for (int i = 0; i < 2; i++)
@@ -43,76 +58,72 @@ static enum status hand_step(const struct principal_law *law,
         v[r] += dt * (f[r] / mass[r / 2] - 3.0 * v[r]);
         if (!isfinite(v[r])) return NONFINITE;
         v[r] = fmax(-8.0, fmin(8.0, v[r]));
-        if (r / 2 == grabbed) v[r] = way[r % 2] / dt;
-        u[r] += dt * v[r];
+        if (r / 2 == h->grabbed) v[r] = h->way[r % 2] / dt;
+        h->u[r] += dt * v[r];
     }
     return OK;
+}
+
+static enum status hand_frame(struct hand_scene *h, char key)
+{
+    static const enum law of_library[N_FORM] = { /* LINEAR: has it not */
+        [BY_CUBIC] = CUBIC, [BY_J] = EXTENDED, [BY_STABLE] = STABLE};
+    enum status status = OK;
+    double before[DOFS];
+    memcpy(before, h->u, sizeof before);
+    if (key == 'p' && of_library[h->law.form] != LINEAR) {
+        h->body->material.law = of_library[h->law.form];
+        hand_slot("16d");
+        status = release(h->body, h->u).status;
+        memset(h->v, 0, sizeof h->v);
+    }
+    for (int k = 0; k < PARTS && status == OK; k++)
+        status = hand_step(h, 1.0 / 30.0 / PARTS);
+    if (status == NONFINITE) {
+        memcpy(h->u, before, sizeof before);
+        memset(h->v, 0, sizeof h->v);
+        h->lost++;
+    }
+    return status;
+}
+
+static struct view_picture hand_picture(struct hand_scene *h)
+{
+    h->inverted = 0;
+    for (int r = 0; r < DOFS; r++) h->x[r] = h->body->mesh->X[r] + h->u[r];
+    for (int e = 0; e < TRIANGLES; e++) {
+        h->J[e] = mat2_det(body_deformation(h->body, h->u, e));
+        h->inverted += h->J[e] <= 0.0;
+    }
+    return hand_triangles(h->body->mesh, h->x, h->J);
 }
 
 int main(int argc, char *argv[])
 {
     static const int held[VERTICES];
-    static const enum law of_library[N_FORM] = { /* LINEAR: has it not */
-        [BY_CUBIC] = CUBIC, [BY_J] = EXTENDED, [BY_STABLE] = STABLE};
     const struct material m = material_notes(STABLE);
     struct hand *hand = hand_open("16", HAND_WHOSE, "slprl", argc, argv);
     struct mesh *mesh = mesh_square(CELLS);
-    struct body *body = body_alloc(mesh, m, 1.0, LUMPED, held);
-    struct principal_law law = {BY_STABLE, m.mu, m.lambda, EXTENDED_BELOW};
+    struct hand_scene h = {
+        .body = body_alloc(mesh, m, 1.0, LUMPED, held),
+        .law = {BY_STABLE, m.mu, m.lambda, EXTENDED_BELOW}, .grabbed = -1};
     struct pointer pointer;
-    double u[DOFS] = {0.0}, v[DOFS] = {0.0}, x[DOFS], J[TRIANGLES];
-    int grabbed = -1, lost = 0, seed = 0;
-    memcpy(x, mesh->X, sizeof x);
-    gsl_set_error_handler_off();
+    memcpy(h.x, mesh->X, sizeof h.x);
     while (hand_next(hand, &pointer)) {
-        enum status status = OK;
-        double before[DOFS];
-        int inverted = 0;
-        if (pointer.key == 'l') law.form = (law.form + 1) % N_FORM;
-        if (pointer.key == 'r') memset(u, 0, sizeof u);
-        if (pointer.key == 's') release_scramble(body, (unsigned)++seed, u);
-        if (strchr("rs", pointer.key)) memset(v, 0, sizeof v);
-        if (!pointer.down) grabbed = -1;
-        else if (grabbed < 0)
-            grabbed = hand_nearest(&pointer, VERTICES, x, 0.3);
-        memcpy(before, u, sizeof u);
-        if (pointer.key == 'p' && of_library[law.form] != LINEAR) {
-            body->material.law = of_library[law.form];
-            hand_slot("16d");
-            status = release(body, u).status;
-            memset(v, 0, sizeof v);
-        }
-        double way[2] = {pointer.x / PARTS, pointer.y / PARTS};
-        for (int i = 0; i < 2 && grabbed >= 0; i++)
-            way[i] -= x[2 * grabbed + i] / PARTS;
-        for (int k = 0; k < PARTS && status == OK; k++)
-            status = hand_step(&law, body, 1.0 / 30.0 / PARTS, grabbed, way, u,
-                               v);
-        if (status == NONFINITE) {
-            memcpy(u, before, sizeof u);
-            memset(v, 0, sizeof v);
-        }
-        lost += status == NONFINITE;
-        for (int r = 0; r < DOFS; r++) x[r] = mesh->X[r] + u[r];
-        for (int e = 0; e < TRIANGLES; e++) {
-            J[e] = mat2_det(body_deformation(body, u, e));
-            inverted += J[e] <= 0.0;
-        }
-        const double wound = round(release_winding(body, u));
-        struct view_picture picture = {
-            .n_point = VERTICES, .x = x, .n_triangle = TRIANGLES, .value = J,
-            .triangle = mesh->triangle, .alarm = status != OK};
+        hand_input(&h, &pointer);
+        const enum status status = hand_frame(&h, pointer.key);
+        struct view_picture picture = hand_picture(&h);
+        const double wound = round(release_winding(h.body, h.u));
         snprintf(picture.caption, sizeof picture.caption,
-                 "%s: %d of 32 inside out, wound %.0f times\n"
-                 "%d frames lost   [l] law: %s\n"
-                 "drag a vertex   [s] scramble   [p] to rest\n"
-                 "[r] reset   [space] stop   [q] close",
-                 status_name(status), inverted, wound, lost,
-                 form_name[law.form]);
-        hand_draw(hand, &picture, "law inverted wound lost",
-                  (double[]){law.form, inverted, wound, lost});
+                 "%s: %s, %d frames lost   [l] law: %s\n"
+                 "%d of 32 inside out, wound %.0f times\n"
+                 "drag a vertex   [s] scramble   [p] to rest",
+                 status == NONFINITE ? "lost" : "moves", status_name(status),
+                 h.lost, form_name[h.law.form], h.inverted, wound);
+        hand_draw(hand, &picture, status, "law inverted wound lost",
+                  (double[]){h.law.form, h.inverted, wound, h.lost});
     }
-    body_free(body);
+    body_free(h.body);
     mesh_free(mesh);
     return hand_close(hand);
 }

@@ -8,11 +8,6 @@
  * of the grid is apart, whatever the material is: numerical fracture.  Each
  * particle is drawn as what F makes of its square; colours: log2 J.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 
 #include <stdio.h>
@@ -20,6 +15,15 @@ int program_main(int argc, char *argv[]);
 
 enum { N = 48 };
 static const double HAND_H = 0.25, HAND_EDGE[2] = {2.4, 1.8};
+
+struct hand_scene {
+    struct cloud c, before;
+    struct material material;
+    struct particle_step step;
+    int held[N], triangle[6 * N], n_held, nailed, lost;
+    double offset[2 * N], nail[2 * N]; /* from the hand; where nailed (m) */
+    double x[8 * N], J[2 * N], least;
+};
 
 static struct cloud hand_block(void)
 {
@@ -67,93 +71,102 @@ static int hand_parts(const struct particles *p)
     return parts;
 }
 
-/* Corners of particle q and its triangles. */
-static void hand_draw_particle(const struct particles *p, int q, double x[8],
-                               int triangle[6], double J[2])
+/* Keys; and velocities by the hand, the nails and the edges. */
+static void hand_input(struct hand_scene *h, const struct pointer *pointer)
 {
-    const double half = 0.5 * sqrt(p->volume[q]);
-    for (int c = 0; c < 4; c++) {
+    enum law *law = &h->material.law;
+    if (pointer->key == 'l') *law = *law == LOG ? CUBIC : LOG;
+    if (pointer->key == 'p')
+        h->step.transfer = h->step.transfer == PIC ? FLIP : PIC;
+    if (pointer->key == 's') h->nailed = !h->nailed;
+    if (pointer->key == 'r') {
+        cloud_free(h->c);
+        h->c = hand_block();
+    }
+    if (!pointer->down) h->n_held = 0;
+    const double at[2] = {fmax(-2.3, fmin(2.3, pointer->x)),
+                          fmax(-1.7, fmin(1.7, pointer->y))};
+    const int grabs = pointer->down && h->n_held == 0;
+    for (int q = 0; q < N; q++) {
+        double *x = &h->c.p->x[2 * q], *v = &h->c.p->v[2 * q];
+        if (grabs) h->held[q] = hypot(x[0] - at[0], x[1] - at[1]) < 0.35;
+        h->n_held += grabs && h->held[q];
+        for (int i = 0; i < 2; i++) {
+            double *from = &h->offset[2 * q + i], to = x[i];
+            if (grabs) *from = x[i] - at[i];
+            if (pointer->key == 's') h->nail[2 * q + i] = x[i];
+            if (h->nailed && q % 8 < 2) to = h->nail[2 * q + i];
+            else if (pointer->down && h->held[q]) to = at[i] + *from;
+            if (to != x[i]) v[i] = h->step.rate * (to - x[i]);
+            v[i] = fmax(-6.0, fmin(6.0, v[i])); /* less than a cell */
+            const double beyond = fabs(x[i]) - HAND_EDGE[i];
+            if (beyond > 0.0)
+                v[i] = copysign(fmax(0.5 * fabs(v[i]), 20.0 * beyond), -x[i]);
+        }
+    }
+}
+
+static struct particle_report hand_frame(struct hand_scene *h)
+{
+    hand_copy(h->c.p, h->before.p);
+    hand_slot("20c");
+    const struct particle_report report = advance(h->c, h->material, &h->step);
+    if (report.status != OK) hand_copy(h->before.p, h->c.p);
+    hand_round(h->c.p);
+    h->lost += report.status != OK;
+    return report;
+}
+
+static struct view_picture hand_picture(struct hand_scene *h)
+{
+    const struct particles *p = h->c.p;
+    for (int k = 0; k < 4 * N; k++) { /* a corner */
+        const int q = k / 4, c = k % 4;
+        const double half = 0.5 * sqrt(p->volume[q]);
         const double X[2] = {c == 0 || c == 3 ? -half : half,
                              c < 2 ? -half : half};
         for (int i = 0; i < 2; i++)
-            x[2 * c + i] = p->x[2 * q + i] + p->F[q].m[i][0] * X[0] +
-                           p->F[q].m[i][1] * X[1];
+            h->x[2 * k + i] = p->x[2 * q + i] + p->F[q].m[i][0] * X[0] +
+                              p->F[q].m[i][1] * X[1];
     }
-    for (int k = 0; k < 6; k++)
-        triangle[k] = 4 * q + (const int[]){0, 1, 2, 0, 2, 3}[k];
-    J[0] = J[1] = mat2_det(p->F[q]);
+    h->least = INFINITY;
+    for (int e = 0; e < 2 * N; e++) {
+        for (int a = 0; a < 3; a++)
+            h->triangle[3 * e + a] = e / 2 * 4 + (a ? a + e % 2 : 0);
+        h->J[e] = mat2_det(p->F[e / 2]);
+        h->least = fmin(h->least, h->J[e]);
+    }
+    return (struct view_picture){
+        .n_point = 4 * N, .x = h->x, .n_triangle = 2 * N, .value = h->J,
+        .triangle = h->triangle};
 }
 
 int main(int argc, char *argv[])
 {
     struct hand *hand = hand_open("20", HAND_WHOSE, "slprs", argc, argv);
-    struct cloud c = hand_block(), before = hand_block();
-    struct material material = material_notes(CUBIC);
-    struct particle_step step = {.rate = 30.0, .transfer = FLIP};
+    struct hand_scene h = {
+        .c = hand_block(), .before = hand_block(),
+        .material = material_notes(CUBIC),
+        .step = {.rate = 30.0, .transfer = FLIP}};
     struct pointer pointer;
-    double x[8 * N], J[2 * N], offset[2 * N], nail[2 * N];
-    int triangle[6 * N], held[N] = {0}, n_held = 0, nailed = 0, lost = 0;
     while (hand_next(hand, &pointer)) {
-        const double at[2] = {fmax(-2.3, fmin(2.3, pointer.x)),
-                              fmax(-1.7, fmin(1.7, pointer.y))};
-        double least = INFINITY;
-        if (pointer.key == 'l')
-            material.law = material.law == LOG ? CUBIC : LOG;
-        if (pointer.key == 'p')
-            step.transfer = step.transfer == PIC ? FLIP : PIC;
-        if (pointer.key == 's') nailed = !nailed;
-        if (pointer.key == 'r') {
-            cloud_free(c);
-            c = hand_block();
-        }
-        if (!pointer.down) n_held = 0;
-        const int grabs = pointer.down && n_held == 0;
-        for (int q = 0; q < N; q++) {
-            double *xq = &c.p->x[2 * q], *v = &c.p->v[2 * q];
-            if (grabs) held[q] = hypot(xq[0] - at[0], xq[1] - at[1]) < 0.35;
-            n_held += grabs && held[q];
-            for (int i = 0; i < 2; i++) {
-                double *from = &offset[2 * q + i], to = xq[i];
-                if (grabs) *from = xq[i] - at[i];
-                if (pointer.key == 's') nail[2 * q + i] = xq[i];
-                if (nailed && q % 8 < 2) to = nail[2 * q + i];
-                else if (pointer.down && held[q]) to = at[i] + *from;
-                if (to != xq[i]) v[i] = step.rate * (to - xq[i]);
-                v[i] = fmax(-6.0, fmin(6.0, v[i])); /* less than a cell */
-                const double beyond = fabs(xq[i]) - HAND_EDGE[i];
-                if (beyond > 0.0)
-                    v[i] = copysign(fmax(0.5 * fabs(v[i]), 20.0 * beyond),
-                                    -xq[i]);
-            }
-        }
-        hand_copy(c.p, before.p);
-        hand_slot("20c");
-        const struct particle_report report = advance(c, material, &step);
-        if (report.status != OK) hand_copy(before.p, c.p);
-        hand_round(c.p);
-        lost += report.status != OK;
-        for (int q = 0; q < N; q++) {
-            hand_draw_particle(c.p, q, &x[8 * q], &triangle[6 * q], &J[2 * q]);
-            least = fmin(least, J[2 * q]);
-        }
-        struct view_picture picture = {
-            .n_point = 4 * N, .x = x, .n_triangle = 2 * N, .value = J,
-            .triangle = triangle, .alarm = report.status != OK};
-        const int parts = hand_parts(c.p);
+        hand_input(&h, &pointer);
+        const struct particle_report report = hand_frame(&h);
+        struct view_picture picture = hand_picture(&h);
+        const int parts = hand_parts(h.c.p), ok = report.status == OK;
         snprintf(picture.caption, sizeof picture.caption,
-                 "%d part%s, least J %.2f\n"
                  "%s: %s, %d systems, %d frames lost\n"
-                 "[p] %s   [l] law: %s   [s] left end: %s\n"
-                 "hold it, throw it, tear it   [r] reset",
-                 parts, parts > 1 ? "s" : "", least,
-                 report.status == OK ? "moves" : "lost",
-                 status_name(report.status), report.iterations, lost,
-                 transfer_name(step.transfer), material_law(material.law),
-                 nailed ? "nailed" : "free");
-        hand_draw(hand, &picture, "parts systems lost least_J",
-                  (double[]){parts, report.iterations, lost, least});
+                 "%d part%s, least J %.2f   hold it, throw it, tear it\n"
+                 "[p] transfer: %s   [l] law: %s   [s] left end: %s",
+                 ok ? "moves" : "lost", status_name(report.status),
+                 report.iterations, h.lost, parts, parts > 1 ? "s" : "",
+                 h.least, transfer_name(h.step.transfer),
+                 material_law(h.material.law), h.nailed ? "nailed" : "free");
+        hand_draw(hand, &picture, report.status,
+                  "parts systems lost least_J",
+                  (double[]){parts, report.iterations, h.lost, h.least});
     }
-    cloud_free(c);
-    cloud_free(before);
+    cloud_free(h.c);
+    cloud_free(h.before);
     return hand_close(hand);
 }

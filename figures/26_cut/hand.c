@@ -16,11 +16,6 @@
  * work of load and hand.  Backward Euler loses some, and gains nothing as long
  * as Psi is convex between the two states: of a crushed body it is not.
  */
-int program_main(int argc, char *argv[]);
-#define main program_main
-#include PROGRAM
-#undef main
-
 #include "motion/hand.h"
 
 #include <stdio.h>
@@ -100,8 +95,6 @@ static void patient_open(struct patient *p, const struct tissue *before)
     hand_slot("26b");
     struct tissue after = cut_body(&p->whole, p->cut, before);
     hand_slot("26c");
-    body_free(p->body);
-    p->body = NULL;
     if (before == &p->s) tissue_free(p->s);
     patient_renew(p, after);
     patient_hold(p, -1);
@@ -121,8 +114,6 @@ static void patient_undo(struct patient *p)
     if (!p->before.mesh) return;
     const size_t marks = 3 * (size_t)p->whole.mesh->n_triangle;
     memcpy(p->cut, p->cut_before, marks * sizeof *p->cut);
-    body_free(p->body);
-    p->body = NULL;
     tissue_free(p->s);
     patient_renew(p, p->before);
     p->before.mesh = NULL;
@@ -213,7 +204,7 @@ static void patient_drag(struct patient *p, const struct pointer *pointer)
 {
     if (p->grabbed < 0 && pointer->down) {
         const int a =
-            hand_nearest(pointer, p->s.mesh->n_vertex, p->x, REACH);
+            hand_grab(-1, pointer, p->s.mesh->n_vertex, p->x, REACH);
         if (a >= 0 && !p->s.held[a]) patient_hold(p, a);
     }
     if (p->grabbed >= 0 && !pointer->down) patient_hold(p, -1);
@@ -241,7 +232,6 @@ static void patient_alloc(struct patient *p, int strip)
 static void patient_free(struct patient *p)
 {
     body_free(p->body);
-    p->body = NULL;
     if (p->before.mesh) tissue_free(p->before);
     tissue_free(p->s);
     tissue_free(p->square);
@@ -325,7 +315,6 @@ static enum status patient_frame(struct patient *p,
     const struct step_report report = patient_step(p, &work);
     p->systems = report.iterations;
     p->lost += report.status != OK;
-
     const double energy = patient_energy(p);
     const struct mesh *mesh = p->s.mesh;
     patient_place_all(p);
@@ -356,27 +345,22 @@ int main(int argc, char *argv[])
     struct patient p;
     struct pointer pointer;
     double number[NUMBERS];
-    gsl_set_error_handler_off();
     patient_alloc(&p, 0);
     while (hand_next(hand, &pointer)) {
         const enum status status = patient_frame(&p, &pointer, number);
-        const struct mesh *mesh = p.s.mesh;
-        struct view_picture picture = {
-            .n_point = mesh->n_vertex, .x = p.x, .n_triangle = mesh->n_triangle,
-            .triangle = mesh->triangle, .value = p.J, .held = p.s.held,
-            .ring = p.ring, .alarm = status != OK};
+        struct view_picture picture = hand_triangles(p.s.mesh, p.x, p.J);
+        picture.held = p.s.held;
+        picture.ring = p.ring;
         snprintf(picture.caption, sizeof picture.caption,
                  "%s: %s, %d systems, %d frames lost\n"
-                 "%d vertices, %.0f parts, %.4f kg taken away; "
-                 "energy %.3g J\n[g] %s   [e] take loose parts away   "
-                 "[-] undo\n[r] whole again   [s] %s   [space] stop   "
-                 "[q] close",
+                 "%d vertices, parts: %.0f, %.4f kg away, energy %.3g J\n"
+                 "[g] %s   [e] take loose parts away\n[-] undo   [s] body: %s",
                  status == OK ? "moves" : "lost", status_name(status),
-                 p.systems, p.lost, mesh->n_vertex, number[PARTS],
+                 p.systems, p.lost, p.s.mesh->n_vertex, number[PARTS],
                  number[TAKEN], p.energy,
                  p.knife ? "knife: hold and draw" : "hand: drag a vertex",
-                 p.strip ? "square" : "strip of tissue");
-        hand_draw(hand, &picture, COLUMNS, number);
+                 p.strip ? "strip of tissue" : "square");
+        hand_draw(hand, &picture, status, COLUMNS, number);
     }
     patient_free(&p);
     return hand_close(hand);
