@@ -48,22 +48,25 @@ struct tissue_whole tissue_hold(const struct tissue *square, double pull)
     return whole;
 }
 
-/* In cells.  A rectangle that stands is turned by a right angle: its vertices
- * are numbered across the strip, which makes the narrowest band. */
-enum { STRIP_WIDE = 50, STRIP_HIGH = 15 };
-
-struct tissue tissue_strip(void)
+struct mesh *tissue_section(int wide, int high, double width, double height)
 {
-    const double scale = sqrt(1000.0);
-    struct mesh *mesh = mesh_rectangle(STRIP_HIGH, STRIP_WIDE, 0.015 * scale,
-                                       0.05 * scale);
-    for (int a = 0; a < mesh->n_vertex; a++) {
+    struct mesh *mesh = mesh_rectangle(high, wide, 0.5 * height, 0.5 * width);
+    for (int a = 0; a < mesh->n_vertex; a++) { /* turned by a right angle */
         double *X = &mesh->X[2 * a];
         const double up = -X[0];
         X[0] = X[1];
         X[1] = up;
     }
-    return tissue_alloc(mesh);
+    return mesh;
+}
+
+enum { STRIP_WIDE = 50, STRIP_HIGH = 15 }; /* cells */
+
+struct tissue tissue_strip(void)
+{
+    const double scale = sqrt(1000.0);
+    return tissue_alloc(tissue_section(STRIP_WIDE, STRIP_HIGH, 0.1 * scale,
+                                       0.03 * scale));
 }
 
 struct tissue_whole tissue_on_bone(const struct tissue *strip)

@@ -38,6 +38,11 @@ void tissue_free(struct tissue tissue);
  * (pull, 0) N/m; density 1.  The caller frees across and pulled. */
 struct tissue_whole tissue_hold(const struct tissue *square, double pull);
 
+/* A section of so many cells, its middle at 0 (m); vertices and cells are
+ * numbered downwards, column by column: a band as narrow as the section is
+ * high.  The caller frees it. */
+struct mesh *tissue_section(int wide, int high, double width, double height);
+
 /* A strip of soft tissue, 10 cm by 3 cm, as soft as brain, as heavy as water;
  * not yet a body: bone holds its lower side, and nothing pulls.  The notes'
  * material has the density 1 instead of 1000 kg/m^2, so the strip is sqrt(1000)

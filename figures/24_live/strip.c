@@ -17,15 +17,7 @@ static const double DEPTH = 0.01; /* of which forces and energies are (m) */
 struct strip strip_alloc(int n, int cells)
 {
     struct strip s = {.n = n, .rows = 3 * n / 10};
-    /* a rectangle that stands, turned by a right angle */
-    struct mesh *mesh =
-        mesh_rectangle(s.rows, n, 0.5 * HEIGHT, 0.5 * WIDTH);
-    for (int a = 0; a < mesh->n_vertex; a++) {
-        double *X = &mesh->X[2 * a];
-        const double up = -X[0];
-        X[0] = X[1];
-        X[1] = up;
-    }
+    struct mesh *mesh = tissue_section(n, s.rows, WIDTH, HEIGHT);
     s.uncut = tissue_alloc(mesh);
     for (int a = 0; a < mesh->n_vertex; a++)
         s.uncut.held[a] = fabs(mesh->X[2 * a]) > 0.499 * WIDTH;

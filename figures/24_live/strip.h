@@ -2,8 +2,7 @@
  * strip.h - a strip of tissue, 10 cm by 3 cm, cut from above in its middle by
  * the knife of lesson 26; the left end is held, and a hand pulls at the right.
  *
- * It has n cells along and 3 n / 10 across; its vertices and cells are numbered
- * downwards, column by column, which makes the narrowest band.
+ * It is a section of tissue.h, n cells wide and 3 n / 10 high.
  *
  * The notes' material under LOG, quasistatic, a depth of 1 cm.
  *

@@ -1,25 +1,28 @@
 /*
  * tissue.c - a section through soft tissue, in which two hooks open a wound.
  *
- * 10 cm by 3 cm, held by bone below; a cut of 13 mm goes in from above.  A hook
- * on either side holds the skin in a circle, pulls it up and aside, and turns.
- * One material, the notes' under LOG: layers are depths.  Quasistatics, from
- * rest half way, and on, each time from the elastic lift.  Tables: pull (place
- * and turn of the left hook; its force on 1 cm of depth, and the other's, which
- * is the same but for the mesh; least J; linear systems), strip (what is
- * between two lines of the mesh).
+ * 10 cm by 3 cm, held by bone below; the knife of lesson 26 goes in from above,
+ * 13 mm deep.  A hook on either side holds the skin in a circle, pulls it up
+ * and aside, and turns.  One material, the notes' under LOG: layers are depths.
+ * Quasistatics, from rest half way, and on, each time from the elastic lift.
+ * Tables: pull (place and turn of the left hook; its force on 1 cm of depth,
+ * and the other's, which is the same but for the mesh; least J; linear
+ * systems), strip (what is between two lines of the mesh).
  */
+int program_main(int argc, char *argv[]);
+#define PROGRAM "../../solutions/26_cut.c"
+#define main program_main
+#include PROGRAM
+#undef main
+
 #include "motion/live.h"
+#include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
+#include "plane/tissue.h"
 
-#include <gsl/gsl_errno.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-/* In cells: the cut is the column CUT above row DEEP. */
-enum { WIDE = 201, HIGH = 60, CUT = 100, DEEP = 34, MUSCLE = 38, FAT = 54 };
+/* In cells: the cut goes down column CUT of the vertices to row DEEP. */
+enum { WIDE = 200, HIGH = 60, CUT = 100, DEEP = 34, MUSCLE = 38, FAT = 54 };
 enum { GRID = 2 }; /* a strip is 2 cells high */
 static const char *const WHEN[] = {"rest", "half", "full"};
 static const double SIZE = 0.5e-3; /* of a cell (m) */
@@ -59,20 +62,30 @@ static double measure(int k, const struct body *body, const double u[], int n)
     return fabs(L / R - 1.0);
 }
 
+/* The vertex of this column and row in the left half, or in the right one: they
+ * differ on the cut.  It is that of a cell. */
+static int corner(const struct mesh *mesh, int column, int row, int right)
+{
+    const int i = right ? column - (column == WIDE) : column - (column > 0);
+    const int j = row - (row > 0);
+    const int *t = &mesh->triangle[6 * (i * HIGH + HIGH - 1 - j)];
+    return i < column ? (j < row ? t[5] : t[2]) : (j < row ? t[0] : t[1]);
+}
+
 /* The rows of table strip; at rest those at its ends are enough. */
 static void print_strips(int k, const struct mesh *mesh, const double u[])
 {
     for (int j = 0, strip = 0; j < HIGH; j += GRID) {
         const char *layer = j < MUSCLE ? "muscle" : j < FAT ? "fat" : "skin";
-        for (int i = 0; i <= WIDE; i++) {
-            /* both halves count their columns from 0 to CUT */
-            const int column = i <= CUT ? i : i - (CUT + 1);
+        for (int i = 0; i < 2 * (CUT + 1); i++) {
+            const int right = i > CUT, column = i % (CUT + 1);
             const int shown =
                 k == 0 ? column == 0 || column == CUT : column % GRID == 0;
             if (!shown) continue;
             strip += i == 0 || (i == CUT + 1 && j >= DEEP);
-            const int low = 2 * (j * (WIDE + 1) + i);
-            const int up = low + 2 * GRID * (WIDE + 1);
+            const int at = right * CUT + column;
+            const int low = 2 * corner(mesh, at, j, right);
+            const int up = 2 * corner(mesh, at, j + GRID, right);
             table_row(WHEN[k], layer, strip, mesh->X[low] + u[low],
                       mesh->X[low + 1] + u[low + 1], mesh->X[up] + u[up],
                       mesh->X[up + 1] + u[up + 1]);
@@ -80,27 +93,45 @@ static void print_strips(int k, const struct mesh *mesh, const double u[])
     }
 }
 
+static struct tissue cut_section(void)
+{
+    const struct tissue section = tissue_alloc(
+        tissue_section(WIDE, HIGH, WIDE * SIZE, HIGH * SIZE));
+    const struct mesh *mesh = section.mesh;
+    const struct tissue_whole whole = tissue_hold(&section, 0.0);
+    for (int a = 0; a < mesh->n_vertex; a++)
+        section.held[a] = a % (HIGH + 1) == HIGH; /* bone */
+    const double top = 0.5 * HIGH * SIZE;
+    const double blade[4] = {0.0, top, 0.0, DEEP * SIZE - top};
+    int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
+    int *cut = allocate(3 * (size_t)mesh->n_triangle, sizeof *cut);
+    const int length = path(mesh, blade, tissue_nearest(mesh, blade),
+                            tissue_nearest(mesh, &blade[2]), chain);
+    tissue_mark(mesh, length, chain, cut);
+    const struct tissue s = cut_body(&whole, cut, &section);
+    free(chain);
+    free(cut);
+    free(whole.across);
+    free(whole.pulled);
+    tissue_free(section);
+    return s;
+}
+
 int main(void)
 {
-    struct mesh *mesh =
-        mesh_rectangle(WIDE, HIGH, 0.5 * WIDE * SIZE, 0.5 * HIGH * SIZE);
-    const int n = 2 * mesh->n_vertex;
-    double *u[3], *g = allocate((size_t)n, sizeof *g), apart = 0.0;
-    int *held = allocate((size_t)n, sizeof *held), left = 0;
-    for (int k = 0; k <= 2; k++) u[k] = allocate((size_t)n, sizeof *u[k]);
+    double *u[3], apart = 0.0;
     gsl_set_error_handler_off();
-    for (int j = 0; j < HIGH; j++)
-        for (int i = 0; i < WIDE; i++) {
-            if (i == CUT && j >= DEEP) continue;
-            const int *cell = &mesh->triangle[6 * (j * WIDE + i)];
-            memmove(&mesh->triangle[6 * left++], cell, 6 * sizeof *cell);
-        }
-    mesh->n_triangle = 2 * left;
+    const struct tissue s = cut_section();
+    const struct mesh *mesh = s.mesh;
+    const size_t n = 2 * (size_t)mesh->n_vertex;
+    double *g = allocate(n, sizeof *g);
+    for (int k = 0; k <= 2; k++) u[k] = allocate(n, sizeof *u[k]);
     for (int a = 0; a < mesh->n_vertex; a++)
-        held[a] = a <= WIDE || hook(mesh, a, 0.0, &g[2 * a]);
+        s.held[a] |= hook(mesh, a, 0.0, &g[2 * a]) != 0;
     struct body *body =
-        body_alloc(mesh, material_notes(LOG), 0.0, LUMPED, held);
-    const struct step_control newton = step_method("search");
+        body_alloc(mesh, material_notes(LOG), 0.0, LUMPED, s.held);
+    struct step_control newton = step_method("search");
+    newton.tolerance = 1e-8; /* m; far below it round-off decides */
     table_begin("pull", "when x y turn Fx Fy left right J systems unknowns");
     for (int k = 1; k <= 2; k++) {
         double *u0 = u[k - 1], *to = u[k];
@@ -120,8 +151,7 @@ int main(void)
     for (int k = 0; k <= 2; k++) print_strips(k, mesh, u[k]);
     table_end();
     body_free(body);
-    mesh_free(mesh);
-    free(held);
+    tissue_free(s);
     for (int k = 0; k <= 2; k++) free(u[k]);
     free(g);
     claim(apart < 0.01, "both hooks pull alike, to 1 %% (%g)", apart);
