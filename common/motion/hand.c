@@ -102,7 +102,7 @@ struct hand *hand_open(const char *lesson, const char *whose,
         for (int k = KEYED; k < hand->input.n; k += KEYED)
             hand->input.frame[k].key = keys[(k / KEYED - 1) % n_key];
     snprintf(name, sizeof name, "Lesson %s in your hand", lesson);
-    hand->view = view_open(name); /* NULL: linked without one */
+    hand->view = view_open(name, !input || hand->shot);
     if (!hand->view && !input)
         options_refuse("live", "without a window it needs --input");
     snprintf(said, sizeof said, "%s", lesson);

@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-struct view *view_open(const char *title)
+struct view *view_open(const char *title, int must)
 {
-    (void)title;
+    (void)title, (void)must;
     return NULL;
 }
 

@@ -33,8 +33,8 @@ struct view_picture {
 
 struct view;
 
-/* die() where there is no display. */
-struct view *view_open(const char *title);
+/* Where there is no display: die(), if there must be one, else NULL. */
+struct view *view_open(const char *title, int must);
 void view_close(struct view *view);
 
 /* Wait until a frame begins, 30 per second (space stops them), and read the

@@ -17,7 +17,7 @@ struct window {
 struct window *window_open(void)
 {
     struct window *w = allocate(1, sizeof *w);
-    w->view = view_open("Elasticity Workbook: lesson 24");
+    w->view = view_open("Elasticity Workbook: lesson 24", 1);
     return w;
 }
 
