@@ -19,7 +19,7 @@
  * PREDICT 2b and with 1 on the diagonal: ...
  * Plot: nodes x u
  */
-#include "linear/matrix.h"
+#include "bar/poisson.h"
 #include "base/options.h"
 #include "base/table.h"
 
@@ -148,7 +148,7 @@ int main(int argc, char *argv[])
 {
     int n = 6, fix = THREE, diagonal = KEEP_DIAGONAL;
     double beta = 1346.153846153846; /* 2 mu + lambda for E = 1000, nu = 0.3 */
-    double load = 238.5, g[3] = {0.2385, -0.137, 0.512};
+    struct poisson_held held = POISSON_HELD;
     const struct option options[] = {
         {"n", .integer = &n, .min = 2, .max = 200, .help = "elements"},
         {"fix", .choice = &fix, .choices = "left right both three",
@@ -156,17 +156,17 @@ int main(int argc, char *argv[])
         {"diagonal", .choice = &diagonal, .choices = "keep one",
          .help = "diagonal entry of a replaced equation"},
         {"beta", .real = &beta, .min = 1e-6, .max = 1e9, .help = "coefficient"},
-        {"f", .real = &load, .min = -1e9, .max = 1e9, .help = "load"},
-        {"left", .real = &g[0], .min = -1e6, .max = 1e6, .help = "u(0)"},
-        {"inner", .real = &g[1], .min = -1e6, .max = 1e6,
+        {"f", .real = &held.f, .min = -1e9, .max = 1e9, .help = "load"},
+        {"left", .real = &held.g[0], .min = -1e6, .max = 1e6, .help = "u(0)"},
+        {"inner", .real = &held.g[1], .min = -1e6, .max = 1e6,
          .help = "u at node 2n/3"},
-        {"right", .real = &g[2], .min = -1e6, .max = 1e6, .help = "u(1)"},
+        {"right", .real = &held.g[2], .min = -1e6, .max = 1e6, .help = "u(1)"},
     };
     options_parse("03_dirichlet_correction", options, COUNT(options), argc,
                   argv);
 
     int node[3] = {0, 2 * n / 3, n};
-    const int n_fixed = prescribe(fix, node, g), N = n + 1;
+    const int n_fixed = prescribe(fix, node, held.g), N = n + 1;
     const size_t size = (size_t)N;
     double *A = allocate(size * size, sizeof *A);
     double *b = allocate(size, sizeof *b);
@@ -174,12 +174,12 @@ int main(int argc, char *argv[])
     double *b_corrected = allocate(size, sizeof *b_corrected);
     double *u = allocate(size, sizeof *u);
 
-    assemble(n, beta, load, A, b);
-    assemble(n, beta, load, corrected, b_corrected);
+    assemble(n, beta, held.f, A, b);
+    assemble(n, beta, held.f, corrected, b_corrected);
     if (n <= 12) print_matrix("A", N, A);
     table_vector("b", N, b);
     const enum status status =
-        solve_prescribed(N, corrected, b_corrected, n_fixed, node, g,
+        solve_prescribed(N, corrected, b_corrected, n_fixed, node, held.g,
                          (enum diagonal)diagonal, u);
     if (n <= 12) print_matrix("A_corrected", N, corrected);
     table_vector("b_corrected", N, b_corrected);

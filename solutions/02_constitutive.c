@@ -209,7 +209,7 @@ int main(int argc, char *argv[])
 {
     int n = 160;
     double E = 1000.0, nu = 0.3;
-    mat2 F = {{{1.2385, 0.3714}, {-0.2613, 0.8731}}};
+    mat2 F = MATERIAL_STATE;
     const struct option options[] = {
         {"n", .integer = &n, .min = 1, .max = 9999, .help = "parts of a curve"},
         {"E", .real = &E, .min = 1e-6, .max = 1e12, .unit = "N/m^2",

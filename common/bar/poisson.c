@@ -5,6 +5,8 @@
 #include <gsl/gsl_sf_log.h>
 #include <math.h>
 
+const struct poisson_held POISSON_HELD = {238.5, {0.2385, -0.137, 0.512}};
+
 double smooth_beta(double x)
 {
     return exp(x);

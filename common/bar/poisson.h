@@ -23,6 +23,12 @@ typedef double field(double x);
  * that u = sin 2x in (0, 1); and its u'. */
 field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
 
+/* A constant load f on (0, 1), and given values at 0, inside and at 1. */
+struct poisson_held {
+    double f, g[3];
+};
+extern const struct poisson_held POISSON_HELD;
+
 /* The constants 1 and 0. */
 field field_one, field_zero;
 

@@ -49,6 +49,9 @@ struct material material_make(enum law law, double E, double nu);
 /* The notes' material: E = 1000 N/m^2, nu = 0.3. */
 struct material material_notes(enum law law);
 
+/* A state without any symmetry, at which lesson and studies look at a law. */
+extern const mat2 MATERIAL_STATE;
+
 /* 2 mu + lambda: the modulus of every law at F = 1 in uniaxial strain. */
 double material_modulus(const struct material *material);
 

@@ -13,9 +13,6 @@
 #include <gsl/gsl_math.h>
 #include <math.h>
 
-/* Without any symmetry. */
-static const mat2 F_state = {{{1.2385, 0.3714}, {-0.2613, 0.8731}}};
-
 /* By how much the linear law is off at F = 1 + e, over e. */
 static double error_of_linear(enum law law, double e)
 {
@@ -26,16 +23,17 @@ static double error_of_linear(enum law law, double e)
 }
 
 /* psi and P11: of the rotation Q alone; objectivity: |P(Q F) - Q P(F)| and
- * asymmetry: |P12' - P21'| of P' = P F^T, at F_state. */
+ * asymmetry: |P12' - P21'| of P' = P F^T, at MATERIAL_STATE. */
 struct rotation {
     double psi, P11, objectivity, asymmetry;
 };
 static struct rotation rotate(enum law law)
 {
     const struct material m = material_notes(law);
-    const mat2 Q = mat2_rotation(M_PI / 6.0), P = material2_pk1(&m, F_state);
-    const mat2 turned = material2_pk1(&m, mat2_multiply(Q, F_state));
-    const mat2 PFt = mat2_multiply(P, mat2_transpose(F_state));
+    const mat2 Q = mat2_rotation(M_PI / 6.0), F = MATERIAL_STATE;
+    const mat2 P = material2_pk1(&m, F);
+    const mat2 turned = material2_pk1(&m, mat2_multiply(Q, F));
+    const mat2 PFt = mat2_multiply(P, mat2_transpose(F));
     return (struct rotation){
         material2_psi(&m, Q), material2_pk1(&m, Q).m[0][0],
         mat2_norm(mat2_subtract(turned, mat2_multiply(Q, P))),

@@ -17,8 +17,6 @@
 
 #include <math.h>
 
-/* Without any symmetry. */
-static const mat2 F_state = {{{1.2385, 0.3714}, {-0.2613, 0.8731}}};
 static const mat2 direction = {{{0.613, -0.731}, {0.512, 0.8247}}};
 
 enum slip { NONE, WRONG_STRESS, WRONG_TANGENT, N_SLIP };
@@ -34,7 +32,7 @@ static struct triple evaluate(int dimension, const struct material *m,
                               enum slip slip, double t)
 {
     const double F1 = 0.7385 + t;
-    const mat2 F = mat2_add(F_state, mat2_scale(t, direction));
+    const mat2 F = mat2_add(MATERIAL_STATE, mat2_scale(t, direction));
     if (dimension == 1)
         return (struct triple){material1_psi(m, F1),
                                {{{material1_pk1(m, F1), 0}, {0, 0}}},

@@ -21,7 +21,8 @@
 enum { FINEST = 256 };
 enum start { KEPT, ONE, ONE_FROM_G, STARTS };
 static const char *const NAME[STARTS] = {"kept", "one", "one_from_g"};
-static const double beta = 17500.0 / 13.0, load = 238.5, g = 0.2385;
+static const double beta = 17500.0 / 13.0;
+static const struct poisson_held *const held = &POISSON_HELD;
 
 struct bar {
     int n;
@@ -38,17 +39,17 @@ static struct bar bar_alloc(int n, enum start start, double scale)
     int entries = 0;
     for (int e = 0; e < n; e++)
         for (int a = 0; a < 2; a++) {
-            s.b[e + a] += 0.5 * scale * load / n;
+            s.b[e + a] += 0.5 * scale * held->f / n;
             for (int c = 0; c < 2; c++)
                 matrix_add(s.A, e + a, e + c,
                            (a == c ? 1 : -1) * scale * beta * n);
         }
-    matrix_dirichlet(s.A, s.b, 1, &left, &g,
+    matrix_dirichlet(s.A, s.b, 1, &left, held->g,
                      start == KEPT ? KEEP_DIAGONAL : UNIT_DIAGONAL);
     /* from u_0 = g: what is left of b is 0 there, and as it was elsewhere */
     if (start == ONE_FROM_G) s.b[0] = 0.0;
     for (int i = 0; i <= n; i++) {
-        s.exact[i] = g + load / beta * i / n * (1.0 - 0.5 * i / n);
+        s.exact[i] = held->g[0] + held->f / beta * i / n * (1.0 - 0.5 * i / n);
         for (int j = i > 0 ? i - 1 : 0; j <= n && j <= i + 1; j++) {
             s.K->index[entries] = j;
             s.K->value[entries++] = matrix_get(s.A, i, j);
@@ -74,7 +75,7 @@ static int solve(struct bar *s, enum start start, double tolerance, int cap)
 {
     const int iterations = cg_solve(s->K, identity, &s->n, tolerance, cap, s->b,
                                     s->u).iterations;
-    if (start == ONE_FROM_G) s->u[0] += g;
+    if (start == ONE_FROM_G) s->u[0] += held->g[0];
     return iterations;
 }
 

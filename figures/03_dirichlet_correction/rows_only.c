@@ -15,7 +15,7 @@
 
 enum { N = 7, FIXED = 3 };
 static const int node[FIXED] = {0, 4, 6};
-static const double given[FIXED] = {0.2385, -0.137, 0.512};
+static const double *const given = POISSON_HELD.g;
 
 static double modulus(double x)
 {
@@ -27,7 +27,7 @@ static double modulus(double x)
 static double load(double x)
 {
     (void)x;
-    return 238.5;
+    return POISSON_HELD.f;
 }
 
 /* Both triangles of the uncorrected A, and b. */
