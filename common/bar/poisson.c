@@ -175,12 +175,12 @@ struct poisson_error poisson_errors(int n, const double x[], const double u[],
     for (int e = 0; e < n; e++) {
         const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]);
         for (size_t k = 0; k < 5; k++) {
-            double at, w;
-            gsl_integration_glfixed_point(x[e], x[e + 1], k, &at, &w, gauss);
-            const double d = exact(at) - (u[e] + slope * (at - x[e]));
-            const double d_dx = exact_dx(at) - slope;
+            double point, w;
+            gsl_integration_glfixed_point(x[e], x[e + 1], k, &point, &w, gauss);
+            const double d = exact(point) - (u[e] + slope * (point - x[e]));
+            const double d_dx = exact_dx(point) - slope;
             error.L2 += w * d * d;
-            error.energy += w * beta(at) * d_dx * d_dx;
+            error.energy += w * beta(point) * d_dx * d_dx;
         }
     }
     gsl_integration_glfixed_table_free(gauss);

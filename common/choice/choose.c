@@ -288,7 +288,7 @@ int main(int argc, char *argv[])
     const double start = clock_processor();
     int enough = 0, n = 0;
     struct chosen_tried tried[16]; /* each adds a rung, motion or a level */
-    for (int more = 1; more;) {
+    for (int add = 1; add;) {
         struct ladder_state *s = ladder_solve(scene, model);
         if (s->status != OK)
             die("%s: the %s model finds no state (%s): the load may be beyond "
@@ -302,11 +302,11 @@ int main(int argc, char *argv[])
         enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
                                   asked.error, t->part, &t->estimate,
                                   &t->add);
-        more = !enough && t->doubt != LONG_STEPS && n < COUNT(tried);
-        if (more && !ladder_add(scene, t->add, &model)) /* no finer mesh, but */
-            more = !model.moving && t->doubt == NO_DOUBT && /* triangles */
+        add = !enough && t->doubt != LONG_STEPS && n < COUNT(tried);
+        if (add && !ladder_add(scene, t->add, &model)) /* no finer mesh, but */
+            add = !model.moving && t->doubt == NO_DOUBT && /* triangles */
                    ladder_add(scene, GEOMETRY, &model);
-        if (!more) enough = end(&file, &asked, s, tried, n, enough, start);
+        if (!add) enough = end(&file, &asked, s, tried, n, enough, start);
         ladder_free(s);
     }
     return enough ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -184,15 +184,15 @@ static void say_solver(const struct ladder_state *s, const struct cells *others)
     struct ladder_state *same =
         ladder_alloc_of(c.element, c.grade, s->scene, model);
     const int n = same->body->n_equation, p = same->body->K->p;
-    const int from = c.element == QUADRATIC_TRIANGLE
+    const int first_sparse = c.element == QUADRATIC_TRIANGLE
                          ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
     body_store(same->body, SPARSE);
     printf("  solver: Cholesky factors %s, %d unknowns (lesson 21):\n    a "
            "factorisation has %.2g flops in a band, %.2g by dissection, %.2g "
            "dense;\n    the band is the faster one below %d cells across\n",
-           same->mesh->rows >= from ? "by dissection" : "of a band", n,
+           same->mesh->rows >= first_sparse ? "by dissection" : "of a band", n,
            matrix_cost(BANDED, n, p).flops, same->body->pattern->flops,
-           matrix_cost(DENSE, n, 0).flops, from);
+           matrix_cost(DENSE, n, 0).flops, first_sparse);
     ladder_free(same);
 }
 
@@ -224,11 +224,11 @@ void chosen_say_model(const struct scene_file *file,
 
 const char *chosen_quantity(enum ladder_quantity quantity)
 {
-    static const char *const of[] = {
+    static const char *const words[] = {
         [LADDER_LARGEST] = "of the largest displacement",
         [LADDER_RMS] = "of the displacement in the root mean square",
         [LADDER_HAND] = "of the force in the hand"};
-    return of[quantity];
+    return words[quantity];
 }
 
 /* What is expected of every quantity that can be asked for. */

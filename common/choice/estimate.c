@@ -8,15 +8,15 @@
 
 double estimate_geometry(const struct ladder_state *s)
 {
-    double forgotten = 0.0, most = 0.0;
+    double forgotten = 0.0, largest = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
         const mat2 H = mat2_subtract(F, mat2_identity());
         const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
         forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
-        most = fmax(most, mat2_norm(H));
+        largest = fmax(largest, mat2_norm(H));
     }
-    return most > 0.0 ? forgotten / most : 0.0;
+    return largest > 0.0 ? forgotten / largest : 0.0;
 }
 
 double estimate_law(const struct ladder_state *s)
@@ -26,9 +26,9 @@ double estimate_law(const struct ladder_state *s)
     cubic.law = CUBIC;
     logarithm.law = LOG;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const double here = mat2_det(body_deformation(s->body, s->u, e));
-        J[0] = fmin(J[0], here);
-        J[1] = fmax(J[1], here);
+        const double det = mat2_det(body_deformation(s->body, s->u, e));
+        J[0] = fmin(J[0], det);
+        J[1] = fmax(J[1], det);
     }
     if (!(J[0] > 0.0 && J[1] <= RELAX_SERIES)) return 1.0;
     for (int k = 0; k < 2; k++) {
@@ -52,12 +52,12 @@ double estimate_dimension(const struct ladder_state *s)
     }
     const double buckles = ladder_buckles(s->scene);
     const double along = fabs(N) * length / height;
-    double across = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
+    double sideways = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
     if (N <= -buckles) return 1.0;
-    across /= 1.0 + N / buckles;
+    sideways /= 1.0 + N / buckles;
     const double missed = lateral * lateral * height / (2.0 * length);
-    if (!(across + along > 0.0)) return 0.0;
-    return (across + missed * along) / (across + along);
+    if (!(sideways + along > 0.0)) return 0.0;
+    return (sideways + missed * along) / (sideways + along);
 }
 
 double estimate_frequency(const struct ladder_state *s)
@@ -78,14 +78,14 @@ double estimate_inertia(const struct ladder_state *s)
 
 double estimate_strain(const struct ladder_state *s)
 {
-    double most = 0.0;
+    double largest = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
         const mat2 C = mat2_multiply(mat2_transpose(F), F);
         const mat2 twice = mat2_subtract(C, mat2_identity());
-        most = fmax(most, 0.5 * mat2_norm(twice));
+        largest = fmax(largest, 0.5 * mat2_norm(twice));
     }
-    return most;
+    return largest;
 }
 
 /* Whether the axis of the body is moved aside, by more than a tenth of |u|. */
@@ -137,23 +137,23 @@ enum doubt estimate_doubt(const struct ladder_state *s)
                ? doubt_of_finest(s) : NO_DOUBT;
 }
 
-void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
-                   double g[])
+void estimate_mesh(const struct ladder_state *s,
+                   const struct relax_field *field, double g[])
 {
     const struct mesh *mesh = s->mesh;
     const double *area = s->body->area;
     double *mean = allocate((size_t)mesh->n_vertex, sizeof *mean);
     double *around = allocate((size_t)mesh->n_vertex, sizeof *around);
     for (int r = 0; r < 3 * mesh->n_triangle; r++) {
-        mean[mesh->triangle[r]] += area[r / 3] * of->p[r / 3];
+        mean[mesh->triangle[r]] += area[r / 3] * field->p[r / 3];
         around[mesh->triangle[r]] += area[r / 3];
     }
     for (int e = 0; e < mesh->n_triangle; e++) {
-        mat2 off = mat2_scale(of->p[e], mat2_identity());
+        mat2 off = mat2_scale(field->p[e], mat2_identity());
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + k], b = s->across[3 * e + k];
             const double share = area[b] / (area[e] + area[b]) / 3.0;
-            const mat2 jump = mat2_subtract(of->P[e], of->P[b]);
+            const mat2 jump = mat2_subtract(field->P[e], field->P[b]);
             const double p = mean[a] / (3.0 * around[a]);
             off = mat2_add(off, mat2_scale(share, jump));
             off = mat2_subtract(off, mat2_scale(p, mat2_identity()));
@@ -165,10 +165,10 @@ void estimate_mesh(const struct ladder_state *s, const struct relax_field *of,
 }
 
 void estimate_stress(const struct ladder_state *s,
-                     const struct relax_field *of, double g[])
+                     const struct relax_field *field, double g[])
 {
     for (int e = 0; e < s->mesh->n_triangle; e++) {
-        const mat2 T = mat2_multiply(of->H[e], relax_stress(s, e));
+        const mat2 T = mat2_multiply(field->H[e], relax_stress(s, e));
         relax_push(s, e, mat2_scale(-1.0, T), g);
     }
 }

@@ -81,11 +81,11 @@ double ladder_pressed(const struct ladder_scene *scene)
     const double third = (end + along * (0.5 - 2.0 / (9.0 * pi2))) /
                          (9.0 * buckles);
     const double both = along * 2.0 / (3.0 * pi2 * buckles);
-    const double most = 0.5 * (first + third) +
+    const double largest = 0.5 * (first + third) +
                         hypot(0.5 * (first - third), both);
     if (scene->held == LADDER_ENDS) return 0.0;
-    if (!(most > 0.0 && first > 0.0)) return first;
-    return most + first * buckles * 1.2 / (m.mu * height);
+    if (!(largest > 0.0 && first > 0.0)) return first;
+    return largest + first * buckles * 1.2 / (m.mu * height);
 }
 
 int ladder_symmetric(const struct ladder_scene *scene)
@@ -329,7 +329,7 @@ static double apart(const struct ladder_state *s, const double u[],
                     enum ladder_quantity quantity)
 {
     const int n = coarsest(s->scene);
-    double most = 0.0, squares = 0.0;
+    double largest = 0.0, squares = 0.0;
     int count = 0;
     for (int j = 0; j <= ROWS; j++)
         for (int i = 0; i <= n; i++) {
@@ -338,11 +338,11 @@ static double apart(const struct ladder_state *s, const double u[],
             const double *b = v ? &v[2 * common(other, i, j)] : NULL;
             const double off = b ? hypot(a[0] - b[0], a[1] - b[1])
                                  : hypot(a[0], a[1]);
-            most = fmax(most, off);
+            largest = fmax(largest, off);
             squares += off * off;
             count++;
         }
-    return quantity == LADDER_RMS ? sqrt(squares / count) : most;
+    return quantity == LADDER_RMS ? sqrt(squares / count) : largest;
 }
 
 static double work_of_hand(const struct ladder_state *s, const double u[])

@@ -46,13 +46,13 @@ struct price price_calibrate_of(enum element element, double grade,
     struct ladder_scene scene = {.slender = 4, .nu = 0.3,
         .weight = {0.0, -0.5}, .time = model.moving ? RISES : STANDS,
         .T = 1.0, .dt = 0.02, .end = 0.2, .finest = model.level};
-    int few, more;
+    int few, many;
     const double once = timed(element, grade, &scene, model, &few);
     if (!model.moving || model.rung != LINEAR_PLANE)
         return (struct price){0.0, once / few};
     scene.end = 1.0; /* one factorisation for more steps */
-    const double longer = timed(element, grade, &scene, model, &more);
-    const double system = (longer - once) / (more - few);
+    const double longer = timed(element, grade, &scene, model, &many);
+    const double system = (longer - once) / (many - few);
     return (struct price){fmax(0.0, once - few * system), system};
 }
 

@@ -164,10 +164,10 @@ double relax_yields(const struct ladder_state *s)
 
 /* K w: int (P + p I) grad N. */
 static void stiffness(const struct ladder_state *s,
-                      const struct relax_field *of, double g[])
+                      const struct relax_field *field, double g[])
 {
     for (int e = 0; e < s->mesh->n_triangle; e++)
-        relax_push(s, e, mat2_add(of->P[e], mat2_scale(of->p[e],
+        relax_push(s, e, mat2_add(field->P[e], mat2_scale(field->p[e],
                                                        mat2_identity())), g);
 }
 
@@ -346,15 +346,15 @@ static void sections(const struct ladder_state *s, const double f[], double N[],
                      double M[])
 {
     const int n = s->mesh->n;
-    double across = 0.0;
+    double sideways = 0.0;
     for (int i = n; i >= 0; i--) {
         N[i] = i < n ? N[i + 1] : 0.0;
-        M[i] = i < n ? M[i + 1] + across * 2.0 / n : 0.0;
+        M[i] = i < n ? M[i + 1] + sideways * 2.0 / n : 0.0;
         for (int j = 0; j <= s->mesh->rows; j++) {
             const int a = 2 * (j * (n + 1) + i);
             N[i] += f[a];
             M[i] -= s->mesh->X[a + 1] * f[a];
-            across += f[a + 1];
+            sideways += f[a + 1];
         }
     }
 }
@@ -384,41 +384,41 @@ double relax_dimension(const struct ladder_state *s)
     double *N = allocate(n + 1, sizeof *N), *M = allocate(n + 1, sizeof *M);
     double *force = allocate(n + 1, sizeof *force);
     double *moment = allocate(n + 1, sizeof *moment);
-    double turn = 0.0, w = 0.0, u = 0.0, across = 0.0, along = 0.0;
+    double turn = 0.0, w = 0.0, u = 0.0, sideways = 0.0, along = 0.0;
     double bent = 0.0, pulled = 0.0, both = 0.0, shorter = 0.0;
     double missed, off, whole;
     sections(s, s->f, N, M);
     sections(s, s->hand, force, moment);
     const double I = pow(height, 3) / 12.0;
     const double E = ladder_modulus(m), shear = 1.2 * E / (m->mu * height);
-    const double more = 1.0 / (1.0 - ladder_pressed(s->scene));
+    const double gain = 1.0 / (1.0 - ladder_pressed(s->scene));
     for (size_t i = 0; i < n; i++) { /* everything times E' */
         const double middle = 0.5 * (M[i] + M[i + 1]);
-        const double here = 0.5 * (moment[i] + moment[i + 1]);
+        const double mean = 0.5 * (moment[i] + moment[i + 1]);
         const double Q = M[i] - M[i + 1], q = moment[i] - moment[i + 1];
         w += step * (turn + 0.5 * step * middle / I) + shear * Q;
         turn += step * middle / I;
         u += step * N[i + 1] / height;
-        across = fmax(across, hypot(w, 0.5 * height * turn));
+        sideways = fmax(sideways, hypot(w, 0.5 * height * turn));
         along = fmax(along, fabs(u));
-        both += step * here * middle / I + shear * q * Q / step;
-        bent += step * here * here / I + shear * q * q / step;
+        both += step * mean * middle / I + shear * q * Q / step;
+        bent += step * mean * mean / I + shear * q * q / step;
         pulled += step * pow(force[i + 1], 2) / height;
-        shorter += step * 0.5 * fabs(force[i + 1]) * pow(more * turn, 2) / E;
+        shorter += step * 0.5 * fabs(force[i + 1]) * pow(gain * turn, 2) / E;
     }
     missed = 0.5 * lateral * lateral;
     if (s->scene->quantity == LADDER_HAND) {
-        off = more * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
+        off = gain * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
         whole = bent + pulled;
     } else {
-        off = more * across + missed * fabs(N[0]);
-        whole = more * across + along;
+        off = gain * sideways + missed * fabs(N[0]);
+        whole = gain * sideways + along;
     }
     free(N);
     free(M);
     free(force);
     free(moment);
-    return more > 0.0 && whole > 0.0 ? fmin(1.0, off / whole) : 1.0;
+    return gain > 0.0 && whole > 0.0 ? fmin(1.0, off / whole) : 1.0;
 }
 
 /* Where the body is pressed along its axis by P < P_cr, P / P_cr of what bends:
@@ -444,11 +444,11 @@ static void linear_parts(const struct ladder_state *s, const struct matrix *K,
     double together;
     const double moved = relax_geometry(s, K, stress, &together);
     part[GEOMETRY] = hand ? moved : fmin(part[GEOMETRY], moved);
-    const double apart = hypot(part[GEOMETRY], part[STRESS]);
-    const double both = hypot(together, 2.0 * apart * apart);
-    if (both < apart) {
-        part[GEOMETRY] *= both / apart;
-        part[STRESS] *= both / apart;
+    const double parts = hypot(part[GEOMETRY], part[STRESS]);
+    const double both = hypot(together, 2.0 * parts * parts);
+    if (both < parts) {
+        part[GEOMETRY] *= both / parts;
+        part[STRESS] *= both / parts;
     }
     if (!hand) part[STRESS] = fmax(part[STRESS], pressed(s, part[DIMENSION]));
 }

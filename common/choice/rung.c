@@ -37,12 +37,12 @@ static enum status bar(struct ladder_state *s)
             slope[i] += s->f[2 * (j * columns + i)] / (modulus * area);
     }
     for (int i = 1; i <= n; i++) {
-        const double here = 0.5 * (slope[i] + slope[i < n ? i + 1 : n]);
+        const double mean = 0.5 * (slope[i] + slope[i < n ? i + 1 : n]);
         u += slope[i] * h;
         for (int j = 0; j <= s->mesh->rows; j++) {
             const int a = 2 * (j * columns + i);
             s->u[a] = u;
-            s->u[a + 1] = -thinner * here * s->mesh->X[a + 1];
+            s->u[a + 1] = -thinner * mean * s->mesh->X[a + 1];
         }
     }
     s->flops = 5.0 * n;

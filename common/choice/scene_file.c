@@ -73,8 +73,8 @@ static int number_of(const char *words, const char *word)
     return -1;
 }
 
-static void read_line(const char *program, const char *path, int at, char *text,
-                      struct said *said)
+static void read_line(const char *program, const char *path, int line,
+                      char *text, struct said *said)
 {
     const char *blank = " \t\r\n";
     const char *word = strtok(text, blank);
@@ -82,13 +82,13 @@ static void read_line(const char *program, const char *path, int at, char *text,
     int k = 0;
     while (k < COUNT(lines) && strcmp(lines[k].word, word) != 0) k++;
     if (k == COUNT(lines))
-        refuse(program, path, at, "'%.40s' is no word of a scene: width height "
-               "E nu rho gravity held pulled pushed load time period end "
-               "quantity", word);
+        refuse(program, path, line, "'%.40s' is no word of a scene: width "
+               "height E nu rho gravity held pulled pushed load time period "
+               "end quantity", word);
     if (said->at[k])
-        refuse(program, path, at, "'%s' was said in line %d", word,
+        refuse(program, path, line, "'%s' was said in line %d", word,
                said->at[k]);
-    said->at[k] = at;
+    said->at[k] = line;
     for (int i = 0; i < (lines[k].words ? 1 : lines[k].n); i++) {
         const char *value = strtok(NULL, blank);
         char *end = NULL;
@@ -97,25 +97,26 @@ static void read_line(const char *program, const char *path, int at, char *text,
             said->value[k][0] = number_of(lines[k].words, value);
             if (said->value[k][0] < 0.0 && k == HELD &&
                 strcmp(value, "nothing") == 0)
-                refuse(program, path, at, "a body of which nothing is held "
+                refuse(program, path, line, "a body of which nothing is held "
                        "cannot stand: held must be one of:%s",
                        lines[k].words);
             if (said->value[k][0] < 0.0)
-                refuse(program, path, at, "%s '%.40s': must be one of:%s", word,
-                       value, lines[k].words);
+                refuse(program, path, line, "%s '%.40s': must be one of:%s",
+                       word, value, lines[k].words);
             continue;
         }
         said->value[k][i] = strtod(value, &end);
         if (end == value || *end || !(said->value[k][i] >= lines[k].least &&
                                       said->value[k][i] <= lines[k].most))
-            refuse(program, path, at, "%s '%.40s': must be %s from %g to %g%s",
-                   word, value, lines[k].n == 2 ? "two numbers" : "a number",
+            refuse(program, path, line,
+                   "%s '%.40s': must be %s from %g to %g%s", word, value,
+                   lines[k].n == 2 ? "two numbers" : "a number",
                    lines[k].least, lines[k].most, lines[k].unit);
     }
-    const char *more = strtok(NULL, blank);
-    if (more)
-        refuse(program, path, at, "%s: '%.40s' is one value too many; a "
-               "comment begins with #", word, more);
+    const char *rest = strtok(NULL, blank);
+    if (rest)
+        refuse(program, path, line, "%s: '%.40s' is one value too many; a "
+               "comment begins with #", word, rest);
 }
 
 int scene_file_line(int k, struct scene_line *line)
@@ -250,15 +251,15 @@ void scene_file_read(const char *program, const char *path, int finest,
         refuse(program, path, 0, "is not a plain file");
     FILE *in = fopen(path, "r");
     if (!in) refuse(program, path, 0, "cannot be read");
-    for (int at = 1; fgets(text, sizeof text, in); at++) {
+    for (int line = 1; fgets(text, sizeof text, in); line++) {
         if (!strchr(text, '\n') && !feof(in))
-            refuse(program, path, at, strlen(text) < sizeof text - 1
+            refuse(program, path, line, strlen(text) < sizeof text - 1
                    ? "has a byte that is 0: is this a text?"
                    : "is longer than %d characters", LONGEST - 2);
         /* what some editors begin a text with */
-        const int mark = at == 1 && strncmp(text, "\357\273\277", 3) == 0;
+        const int mark = line == 1 && strncmp(text, "\357\273\277", 3) == 0;
         text[strcspn(text, "#")] = '\0';
-        read_line(program, path, at, text + (mark ? 3 : 0), &said);
+        read_line(program, path, line, text + (mark ? 3 : 0), &said);
     }
     const int bad = ferror(in);
     fclose(in);

@@ -95,7 +95,7 @@ static struct factor *lower_triangle(const struct csr *K)
 struct factor *cg_factor(const struct csr *K)
 {
     struct factor *L = lower_triangle(K);
-    int *at = allocate((size_t)K->n, sizeof *at), j; /* 0, or a place in l */
+    int *spot = allocate((size_t)K->n, sizeof *spot), j; /* in l, or 0 */
     for (j = 0; j < K->n; j++) {
         double *l = &L->value[L->start[j]];
         const int *row = &L->row[L->start[j]], m = L->end[j] - L->start[j];
@@ -103,14 +103,14 @@ struct factor *cg_factor(const struct csr *K)
         l[0] = sqrt(l[0]);
         for (int a = 1; a < m; a++) {
             l[a] /= l[0];
-            at[row[a]] = a;
+            spot[row[a]] = a;
         }
         for (int a = 1; a < m; a++)
             for (int q = L->start[row[a]]; q < L->end[row[a]]; q++)
-                if (at[L->row[q]]) L->value[q] -= l[a] * l[at[L->row[q]]];
-        for (int a = 1; a < m; a++) at[row[a]] = 0;
+                if (spot[L->row[q]]) L->value[q] -= l[a] * l[spot[L->row[q]]];
+        for (int a = 1; a < m; a++) spot[row[a]] = 0;
     }
-    free(at);
+    free(spot);
     if (j == K->n) return L;
     csr_factor_free(L);
     return NULL;

@@ -82,9 +82,9 @@ static int find_reach(int columns, int n_triangle, const int triangle[])
         for (int c = 0; c < 3; c++) {
             const int a = triangle[3 * t + c];
             const int b = triangle[3 * t + (c + 1) % 3];
-            const int across = abs(a % columns - b % columns);
+            const int sideways = abs(a % columns - b % columns);
             const int up = abs(a / columns - b / columns);
-            if (across > reach) reach = across;
+            if (sideways > reach) reach = sideways;
             if (up > reach) reach = up;
         }
     return reach;

@@ -64,10 +64,10 @@ void front_fill(const struct front *f, int n, const int place[],
 }
 
 /* Add a 2x2 block of a child to rows `row` and row + 1 of two columns. */
-INLINE void add_block(const double *add, double *to, ptrdiff_t down,
+INLINE void add_block(const double *add, double *target, ptrdiff_t down,
                       unsigned row)
 {
-    double *sum = &to[row / V * down + row % V];
+    double *sum = &target[row / V * down + row % V];
     TWO(sum[0]) += TWO(add[0]);
     TWO(sum[V]) += TWO(add[V]);
 }
@@ -77,7 +77,7 @@ void front_extend(const struct front *child, const int row[],
 {
     const unsigned n = (unsigned)child->rest / 2;
     const int skip = front_row(child->pivots, 0);
-    double *to[V / 2] = {NULL};
+    double *target[V / 2] = {NULL};
     ptrdiff_t down[V / 2] = {0}, of_child;
     unsigned J = 0, next, end = 0;
     while (end < n && row[end] < parent->pivots) end++;
@@ -89,45 +89,46 @@ void front_extend(const struct front *child, const int row[],
         next = (2 * J / V + 1) * V / 2;
         if (next > end) next = end;
         for (unsigned j = J; j < next; j++)
-            to[j - J] = front_column(parent, row[j], &down[j - J]);
-        const double *from = front_column(child, skip + 2 * (int)J, &of_child);
-        from += skip * V;
+            target[j - J] = front_column(parent, row[j], &down[j - J]);
+        const double *column =
+            front_column(child, skip + 2 * (int)J, &of_child);
+        column += skip * V;
         for (unsigned i = J; i < n; i++) { /* one index: of a row of panels */
-            const unsigned at = (unsigned)row[i];
+            const unsigned place = (unsigned)row[i];
             /* two of the V rows of a panel: row 2 i is in number 2 i / V */
-            const double *add = &from[2 * i / V * V * V + 2 * i % V];
+            const double *add = &column[2 * i / V * V * V + 2 * i % V];
             /* nearly always the whole panel: with a constant for bound */
             const unsigned columns = (i < next ? i + 1 : next) - J;
             if (columns == V / 2)
                 UNROLL for (unsigned c = 0; c < V / 2; c++)
-                    add_block(add + 2 * V * c, to[c], down[c], at);
+                    add_block(add + 2 * V * c, target[c], down[c], place);
             else
                 for (unsigned c = 0; c < columns; c++)
-                    add_block(add + 2 * V * c, to[c], down[c], at);
+                    add_block(add + 2 * V * c, target[c], down[c], place);
         }
     }
 }
 
 /* S y, of the w columns of a block at y. */
 static const double *signed_block(int w, const double sign[], const double y[],
-                                  double to[W * V])
+                                  double result[W * V])
 {
-    for (int c = 0; c < w; c++) VEC(to[c * V]) = sign[c] * VEC(y[c * V]);
-    return to;
+    for (int c = 0; c < w; c++) VEC(result[c * V]) = sign[c] * VEC(y[c * V]);
+    return result;
 }
 
-/* t -= the columns of L in panels `from` to `to` - 1, for rows of block i and
- * block y. */
+/* t -= the columns of L in panels `begin` to `stop` - 1, for rows of block i
+ * and block y. */
 INLINE void subtract_panels(const int q, const struct front *f, int all,
-                            int from, int to, int i, int y, vec t[W][Q])
+                            int begin, int stop, int i, int y, vec t[W][Q])
 {
-    const double *l = f->l + panel(from, all);
-    for (int K = from; K < to; K++) {
+    const double *l = f->l + panel(begin, all);
+    for (int K = begin; K < stop; K++) {
         const int w = f->pivots - K * V < V ? f->pivots - K * V : V;
-        const double *by = l + (y - K) * V * w;
+        const double *block = l + (y - K) * V * w;
         double room[W * V];
-        if (f->sign) by = signed_block(w, &f->sign[K * V], by, room);
-        vec_columns(q, w, V * w, V, l + (i - K) * V * w, by, t);
+        if (f->sign) block = signed_block(w, &f->sign[K * V], block, room);
+        vec_columns(q, w, V * w, V, l + (i - K) * V * w, block, t);
         l += (all - K) * V * w;
     }
 }
@@ -143,9 +144,9 @@ struct work {
 };
 
 /* Tile of q blocks from block i on, of panel K: subtract the columns of panels
- * `from` to `to` - 1; and, of pivots, finish it. */
+ * `begin` to `stop` - 1; and, of pivots, finish it. */
 INLINE enum status front_tile(const int q, const int finish, struct work *a,
-                              int from, int to, int K, int i)
+                              int begin, int stop, int K, int i)
 {
     const struct front *f = a->f;
     const int of_rest = K >= a->first, left = f->pivots - K * V;
@@ -156,9 +157,9 @@ INLINE enum status front_tile(const int q, const int finish, struct work *a,
     corner += (i - K) * V * w;
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
-            if (c < w && !(of_rest && from == 0))
+            if (c < w && !(of_rest && begin == 0))
                 t[c][r] = VEC(corner[c * V + r * V * w]);
-    subtract_panels(q, f, a->all, from, to, i, K, t);
+    subtract_panels(q, f, a->all, begin, stop, i, K, t);
     if (finish && i == K) {
         vec rows[W];
         UNROLL for (int c = 0; c < W; c++) rows[c] = t[c][0];
@@ -180,13 +181,13 @@ INLINE enum status front_tile(const int q, const int finish, struct work *a,
     return OK;
 }
 
-INLINE enum status any_tile(const int finish, struct work *a, int from, int to,
-                            int K, int i)
+INLINE enum status any_tile(const int finish, struct work *a, int begin,
+                            int stop, int K, int i)
 {
     const int left = a->all - i;
-    return left == 1 ? front_tile(1, finish, a, from, to, K, i)
-         : left == 2 ? front_tile(2, finish, a, from, to, K, i)
-                     : front_tile(Q, finish, a, from, to, K, i);
+    return left == 1 ? front_tile(1, finish, a, begin, stop, K, i)
+         : left == 2 ? front_tile(2, finish, a, begin, stop, K, i)
+                     : front_tile(Q, finish, a, begin, stop, K, i);
 }
 
 enum status front_factor(const struct front *f, int n, const double diagonal[])
@@ -200,11 +201,11 @@ enum status front_factor(const struct front *f, int n, const double diagonal[])
         const int before = G < first ? G : first;
         const int last = G < first ? first : all;
         end = G + GROUP < last ? G + GROUP : last;
-        for (int from = 0; from < before; from += TURN) {
-            const int to = from + TURN < before ? from + TURN : before;
+        for (int begin = 0; begin < before; begin += TURN) {
+            const int stop = begin + TURN < before ? begin + TURN : before;
             for (int down = 0; down < all - G; down += Q)
                 for (int K = G; K < end && K + down < all; K++)
-                    any_tile(0, &a, from, to, K, K + down);
+                    any_tile(0, &a, begin, stop, K, K + down);
         }
         for (int K = G; K < end && K < first; K++)
             for (int i = K; i < all; i += Q)

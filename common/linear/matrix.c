@@ -260,9 +260,9 @@ void matrix_multiply(const struct matrix *A, const double x[], double y[])
 
 size_t matrix_bytes(const struct matrix *A)
 {
-    const size_t more = A->factor ? A->sparse->size(A->pattern, A->single)
+    const size_t factors = A->factor ? A->sparse->size(A->pattern, A->single)
                                   : 0;
-    return (A->size + more) * sizeof *A->a;
+    return (A->size + factors) * sizeof *A->a;
 }
 
 double matrix_max_diagonal(const struct matrix *A)

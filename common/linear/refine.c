@@ -8,10 +8,10 @@
 
 static double largest(int n, const double v[])
 {
-    double most = 0.0;
+    double bound = 0.0;
     for (int i = 0; i < n; i++)
-        if (!(fabs(v[i]) <= most)) most = fabs(v[i]); /* NaN as well */
-    return most;
+        if (!(fabs(v[i]) <= bound)) bound = fabs(v[i]); /* NaN as well */
+    return bound;
 }
 
 enum status refine_solve(const struct matrix *A, double tolerance, double b[],

@@ -53,35 +53,35 @@ static void add_rest(struct sparse *s, int f, int n, const int place[],
     }
 }
 
-/* The rest of front f, which begins at s->rest[at]: the later neighbours of its
+/* Find the rest of front f from s->rest[begin] on: the later neighbours of its
  * pivots, and what its children have left [eq:fill].  Returns its end. */
-static int find_rest(struct sparse *s, int f, int at, int seen[])
+static int find_rest(struct sparse *s, int f, int begin, int seen[])
 {
     struct sparse_front *front = &s->front[f];
     const struct piece piece = front->piece;
     const int first = s->start[piece.first];
     const int own = s->start[piece.first + piece.count] - first;
-    int room = at + own + 1;
+    int room = begin + own + 1;
     for (int c = 0; c < 2; c++)
         if (piece.child[c] >= 0) room += s->front[piece.child[c]].rest;
     s->rest = realloc(s->rest, (size_t)room * sizeof *s->rest);
     if (!s->rest) die("out of memory: %d rows", room);
-    front->at = at;
+    front->at = begin;
     add_rest(s, f, own, &s->row[first], seen);
     for (int c = 0; c < 2; c++) {
         if (piece.child[c] < 0) continue;
         const struct sparse_front *child = &s->front[piece.child[c]];
         add_rest(s, f, child->rest, &s->rest[child->at], seen);
     }
-    qsort(&s->rest[at], (size_t)front->rest, sizeof(int), compare);
-    return at + front->rest;
+    qsort(&s->rest[begin], (size_t)front->rest, sizeof(int), compare);
+    return begin + front->rest;
 }
 
 /* Where the numbers of every front are, and what they cost.  Two stacks: what
  * the children leave is on top of the other one. */
 static void lay_out(struct sparse *s)
 {
-    size_t top[2] = {0, 0}, most[2] = {0, 0}, largest = 0;
+    size_t top[2] = {0, 0}, peak[2] = {0, 0}, largest = 0;
     for (int i = 0; i < s->order->n_piece; i++) {
         struct sparse_front *f = &s->front[i];
         const int p = 2 * f->piece.count, rest = 2 * f->rest;
@@ -91,7 +91,7 @@ static void lay_out(struct sparse *s)
         s->factor += size;
         f->u = top[odd];
         top[odd] += front_size(front_row(rest, 0), 0);
-        if (top[odd] > most[odd]) most[odd] = top[odd];
+        if (top[odd] > peak[odd]) peak[odd] = top[odd];
         for (int c = 1; c >= 0; c--)
             if (child[c] >= 0) top[!odd] = s->front[child[c]].u;
         if (size > largest) largest = size;
@@ -102,8 +102,8 @@ static void lay_out(struct sparse *s)
         }
     }
     for (int i = 0; i < s->order->n_piece; i++)
-        if (s->front[i].piece.depth % 2) s->front[i].u += most[0];
-    s->vector = most[0] + most[1];
+        if (s->front[i].piece.depth % 2) s->front[i].u += peak[0];
+    s->vector = peak[0] + peak[1];
     s->l = s->vector; /* of a front's rows: two parts, filled up */
     s->l += (size_t)(front_row(2 * s->n_vertex, 0) + front_row(1, 0));
     s->room = s->l + largest;

@@ -58,11 +58,11 @@ enum status tiles_triangle(int n, int w, const double diagonal[],
 {
     UNROLL for (int c = 0; c < W; c++) {
         const double pivot = t[c][c];
-        double by = 1.0, above = c < w ? diagonal[c * apart] : 0.0;
+        double s = 1.0, above = c < w ? diagonal[c * apart] : 0.0;
         if (c >= w) break;
-        if (sign) by = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
-        if (!(by * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
-        inverse[c] = by / sqrt(by * pivot);
+        if (sign) s = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
+        if (!(s * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
+        inverse[c] = s / sqrt(s * pivot);
         l[c] = t[c] * (1.0 / pivot);
         UNROLL for (int b = c + 1; b < W; b++) t[b] -= t[c][b] * l[c];
     }

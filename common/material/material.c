@@ -62,8 +62,8 @@ static inline void extended(const struct material *material, double J,
                             double G[3])
 {
     const double mu = material->mu, lambda = material->lambda;
-    const double at = J < EXTENDED_BELOW ? EXTENDED_BELOW : J, t = J - at;
-    const double r = log(at), over = 1.0 / at, dG = (lambda * r - mu) * over;
+    const double J0 = J < EXTENDED_BELOW ? EXTENDED_BELOW : J, t = J - J0;
+    const double r = log(J0), over = 1.0 / J0, dG = (lambda * r - mu) * over;
     G[2] = (lambda + mu - lambda * r) * over * over;
     G[1] = dG + G[2] * t;
     G[0] = -mu * r + 0.5 * lambda * r * r + dG * t + 0.5 * G[2] * t * t;

@@ -84,10 +84,10 @@ void live_free(struct live *live)
 }
 
 /* Where the pointer is, or would be if it had stayed within LIVE_FAR. */
-static void within_reach(const struct pointer *pointer, double at[2])
+static void within_reach(const struct pointer *pointer, double place[2])
 {
-    at[0] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x));
-    at[1] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y));
+    place[0] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x));
+    place[1] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y));
 }
 
 /* The hand takes what is near the pointer; false: there is nothing. */

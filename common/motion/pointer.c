@@ -20,9 +20,9 @@ void pointers_add(struct pointers *pointers, struct pointer pointer)
     const size_t n = (size_t)pointers->n;
     if ((n & (n - 1)) == 0) { /* full: 1, 2, 4, ... */
         const size_t size = (n ? 2 * n : 1) * sizeof *pointers->frame;
-        struct pointer *more = realloc(pointers->frame, size);
-        if (!more) die("no memory for %d frames", pointers->n);
-        pointers->frame = more;
+        struct pointer *longer = realloc(pointers->frame, size);
+        if (!longer) die("no memory for %d frames", pointers->n);
+        pointers->frame = longer;
     }
     pointers->frame[pointers->n++] = pointer;
 }
@@ -72,7 +72,7 @@ struct pointers pointers_mad(int seed, int frames)
 {
     struct pointers all = {0, NULL};
     struct pointer now = {1.0, 0.0, 0, '.'};
-    double to[2] = {1.0, 0.0}, speed = 0.1;
+    double target[2] = {1.0, 0.0}, speed = 0.1;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     if (!random) die("no memory for random numbers");
     gsl_rng_set(random, (unsigned long)seed);
@@ -80,14 +80,14 @@ struct pointers pointers_mad(int seed, int frames)
         const double chance = gsl_rng_uniform(random);
         if (chance < 0.06) { /* somewhere else, slowly or in one leap */
             for (int i = 0; i < 2; i++)
-                to[i] = 4.0 * gsl_rng_uniform(random) - 2.0;
+                target[i] = 4.0 * gsl_rng_uniform(random) - 2.0;
             speed = 0.02 * pow(200.0, gsl_rng_uniform(random));
         } else if (chance < 0.10) {
             now.down = !now.down;
         } else if (chance < 0.101) { /* far out of the window */
-            to[0] = 1e3 * (gsl_rng_uniform(random) - 0.5);
+            target[0] = 1e3 * (gsl_rng_uniform(random) - 0.5);
         }
-        const double d[2] = {to[0] - now.x, to[1] - now.y};
+        const double d[2] = {target[0] - now.x, target[1] - now.y};
         const double way = hypot(d[0], d[1]);
         const double s = way > speed ? speed / way : 1.0;
         now.x += s * d[0];

@@ -54,8 +54,8 @@ static const struct user_motion *script_at(double t, double reach,
     const double begin = m ? now[-1].until : 0.0;
     const double s = fmin((t - begin) / (now->until - begin), 1.0);
     for (int i = 0; i < 2; i++) {
-        const double from = m ? now[-1].to[i] : 0.0;
-        place[i] = from + s * s * (3.0 - 2.0 * s) * (now->to[i] - from);
+        const double start = m ? now[-1].to[i] : 0.0;
+        place[i] = start + s * s * (3.0 - 2.0 * s) * (now->to[i] - start);
     }
     place[1] += now->tremble * sin(6.0 * M_PI * (t - begin));
     for (int i = 0; i < 2; i++) place[i] *= reach;

@@ -72,7 +72,7 @@ static void write_text(struct view *v, int x, int y, const char *text)
     ink(v, was.r, was.g, was.b);
     SDL_SetTextureColorMod(v->letters, was.r, was.g, was.b);
     int changed = 0;
-    for (int at = x; *text; text++, at += WIDE) {
+    for (int left = x; *text; text++, left += WIDE) {
         const int place = *text - ' ';
         const size_t keys = strcspn(text, "]"); /* [+ -] has two */
         if (*text == '[')
@@ -80,15 +80,15 @@ static void write_text(struct view *v, int x, int y, const char *text)
                       memchr(text + 1, v->key, keys - 1);
         if (*text == '\n' || strncmp(text, "   ", 3) == 0) changed = 0;
         if (changed) ink(v, 255, 226, 120);
-        if (changed) block(v, (float)at, (float)(y - 2), WIDE, HIGH);
+        if (changed) block(v, (float)left, (float)(y - 2), WIDE, HIGH);
         if (*text == '\n') {
-            at = x - WIDE;
+            left = x - WIDE;
             y += HIGH;
         }
         if (place > 0 && place < 95)
             SDL_RenderCopy(v->draw, v->letters,
                            &(SDL_Rect){place * WIDE, 0, WIDE, HIGH},
-                           &(SDL_Rect){at, y, WIDE, HIGH});
+                           &(SDL_Rect){left, y, WIDE, HIGH});
     }
 }
 

@@ -58,15 +58,15 @@ void work_hold(struct scene *s, enum work_scene scene, double t)
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double X1 = s->mesh->X[2 * a], X2 = s->mesh->X[2 * a + 1];
         const double right = X1 > 0.0 ? 1.0 : 0.0;
-        double *at = &s->g[2 * a];
-        at[0] = at[1] = 0.0;
+        double *value = &s->g[2 * a];
+        value[0] = value[1] = 0.0;
         if (!s->held[a]) continue;
-        if (scene == JOLTED_PULL) at[0] = 0.5 * X1 * sin(t);
-        if (scene == SLOW_PULL) at[0] = 0.42 * X1 * ramp(t);
-        if (scene == FAST_PULL) at[0] = 0.6 * right * ramp(t / 0.06);
-        if (scene == SHAKE) at[1] = 0.15 * (1.0 - cos(2.0 * M_PI * t / 0.4));
-        if (scene == BUCKLE) at[0] = -X1 * (0.1 + 0.1 * X2) * ramp(t / 2.0);
-        if (scene == PUSH) at[0] = -0.6 * right * ramp(t / 0.08);
+        if (scene == JOLTED_PULL) value[0] = 0.5 * X1 * sin(t);
+        if (scene == SLOW_PULL) value[0] = 0.42 * X1 * ramp(t);
+        if (scene == FAST_PULL) value[0] = 0.6 * right * ramp(t / 0.06);
+        if (scene == SHAKE) value[1] = 0.15 * (1.0 - cos(2.0 * M_PI * t / 0.4));
+        if (scene == BUCKLE) value[0] = -X1 * (0.1 + 0.1 * X2) * ramp(t / 2.0);
+        if (scene == PUSH) value[0] = -0.6 * right * ramp(t / 0.08);
     }
 }
 
@@ -122,9 +122,9 @@ static void linear_force(const struct body *body, const double u[], double q[])
             for (int a = 0; a < body->nodes; a++) {
                 const int k = body->nodes * (body->points * e + p) + a;
                 const double *g = &body->gradient[2 * k];
-                double *at = &q[2 * body->vertex[body->nodes * e + a]];
+                double *force = &q[2 * body->vertex[body->nodes * e + a]];
                 for (int i = 0; i < 2; i++)
-                    at[i] += body->area[e] *
+                    force[i] += body->area[e] *
                              (P.m[i][0] * g[0] + P.m[i][1] * g[1]);
             }
         }
@@ -222,8 +222,8 @@ static void steps(const struct work_setting *set, struct scene *s,
 void work_share(const struct mesh *mesh, const double u[], struct work *work)
 {
     const int along = mesh->n / 4, row = mesh->n + 1;
-    const int across = mesh->rows < along ? mesh->rows : along;
-    for (int j = 0; j <= mesh->rows; j += across)
+    const int stride = mesh->rows < along ? mesh->rows : along;
+    for (int j = 0; j <= mesh->rows; j += stride)
         for (int i = 0; i <= mesh->n; i += along)
             for (int k = 0; k < 2; k++)
                 work->u[work->n_shared++] = u[2 * (j * row + i) + k];

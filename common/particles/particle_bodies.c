@@ -137,12 +137,12 @@ double particles_elastic(const struct particles *p,
 void cloud_energies(struct cloud c, const struct material *material, double t,
                     const struct particle_report *report)
 {
-    const struct moments of = particles_moments(c.p);
+    const struct moments sum = particles_moments(c.p);
     table_row(t, report->iterations, particles_elastic(c.p, material),
-              of.kinetic, grid_moments(c.grid, c.grid->v).kinetic,
+              sum.kinetic, grid_moments(c.grid, c.grid->v).kinetic,
               grid_moments(c.grid, c.grid->next).kinetic,
-              potential_sum(report->E), of.momentum[0], of.momentum[1],
-              of.angular);
+              potential_sum(report->E), sum.momentum[0], sum.momentum[1],
+              sum.angular);
 }
 
 void cloud_tables(struct cloud c, const struct particle_report *report)
@@ -155,10 +155,10 @@ void cloud_tables(struct cloud c, const struct particle_report *report)
     table_end();
     table_begin("step", "node x y mass v_x v_y next_x next_y");
     for (int a = 0, i = 0, k = 1; a < c.grid->n_node; a++, i += 2, k += 2) {
-        double at[2];
-        grid_place(c.grid, a, at);
+        double X[2];
+        grid_place(c.grid, a, X);
         if (c.grid->mass[a] > 0.0)
-            table_row(a, at[0], at[1], c.grid->mass[a], v[i], v[k], next[i],
+            table_row(a, X[0], X[1], c.grid->mass[a], v[i], v[k], next[i],
                       next[k]);
     }
     table_end();

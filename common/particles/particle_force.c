@@ -115,18 +115,18 @@ enum status particle_difference_force(const struct particle_body *body,
                                       const double u[], double step, double f[])
 {
     const int n_dof = 2 * body->grid->n_node;
-    double *at = allocate((size_t)n_dof, sizeof *at), more, less;
+    double *moved = allocate((size_t)n_dof, sizeof *moved), plus, minus;
     enum status status = OK;
-    memcpy(at, u, (size_t)n_dof * sizeof *at);
+    memcpy(moved, u, (size_t)n_dof * sizeof *moved);
     for (int r = 0; r < n_dof && status == OK; r++) {
-        at[r] = u[r] + step;
-        status = particle_energy(body, at, &more);
-        at[r] = u[r] - step;
-        if (status == OK) status = particle_energy(body, at, &less);
-        at[r] = u[r];
-        if (status == OK) f[r] = -(more - less) / (2.0 * step);
+        moved[r] = u[r] + step;
+        status = particle_energy(body, moved, &plus);
+        moved[r] = u[r] - step;
+        if (status == OK) status = particle_energy(body, moved, &minus);
+        moved[r] = u[r];
+        if (status == OK) f[r] = -(plus - minus) / (2.0 * step);
     }
-    free(at);
+    free(moved);
     return status;
 }
 
@@ -167,20 +167,20 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
                             const double Kw[], struct taylor *error)
 {
     const int n_dof = 2 * body->grid->n_node;
-    double *at = allocate((size_t)n_dof, sizeof *at);
+    double *moved = allocate((size_t)n_dof, sizeof *moved);
     double *g = allocate((size_t)n_dof, sizeof *g);
-    double here = 0.0, there = 0.0, slope = 0.0;
+    double first = 0.0, second = 0.0, slope = 0.0;
     for (int r = 0; r < n_dof; r++) {
-        at[r] = u[r] + t * w[r];
+        moved[r] = u[r] + t * w[r];
         slope -= f[r] * w[r];
     }
-    enum status status = particle_energy(body, u, &here);
-    if (status == OK) status = particle_energy(body, at, &there);
-    if (status == OK) status = particle_force(body, at, g);
-    *error = (struct taylor){fabs(there - here - t * slope), 0.0};
+    enum status status = particle_energy(body, u, &first);
+    if (status == OK) status = particle_energy(body, moved, &second);
+    if (status == OK) status = particle_force(body, moved, g);
+    *error = (struct taylor){fabs(second - first - t * slope), 0.0};
     for (int r = 0; r < n_dof; r++)
         error->force = fmax(error->force, fabs(g[r] - f[r] + t * Kw[r]));
-    free(at);
+    free(moved);
     free(g);
     return status;
 }
@@ -216,41 +216,41 @@ struct its_unknowns {
 
 /* Add block (a, b), a >= b, of K and its transpose entry by entry: an unknown
  * may be missing, they may stand in any order, and two nodes may share one. */
-static void add_entries(const struct its_unknowns *of, int a, int b,
+static void add_entries(const struct its_unknowns *map, int a, int b,
                         const two block[2])
 {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++) {
-            const int row = of->number[2 * a + i];
-            const int column = of->number[2 * b + k], below = row - column;
+            const int row = map->number[2 * a + i];
+            const int column = map->number[2 * b + k], below = row - column;
             if (row < 0 || column < 0) continue;
-            if (below >= 0) of->diagonal[2 * b + k][below] += block[k][i];
+            if (below >= 0) map->diagonal[2 * b + k][below] += block[k][i];
             if (a != b && below <= 0)
-                of->diagonal[2 * a + i][-below] += block[k][i];
+                map->diagonal[2 * a + i][-below] += block[k][i];
         }
 }
 
 /* K += T^T (V q_a D q_b) T, T what the unknowns do to the n nodes.  D is
  * symmetric; of a banded K the lower half counts. */
 static void add_particle(int n, double volume, two D[2][2][2],
-                         const struct its_unknowns *of)
+                         const struct its_unknowns *map)
 {
     for (int b = 0; b < n; b++) {
-        const int *from = &of->number[2 * b];
-        double *const *column = &of->diagonal[2 * b];
-        const int pair = from[0] >= 0 && from[1] == from[0] + 1;
+        const int *nb = &map->number[2 * b];
+        double *const *column = &map->diagonal[2 * b];
+        const int pair = nb[0] >= 0 && nb[1] == nb[0] + 1;
         two dP[2][2]; /* V dP for a unit of each unknown: dF = e_k (x) q */
         for (int k = 0; k < 2; k++)
             for (int J = 0; J < 2; J++)
-                dP[k][J] = volume * (D[k][0][J] * of->q[b][0][k] +
-                                     D[k][1][J] * of->q[b][1][k]);
+                dP[k][J] = volume * (D[k][0][J] * map->q[b][0][k] +
+                                     D[k][1][J] * map->q[b][1][k]);
         for (int a = b; a < n; a++) {
-            const int *at = &of->number[2 * a], below = at[0] - from[0];
-            const two *q = of->q[a];
+            const int *na = &map->number[2 * a], below = na[0] - nb[0];
+            const two *q = map->q[a];
             const two block[2] = {dP[0][0] * q[0] + dP[0][1] * q[1],
                                   dP[1][0] * q[0] + dP[1][1] * q[1]};
-            if (!pair || at[1] != at[0] + 1 || below < (a > b)) {
-                add_entries(of, a, b, block);
+            if (!pair || na[1] != na[0] + 1 || below < (a > b)) {
+                add_entries(map, a, b, block);
                 continue;
             }
             TWO(column[0][below]) += block[0];
@@ -267,7 +267,7 @@ enum status particle_stiffness(const struct particle_body *body,
     assert(K->storage == BANDED || K->storage == PLAIN);
     for (int p = 0; p < body->particles->n; p++) {
         struct support s;
-        struct its_unknowns of;
+        struct its_unknowns map;
         mat2 F;
         two D[2][2][2]; /* D[k][L][J] = dP_.J for dF = e_k (x) e_L */
         const enum status status = at_particle(body, p, u, &s, &F);
@@ -282,16 +282,16 @@ enum status particle_stiffness(const struct particle_body *body,
             }
         for (int a = 0; a < s.n; a++) {
             const int r = 2 * s.node[a];
-            const two by = {sign ? sign[r] : 1.0, sign ? sign[r + 1] : 1.0};
-            for (int J = 0; J < 2; J++) of.q[a][J] = by * s.gradient[a][J];
+            const two signs = {sign ? sign[r] : 1.0, sign ? sign[r + 1] : 1.0};
+            for (int J = 0; J < 2; J++) map.q[a][J] = signs * s.gradient[a][J];
             for (int k = 0; k < 2; k++) {
                 const int e = equation[r + k];
-                of.number[2 * a + k] = e;
-                of.diagonal[2 * a + k] =
+                map.number[2 * a + k] = e;
+                map.diagonal[2 * a + k] =
                     e < 0 ? NULL : &K->a[(size_t)e * K->stride];
             }
         }
-        add_particle(s.n, body->particles->volume[p], D, &of);
+        add_particle(s.n, body->particles->volume[p], D, &map);
     }
     return OK;
 }

@@ -85,10 +85,10 @@ struct matrix *unknowns_matrix(const struct particle_body *body,
 
 double unknowns_largest(const struct unknowns *map, const double y[])
 {
-    double most = 0.0;
-    for (int e = 0; e < map->n && !isnan(most); e++)
-        if (!(fabs(y[e]) <= most)) most = fabs(y[e]);
-    return most;
+    double largest = 0.0;
+    for (int e = 0; e < map->n && !isnan(largest); e++)
+        if (!(fabs(y[e]) <= largest)) largest = fabs(y[e]);
+    return largest;
 }
 
 /* ---- mass ---------------------------------------------------------------- */
@@ -102,13 +102,13 @@ enum status particle_mass(const struct particle_body *body, int consistent,
     if (!consistent) return OK;
     for (int p = 0; p < all->n; p++) {
         struct support s;
-        double at[2];
+        double value[2];
         const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
         if (status != OK) return status;
-        support_value(&s, w, at);
+        support_value(&s, w, value);
         for (int i = 0; i < s.n; i++)
             for (int k = 0; k < 2; k++)
-                out[2 * s.node[i] + k] += all->mass[p] * s.w[i] * at[k];
+                out[2 * s.node[i] + k] += all->mass[p] * s.w[i] * value[k];
     }
     return OK;
 }
@@ -223,16 +223,16 @@ struct room {
 /* u -= part du with the first part of 1, 1/2, 1/4, ... at which E falls. */
 static enum status search(const struct particle_body *body,
                           const struct particle_step *step,
-                          const struct room *room, struct potential here,
+                          const struct room *room, struct potential start,
                           double u[], double *part)
 {
     const int n_dof = 2 * body->grid->n_node;
     for (*part = 1.0; *part > 1e-12; *part *= 0.5) {
-        struct potential there;
+        struct potential trial;
         for (int s = 0; s < n_dof; s++)
             room->trial[s] = u[s] - *part * room->du[s];
-        if (particle_potential(body, step, room->trial, &there, room->r) ==
-                OK && potential_falls(here, there)) {
+        if (particle_potential(body, step, room->trial, &trial, room->r) ==
+                OK && potential_falls(start, trial)) {
             memcpy(u, room->trial, (size_t)n_dof * sizeof *u);
             return OK;
         }

@@ -113,8 +113,8 @@ struct body *body_alloc_of(enum element element, const struct mesh *mesh,
         quadratic_shares(mesh, body->diagonal);
     }
     const int shorter = mesh->n < mesh->rows ? mesh->n : mesh->rows;
-    const int from = quadratic ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
-    body_store(body, shorter < from ? BANDED : SPARSE);
+    const int limit = quadratic ? BODY_QUADRATIC_SPARSE_FROM : BODY_SPARSE_FROM;
+    body_store(body, shorter < limit ? BANDED : SPARSE);
     return body;
 }
 
@@ -183,17 +183,17 @@ void body_turned(const struct body *body, const double u[], double by[2])
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     const double *X = body->mesh->X;
-    double middle[2] = {0.0, 0.0}, along = 0.0, across = 0.0;
+    double middle[2] = {0.0, 0.0}, along = 0.0, sideways = 0.0;
     for (int r = 0; r < n_dof; r++) middle[r % 2] += 2.0 * X[r] / n_dof;
     for (int r = 0; r < n_dof; r += 2) {
         const double X1 = X[r] - middle[0], X2 = X[r + 1] - middle[1];
         const double x1 = X1 + u[r], x2 = X2 + u[r + 1];
         along += X1 * x1 + X2 * x2;
-        across += X1 * x2 - X2 * x1;
+        sideways += X1 * x2 - X2 * x1;
     }
-    const double size = sqrt(along * along + across * across);
+    const double size = sqrt(along * along + sideways * sideways);
     by[0] = size > 0.0 ? along / size : 1.0;
-    by[1] = size > 0.0 ? across / size : 0.0;
+    by[1] = size > 0.0 ? sideways / size : 0.0;
 }
 
 void body_mass(const struct body *body, const double v[], double out[])
@@ -307,7 +307,7 @@ void body_scatter(const struct body *body, const double some[], double all[])
  * the largest of the bits is found without a branch. */
 double body_max_free(const struct body *body, const double v[])
 {
-    long long most = 0;
+    long long pattern = 0;
     double largest;
     const int n_dof = 2 * body->mesh->n_vertex;
     for (int r = 0; r < n_dof; r++) {
@@ -315,9 +315,9 @@ double body_max_free(const struct body *body, const double v[])
         long long bits;
         memcpy(&bits, &size, sizeof bits);
         bits = body->equation[r] < 0 ? 0 : bits;
-        most = bits > most ? bits : most;
+        pattern = bits > pattern ? bits : pattern;
     }
-    memcpy(&largest, &most, sizeof largest);
+    memcpy(&largest, &pattern, sizeof largest);
     return isfinite(largest) ? largest : INFINITY;
 }
 

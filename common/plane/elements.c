@@ -8,9 +8,9 @@
 struct elements *elements_alloc(const struct mesh *mesh, int reach)
 {
     struct elements *elements = allocate(1, sizeof *elements);
-    const int apart = reach * (mesh->n + 2); /* vertices, at most */
+    const int distance = reach * (mesh->n + 2); /* vertices, at most */
     elements->mesh = mesh;
-    elements->K = matrix_alloc(BANDED, 2 * mesh->n_vertex, 2 * apart + 1);
+    elements->K = matrix_alloc(BANDED, 2 * mesh->n_vertex, 2 * distance + 1);
     elements->f =
         allocate(2 * (size_t)mesh->n_vertex, sizeof *elements->f);
     elements->held = allocate((size_t)mesh->n_vertex, sizeof(int));

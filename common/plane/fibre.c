@@ -55,15 +55,15 @@ static mat2 stiffness(const struct fibre *fibre, double l, const double n[2],
                       enum tangent tangent)
 {
     const struct tension t = fibre_tension(fibre, l);
-    double along = t.dT, across = l > 0.0 ? t.T / l : 0.0;
+    double along = t.dT, slack = l > 0.0 ? t.T / l : 0.0;
     if (l <= 0.0) along = 0.0;
     if (tangent == PROJECTED) {
         along = GSL_MAX_DBL(along, 0.0);
-        across = GSL_MAX_DBL(across, 0.0);
+        slack = GSL_MAX_DBL(slack, 0.0);
     }
-    const double more = along - across;
-    return (mat2){{{across + more * n[0] * n[0], more * n[0] * n[1]},
-                   {more * n[1] * n[0], across + more * n[1] * n[1]}}};
+    const double surplus = along - slack;
+    return (mat2){{{slack + surplus * n[0] * n[0], surplus * n[0] * n[1]},
+                   {surplus * n[1] * n[0], slack + surplus * n[1] * n[1]}}};
 }
 
 mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
@@ -82,12 +82,12 @@ static void add_stiffness(const struct body *body, const int t[3],
 {
     for (int a = 0; a < 3; a++)
         for (int b = 0; b < 3; b++) {
-            const int *to = &body->equation[2 * t[a]];
-            const int *from = &body->equation[2 * t[b]];
-            if (to[0] < 0 || from[0] < 0) continue;
+            const int *rows = &body->equation[2 * t[a]];
+            const int *columns = &body->equation[2 * t[b]];
+            if (rows[0] < 0 || columns[0] < 0) continue;
             for (int i = 0; i < 2; i++)
                 for (int k = 0; k < 2; k++)
-                    matrix_add(body->K, to[i], from[k],
+                    matrix_add(body->K, rows[i], columns[k],
                                scale * s[a] * s[b] * B.m[i][k]);
         }
 }

@@ -16,10 +16,10 @@ double *lanes_alloc(const struct body *body)
     for (int group = 0; group < groups; group++)
         for (int l = 0; l < V; l++) {
             const int e = group * V + l;
-            double *to = &lanes[group * KEPT * V + l];
+            double *target = &lanes[group * KEPT * V + l];
             for (int k = 0; k < GRADIENTS; k++)
-                to[k * V] = body->gradient[GRADIENTS * e + k];
-            to[GRADIENTS * V] = body->area[e];
+                target[k * V] = body->gradient[GRADIENTS * e + k];
+            target[GRADIENTS * V] = body->area[e];
         }
     return lanes;
 }
@@ -58,74 +58,74 @@ INLINE vec lanes_of(const double u[], const int vertex[], int a, int i)
 
 /* F and J at u; what triangles.c says where the material is not defined. */
 INLINE enum status deform(const struct body *body, const vec g[KEPT],
-                          const vec u[GRADIENTS], struct points *at)
+                          const vec u[GRADIENTS], struct points *pt)
 {
     const vec zero = {0.0};
     UNROLL for (int i = 0; i < 2; i++)
         UNROLL for (int j = 0; j < 2; j++) {
-            at->F[i][j] = zero + (i == j ? 1.0 : 0.0);
+            pt->F[i][j] = zero + (i == j ? 1.0 : 0.0);
             UNROLL for (int a = 0; a < 3; a++)
-                at->F[i][j] += u[2 * a + i] * g[2 * a + j];
+                pt->F[i][j] += u[2 * a + i] * g[2 * a + j];
         }
-    at->J = at->F[0][0] * at->F[1][1] - at->F[0][1] * at->F[1][0];
+    pt->J = pt->F[0][0] * pt->F[1][1] - pt->F[0][1] * pt->F[1][0];
     for (int l = 0; l < V; l++)
-        if (!material_defined(&body->material, at->J[l]))
-            return isnan(at->J[l]) ? NONFINITE : INVERTED;
+        if (!material_defined(&body->material, pt->J[l]))
+            return isnan(pt->J[l]) ? NONFINITE : INVERTED;
     return OK;
 }
 
 /* G' and G'' of material_volume_weighted() in all lanes. */
 INLINE void volume(const struct material *material, vec weight,
-                   struct points *at)
+                   struct points *pt)
 {
     if (material->law == CUBIC) {
-        const vec s = at->J - 1.0;
+        const vec s = pt->J - 1.0;
         const vec r = s * (1.0 - s * (0.5 - s * (1.0 / 3.0)));
         const vec dr = 1.0 - s + s * s, ddr = -1.0 + 2.0 * s;
         const vec pull = material->lambda * r - material->mu;
-        at->dG = weight * pull * dr;
-        at->ddG = weight * (material->lambda * dr * dr + pull * ddr);
+        pt->dG = weight * pull * dr;
+        pt->ddG = weight * (material->lambda * dr * dr + pull * ddr);
         return;
     }
     vec dG = {0.0}, ddG = {0.0};
     for (int l = 0; l < V; l++) {
         const struct volume v =
-            material_volume_weighted(material, at->J[l], weight[l]);
+            material_volume_weighted(material, pt->J[l], weight[l]);
         dG[l] = v.dG;
         ddG[l] = v.ddG;
     }
-    at->dG = dG;
-    at->ddG = ddG;
+    pt->dG = dG;
+    pt->ddG = ddG;
 }
 
 /* The rest of the points of V triangles. */
-INLINE void find_points(const struct body *body, struct scales by,
-                        const vec g[KEPT], struct points *at)
+INLINE void find_points(const struct body *body, struct scales scale,
+                        const vec g[KEPT], struct points *pt)
 {
-    const vec area = by.dt2 * g[GRADIENTS];
+    const vec area = scale.dt2 * g[GRADIENTS];
     UNROLL for (int a = 0; a < 3; a++) {
-        at->c[2 * a] = at->F[1][1] * g[2 * a] - at->F[1][0] * g[2 * a + 1];
-        at->c[2 * a + 1] = at->F[0][0] * g[2 * a + 1] - at->F[0][1] * g[2 * a];
+        pt->c[2 * a] = pt->F[1][1] * g[2 * a] - pt->F[1][0] * g[2 * a + 1];
+        pt->c[2 * a + 1] = pt->F[0][0] * g[2 * a + 1] - pt->F[0][1] * g[2 * a];
     }
-    at->m_aa = by.rho_aa * g[GRADIENTS];
-    at->m_ab = by.rho_ab * g[GRADIENTS];
-    at->mu = area * body->material.mu;
-    volume(&body->material, area, at);
+    pt->m_aa = scale.rho_aa * g[GRADIENTS];
+    pt->m_ab = scale.rho_ab * g[GRADIENTS];
+    pt->mu = area * body->material.mu;
+    volume(&body->material, area, pt);
 }
 
 /* Add to q what V triangles pull at their vertices. */
-INLINE void add_forces(const struct points *at, const vec g[KEPT],
+INLINE void add_forces(const struct points *pt, const vec g[KEPT],
                        const vec move[GRADIENTS], const int vertex[],
                        double q[])
 {
     double pull[GRADIENTS][V];
     UNROLL for (int a = 0; a < 3; a++)
         UNROLL for (int i = 0; i < 2; i++) {
-            vec sum = at->mu * (at->F[i][0] * g[2 * a] +
-                                at->F[i][1] * g[2 * a + 1]) +
-                      at->dG * at->c[2 * a + i];
-            sum += at->m_ab * (move[i] + move[2 + i] + move[4 + i]);
-            sum += (at->m_aa - at->m_ab) * move[2 * a + i];
+            vec sum = pt->mu * (pt->F[i][0] * g[2 * a] +
+                                pt->F[i][1] * g[2 * a + 1]) +
+                      pt->dG * pt->c[2 * a + i];
+            sum += pt->m_ab * (move[i] + move[2 + i] + move[4 + i]);
+            sum += (pt->m_aa - pt->m_ab) * move[2 * a + i];
             VEC(pull[2 * a + i]) = sum;
         }
     for (int l = 0; l < V; l++)
@@ -135,7 +135,7 @@ INLINE void add_forces(const struct points *at, const vec g[KEPT],
 }
 
 /* Add to K the blocks (a, b), a >= b, of V triangles [eq:element-tangent]. */
-INLINE void add_blocks(const struct points *at, const vec g[KEPT],
+INLINE void add_blocks(const struct points *pt, const vec g[KEPT],
                        const int place[], size_t stride, double entries[])
 {
     double block[BLOCKS][4][V];
@@ -143,11 +143,11 @@ INLINE void add_blocks(const struct points *at, const vec g[KEPT],
     UNROLL for (int a = 0; a < 3; a++)
         UNROLL for (int b = 0; b <= a; b++, k++) {
             const vec *g_a = &g[2 * a], *g_b = &g[2 * b];
-            const vec *c_a = &at->c[2 * a], *c_b = &at->c[2 * b];
-            const vec same = (a == b ? at->m_aa : at->m_ab) +
-                             at->mu * (g_a[0] * g_b[0] + g_a[1] * g_b[1]);
-            const vec cross = at->dG * (g_a[0] * g_b[1] - g_a[1] * g_b[0]);
-            const vec c0 = at->ddG * c_a[0], c1 = at->ddG * c_a[1];
+            const vec *c_a = &pt->c[2 * a], *c_b = &pt->c[2 * b];
+            const vec same = (a == b ? pt->m_aa : pt->m_ab) +
+                             pt->mu * (g_a[0] * g_b[0] + g_a[1] * g_b[1]);
+            const vec cross = pt->dG * (g_a[0] * g_b[1] - g_a[1] * g_b[0]);
+            const vec c0 = pt->ddG * c_a[0], c1 = pt->ddG * c_a[1];
             VEC(block[k][0]) = same + c0 * c_b[0];
             VEC(block[k][1]) = c1 * c_b[0] - cross;
             VEC(block[k][2]) = c0 * c_b[1] + cross;
@@ -170,10 +170,10 @@ INLINE void add_blocks(const struct points *at, const vec g[KEPT],
 }
 
 /* Is there no negative eigenvalue [eq:projection]? */
-INLINE int is_convex(const struct points *at)
+INLINE int is_convex(const struct points *pt)
 {
     for (int l = 0; l < V; l++)
-        if (!(fabs(at->dG[l]) <= at->mu[l] && at->ddG[l] >= 0.0)) return 0;
+        if (!(fabs(pt->dG[l]) <= pt->mu[l] && pt->ddG[l] >= 0.0)) return 0;
     return 1;
 }
 
@@ -185,26 +185,26 @@ INLINE void geometry(const struct body *body, int e, vec g[KEPT])
 }
 
 INLINE enum status assemble(const enum tangent tangent, const struct body *body,
-                            struct scales by, const double u[],
+                            struct scales scale, const double u[],
                             const double w[], double q[], int *next)
 {
     for (; *next + V <= body->n_element; *next += V) {
         const int *vertex = &body->vertex[3 * *next];
         vec g[KEPT], u_of[GRADIENTS], move[GRADIENTS];
-        struct points at;
+        struct points pt;
         UNROLL for (int a = 0; a < 3; a++)
             UNROLL for (int i = 0; i < 2; i++) {
                 u_of[2 * a + i] = lanes_of(u, vertex, a, i);
                 move[2 * a + i] = u_of[2 * a + i] - lanes_of(w, vertex, a, i);
             }
         geometry(body, *next, g);
-        const enum status status = deform(body, g, u_of, &at);
+        const enum status status = deform(body, g, u_of, &pt);
         if (status != OK) return status;
-        find_points(body, by, g, &at);
-        if (tangent == PROJECTED && !is_convex(&at)) return OK;
-        add_forces(&at, g, move, vertex, q);
+        find_points(body, scale, g, &pt);
+        if (tangent == PROJECTED && !is_convex(&pt)) return OK;
+        add_forces(&pt, g, move, vertex, q);
         if (tangent != NO_TANGENT)
-            add_blocks(&at, g, &body->place[BLOCKS * *next], body->K->stride,
+            add_blocks(&pt, g, &body->place[BLOCKS * *next], body->K->stride,
                        body->K->a);
     }
     return OK;
@@ -215,27 +215,27 @@ enum status lanes_assemble(const struct body *body, struct incremental Phi,
                            int *next)
 {
     const double rho = Phi.w ? body->rho : 0.0;
-    const struct scales by = {Phi.dt * Phi.dt,
+    const struct scales scale = {Phi.dt * Phi.dt,
                               rho * body_mass_share(body->mass, 0, 0),
                               rho * body_mass_share(body->mass, 0, 1)};
     const double *w = Phi.w ? Phi.w : u; /* at rest u - w is 0 */
     assert(body->element == LINEAR_TRIANGLE && *next % V == 0);
     if (tangent == NO_TANGENT)
-        return assemble(NO_TANGENT, body, by, u, w, q, next);
-    return assemble(tangent, body, by, u, w, q, next);
+        return assemble(NO_TANGENT, body, scale, u, w, q, next);
+    return assemble(tangent, body, scale, u, w, q, next);
 }
 
 /* psi of the cubic law in all lanes, as material2_psi() computes it. */
-INLINE vec cubic_psi(const struct material *material, const struct points *at)
+INLINE vec cubic_psi(const struct material *material, const struct points *pt)
 {
     const double mu = material->mu, lambda = material->lambda;
-    const vec H00 = at->F[0][0] - 1.0, H11 = at->F[1][1] - 1.0;
-    const vec H01 = at->F[0][1], H10 = at->F[1][0];
+    const vec H00 = pt->F[0][0] - 1.0, H11 = pt->F[1][1] - 1.0;
+    const vec H01 = pt->F[0][1], H10 = pt->F[1][0];
     const vec det = H00 * H11 - H01 * H10, s = H00 + H11 + det;
     const vec dot = H00 * H00 + H01 * H01 + H10 * H10 + H11 * H11;
     vec J = 1.0 + s;
     for (int l = 0; l < V; l++)
-        if (s[l] < -0.5) J[l] = at->J[l];
+        if (s[l] < -0.5) J[l] = pt->J[l];
     const vec t = J - 1.0;
     const vec r = t * (1.0 - t * (0.5 - t * (1.0 / 3.0)));
     return 0.5 * mu * dot - mu * det + mu * (s * s / 2.0 - s * s * s / 3.0) +
@@ -250,14 +250,14 @@ enum status lanes_energy(const struct body *body, const double u[],
     for (; *next + V <= body->n_element; *next += V) {
         const int *vertex = &body->vertex[3 * *next];
         vec g[KEPT], u_of[GRADIENTS];
-        struct points at;
+        struct points pt;
         UNROLL for (int a = 0; a < 3; a++)
             UNROLL for (int i = 0; i < 2; i++)
                 u_of[2 * a + i] = lanes_of(u, vertex, a, i);
         geometry(body, *next, g);
-        const enum status status = deform(body, g, u_of, &at);
+        const enum status status = deform(body, g, u_of, &pt);
         if (status != OK) return status;
-        const vec part = g[GRADIENTS] * cubic_psi(&body->material, &at);
+        const vec part = g[GRADIENTS] * cubic_psi(&body->material, &pt);
         for (int l = 0; l < V; l++) *energy += part[l];
     }
     return OK;

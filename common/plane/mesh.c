@@ -88,9 +88,9 @@ double mesh_gradients_of(const struct mesh *mesh, const int t[3],
     const double twice = (X[1][0] - X[0][0]) * (X[2][1] - X[0][1]) -
                          (X[2][0] - X[0][0]) * (X[1][1] - X[0][1]);
     for (int a = 0; a < 3; a++) { /* the opposite edge, turned by 90 degrees */
-        const double *from = X[(a + 1) % 3], *to = X[(a + 2) % 3];
-        gradient[2 * a] = -(to[1] - from[1]) / twice;
-        gradient[2 * a + 1] = (to[0] - from[0]) / twice;
+        const double *tail = X[(a + 1) % 3], *head = X[(a + 2) % 3];
+        gradient[2 * a] = -(head[1] - tail[1]) / twice;
+        gradient[2 * a + 1] = (head[0] - tail[0]) / twice;
     }
     return 0.5 * twice;
 }
@@ -112,10 +112,10 @@ void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
             double side[2][2];
             for (int s = 0; s < 2; s++)
                 for (int i = 0; i < 2; i++) {
-                    const int to = 2 * t[(k + 1 + s) % 3] + i;
-                    const int from = 2 * t[k] + i;
-                    side[s][i] = mesh->X[to] + (u ? u[to] : 0.0) -
-                                 mesh->X[from] - (u ? u[from] : 0.0);
+                    const int end = 2 * t[(k + 1 + s) % 3] + i;
+                    const int corner = 2 * t[k] + i;
+                    side[s][i] = mesh->X[end] + (u ? u[end] : 0.0) -
+                                 mesh->X[corner] - (u ? u[corner] : 0.0);
                 }
             angle[t[k]] += atan2(side[0][0] * side[1][1] -
                                      side[0][1] * side[1][0],
@@ -136,7 +136,7 @@ int *mesh_across(const struct mesh *mesh)
 {
     enum { MOST = 8 };
     const size_t vertices = (size_t)mesh->n_vertex;
-    int *across = allocate(3 * (size_t)mesh->n_triangle, sizeof *across);
+    int *opposite = allocate(3 * (size_t)mesh->n_triangle, sizeof *opposite);
     int *around = allocate(MOST * vertices, sizeof *around); /* a vertex */
     int *n = allocate(vertices, sizeof *n);                  /* so many */
     for (int r = 0; r < 3 * mesh->n_triangle; r++) {
@@ -148,14 +148,14 @@ int *mesh_across(const struct mesh *mesh)
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + (k + 1) % 3];
             const int b = mesh->triangle[3 * e + (k + 2) % 3];
-            across[3 * e + k] = e;
+            opposite[3 * e + k] = e;
             for (int i = 0; i < n[a]; i++) {
                 const int beyond = around[MOST * a + i];
                 if (beyond != e && has(mesh, beyond, b))
-                    across[3 * e + k] = beyond;
+                    opposite[3 * e + k] = beyond;
             }
         }
     free(around);
     free(n);
-    return across;
+    return opposite;
 }

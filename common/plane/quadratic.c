@@ -31,8 +31,8 @@ void quadratic_shape(const double l[3], const double of_l[6], double N[6],
 
 void quadratic_nodes(const struct mesh *mesh, int e, int node[NODES])
 {
-    const int row = mesh->n + 1, across = mesh->n / 2;
-    const int square = e / 2, i = square % across, j = square / across;
+    const int row = mesh->n + 1, per_row = mesh->n / 2;
+    const int square = e / 2, i = square % per_row, j = square / per_row;
     const int low = 2 * j * row + 2 * i; /* the lower left corner */
     const int below[NODES] = {0, 2, 2 * row + 2, row + 2, row + 1, 1};
     const int above[NODES] = {0, 2 * row + 2, 2 * row, 2 * row + 1, row,

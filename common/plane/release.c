@@ -37,12 +37,12 @@ enum status release_search(const struct body *body, const double q[],
 double release_winding(const struct body *body, const double u[])
 {
     const struct mesh *mesh = body->mesh;
-    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle), most = 0.0;
+    double *angle = allocate((size_t)mesh->n_vertex, sizeof *angle), wind = 0.0;
     mesh_angles(mesh, u, angle);
     for (int a = 0; a < mesh->n_vertex; a++)
-        most = fmax(most, angle[a] / (2.0 * M_PI));
+        wind = fmax(wind, angle[a] / (2.0 * M_PI));
     free(angle);
-    return most;
+    return wind;
 }
 
 const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {

@@ -297,10 +297,10 @@ void step_boundary(const struct body *body, const double g[], int lift,
                                     held[1] ? g[right] - u[right] : 0.0};
             for (int i = 0; i <= n; i++) {
                 const int r = left + 2 * i;
-                const double across = body->mesh->graded
+                const double fraction = body->mesh->graded
                                           ? (X[r - k] - X[0]) / width
                                           : (double)i / n;
-                const double s = held[0] && held[1] ? across : held[1];
+                const double s = held[0] && held[1] ? fraction : held[1];
                 if (body->equation[r] < 0)
                     u[r] = g[r];
                 else if (lift)

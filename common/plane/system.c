@@ -82,26 +82,26 @@ struct csr *system_matrix(const struct system *system, const int place[])
     const int width = body->mesh->n - 1, height = body->mesh->n + 1;
     const int n = system->n_vertex;
     struct csr *A = csr_alloc(2 * n, 4 * NEXT * n);
-    int *at = allocate((size_t)n, sizeof *at), k = 0;
-    for (int v = 0; v < n; v++) at[place_of(place, v)] = v;
+    int *order = allocate((size_t)n, sizeof *order), k = 0;
+    for (int v = 0; v < n; v++) order[place_of(place, v)] = v;
     for (int p = 0; p < n; p++)
         for (int c = 0; c < 2; c++) {
-            const int v = at[p], row = 2 * p + c;
-            const int to = body->equation[2 * system->vertex[v] + c];
+            const int v = order[p], row = 2 * p + c;
+            const int equation = body->equation[2 * system->vertex[v] + c];
             for (int s = 0; s < NEXT; s++) {
                 const int i = v % width + step[s][0];
                 const int j = v / width + step[s][1], b = j * width + i;
                 if (i < 0 || i >= width || j < 0 || j >= height) continue;
-                const int *from = &body->equation[2 * system->vertex[b]];
+                const int *columns = &body->equation[2 * system->vertex[b]];
                 for (int d = 0; d < 2; d++) {
                     A->index[k] = 2 * place_of(place, b) + d;
-                    A->value[k] = matrix_get(body->K, to, from[d]);
+                    A->value[k] = matrix_get(body->K, equation, columns[d]);
                     insert(A, A->start[row], k++);
                 }
             }
             A->start[row + 1] = k;
         }
-    free(at);
+    free(order);
     return A;
 }
 

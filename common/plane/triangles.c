@@ -154,20 +154,21 @@ struct scales {
 
 /* Point p of triangle e: its part of q and, unless NO_TANGENT, of K; of linear
  * triangles with their mass. */
-INLINE enum status add_point(const struct body *body, struct scales by, int e,
-                             int p, int nodes, double q[])
+INLINE enum status add_point(const struct body *body, struct scales scale,
+                             int e, int p, int nodes, double q[])
 {
     const int *t = &body->vertex[nodes * e];
     const int *place = &body->place[nodes * (nodes + 1) / 2 * e];
-    const double *g = gradient_at(body, e, p, nodes), *u = by.u, *w = by.w;
-    const double area = by.dt * by.dt * body->area[e];
+    const double *g = gradient_at(body, e, p, nodes);
+    const double *u = scale.u, *w = scale.w;
+    const double area = scale.dt * scale.dt * body->area[e];
     const mat2 F = deformation(body, u, e, p, nodes);
     const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
     if (!material_defined(&body->material, J))
         return isnan(J) ? NONFINITE : INVERTED;
     const struct volume v = material_volume_weighted(&body->material, J, area);
-    const struct factors s = {nodes == 3 ? by.rho_aa * body->area[e] : 0.0,
-                              nodes == 3 ? by.rho_ab * body->area[e] : 0.0,
+    const struct factors s = {nodes == 3 ? scale.rho_aa * body->area[e] : 0.0,
+                              nodes == 3 ? scale.rho_ab * body->area[e] : 0.0,
                               area * body->material.mu, v.dG, v.ddG};
     double c[2 * MOST_NODES], move[2 * MOST_NODES];
 
@@ -191,9 +192,9 @@ INLINE enum status add_point(const struct body *body, struct scales by, int e,
             }
             q[2 * t[a] + i] += pull;
         }
-    if (by.tangent == EXACT)
+    if (scale.tangent == EXACT)
         add_exact(s, nodes, g, c, place, body->K->stride, body->K->a);
-    if (by.tangent == PROJECTED)
+    if (scale.tangent == PROJECTED)
         add_projected(s, nodes, g, c, F, place, body->K->stride, body->K->a);
     return OK;
 }
@@ -204,14 +205,14 @@ INLINE enum status assemble(const struct body *body, struct incremental Phi,
                             int first, int end, int nodes)
 {
     const double rho = Phi.w ? body->rho : 0.0;
-    const struct scales by = {
+    const struct scales scale = {
         Phi.dt, rho * body_mass_share(body->mass, 0, 0),
         rho * body_mass_share(body->mass, 0, 1), u,
         Phi.w ? Phi.w : u, /* at rest u - w is 0 */
         tangent};
     for (int e = first; e < end; e++)
         for (int p = 0; p < points_of(nodes); p++) {
-            const enum status status = add_point(body, by, e, p, nodes, q);
+            const enum status status = add_point(body, scale, e, p, nodes, q);
             if (status != OK) return status;
         }
     return OK;
