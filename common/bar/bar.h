@@ -24,13 +24,13 @@ struct bar {
     struct material material;
 };
 
-/* F_e of element e = 1..n. */
+/* Return F_e of element e = 1..n. */
 double bar_stretch(const struct bar *bar, const double u[], int e);
 
-/* The smallest of them. */
+/* Return the smallest of them. */
 double bar_min_stretch(const struct bar *bar, const double u[]);
 
-/* max |v_i| over the nodes that are free; INFINITY where one is not finite. */
+/* Return max |v_i| over the free nodes; INFINITY where one is not finite. */
 double bar_max_free(const struct bar *bar, const double v[]);
 
 /* INVERTED: some F_e is where the material is not defined; the outputs are
@@ -67,9 +67,9 @@ struct newton_report {
 };
 
 /*
- * Newton's method from u [alg:newton], whose prescribed ends already have their
- * values.  It stops on the residual and on the increment together: on either
- * alone it stops at states that are not solutions.
+ * Solve by Newton's method [alg:newton] from u, whose prescribed ends already
+ * have their values.  It stops on the residual and on the increment together:
+ * on either alone it stops at states that are not solutions.
  *
  * u        in/out  start, solution; the last state reached when not OK
  * history  out     max_iterations + 1 lines, or NULL; report.iterations + 1

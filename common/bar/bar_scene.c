@@ -44,7 +44,7 @@ void bar_scene_load(const struct bar_scene *scene, double b[])
     free(f_mid);
 }
 
-/* F1 = int_0^X f, and F2 = int_0^X F1 as the result. */
+/* Set F1 = int_0^X f; return F2 = int_0^X F1. */
 static double integrals(const struct bar_scene *scene, double X, double *F1)
 {
     const double half = sin(0.5 * M_PI_2 * X);

@@ -40,24 +40,24 @@ struct bar_scene bar_scene_notes(enum law law, int n);
 void bar_scene_ends(struct bar_scene *scene, int left, int right,
                     const double end[2]);
 
-/* f_mid[e - 1] = f at the middle of element e = 1..n. */
+/* Set f_mid[e - 1] = f at the middle of element e = 1..n. */
 void bar_scene_force(const struct bar_scene *scene, double f_mid[]);
 
-/* b_i = int f N_i dX by the midpoint rule, and the forces on the ends; b[0..n]
- * [eq:bar-b]. */
+/* Set b_i = int f N_i dX by the midpoint rule, and the forces on the ends;
+ * b[0..n] [eq:bar-b]. */
 void bar_scene_load(const struct bar_scene *scene, double b[]);
 
 /*
- * The exact solution under the linear law, at any X: u(X), and P(X) in *P
- * [eq:bar-linear].  With no end held the loads must
- * balance; u is then the one with u(0) = 0.
+ * Return the exact solution under the linear law, at any X: u(X), and P(X) in
+ * *P [eq:bar-linear].  With no end held the loads must balance; u is then the
+ * one with u(0) = 0.
  */
 double bar_scene_exact(const struct bar_scene *scene, double X, double *P);
 
 /*
- * Full steps, at most 100 of them, indefinite tangents solved as they are.  The
- * tolerance is 1e-12, or what round-off allows: q has the rounding of F in it,
- * eps |u| / h, and |u| grows with the load.
+ * Allow full steps, at most 100 of them, with indefinite tangents solved as
+ * they are.  The tolerance is 1e-12, or what round-off allows: q has the
+ * rounding of F in it, eps |u| / h, and |u| grows with the load.
  */
 struct newton_control bar_scene_control(const struct bar_scene *scene);
 
@@ -68,7 +68,7 @@ struct bar_state {
     struct newton_report report; /* of bar_scene_solve() */
 };
 
-/* The bar at rest but for its held ends, which have jumped to their places. */
+/* Return the bar at rest, its held ends where they have jumped to. */
 struct bar_state *bar_state_alloc(const struct bar_scene *scene);
 void bar_state_free(struct bar_state *state);
 
@@ -77,12 +77,12 @@ typedef void bar_load(int n, double h, const double f_mid[],
                       const double pull[2], double b[]);
 struct bar_state *bar_state_by(bar_load *load, const struct bar_scene *scene);
 
-/* The same, and then bar_newton() with `control`, or with bar_scene_control()
+/* Solve the same by bar_newton() with `control`, or with bar_scene_control()
  * where control is NULL. */
 struct bar_state *bar_scene_solve(const struct bar_scene *scene,
                                   const struct newton_control *control);
 
-/* The force that holds the left end, or pulls it. */
+/* Return the force that holds the left end, or pulls it. */
 double bar_state_reaction(const struct bar_state *state);
 
 #endif

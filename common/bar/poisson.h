@@ -24,10 +24,9 @@ typedef double field(double x);
 field smooth_beta, smooth_f, smooth_exact, smooth_exact_dx;
 
 /* A constant load f on (0, 1), and given values at 0, inside and at 1. */
-struct poisson_held {
+extern const struct poisson_held {
     double f, g[3];
-};
-extern const struct poisson_held POISSON_HELD;
+} POISSON_HELD;
 
 /* The constants 1 and 0. */
 field field_one, field_zero;
@@ -38,9 +37,9 @@ field field_one, field_zero;
 field bvp_beta, bvp_f, bvp_exact, bvp_exact_dx;
 
 /*
- * Nodes of n elements on (a, b): x[0..n], x[0] = a and x[n] = b exactly.  The
- * element lengths form a geometric sequence with h_n / h_1 = grading > 0;
- * grading 1 gives equal spacing.
+ * Place the nodes of n elements on (a, b): x[0..n], x[0] = a and x[n] = b
+ * exactly.  The element lengths form a geometric sequence with h_n / h_1 =
+ * grading > 0; grading 1 gives equal spacing.
  */
 void poisson_grid(double a, double b, int n, double grading, double x[]);
 
@@ -54,7 +53,7 @@ extern const struct quadrature TRAPEZOID; /* exact for degree 1 */
 extern const struct quadrature GAUSS2;    /* exact for degree 3 */
 
 /*
- * Element stiffness and load on (x0, x1) [eq:poisson-local]:
+ * Compute stiffness and load of an element on (x0, x1) [eq:poisson-local]:
  *
  *     K[a][b] = int beta e_a' e_b' dx,  r[a] = int f e_a dx,  a, b = 0, 1.
  */
@@ -74,11 +73,11 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
  * flux at x = 1, then u(0) = 1 [eq:dirichlet-correction]. */
 void bvp_boundary(int n, struct matrix *A, double b[]);
 
-/* Its nodes x[0..n], n equal elements, b[0..n] by the midpoint rule, and A, for
- * the caller to free; with the boundary conditions. */
+/* Set its nodes x[0..n], n equal elements, b[0..n] by the midpoint rule, and A,
+ * for the caller to free; with the boundary conditions. */
 struct matrix *bvp_system(enum storage storage, int n, double x[], double b[]);
 
-/* Of [eq:poisson-bvp], in closed form: b_i := int f e_i dx. */
+/* Integrate f of [eq:poisson-bvp] in closed form: b_i := int f e_i dx. */
 void bvp_exact_load(int n, const double x[], double b[]);
 
 /*

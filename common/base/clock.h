@@ -9,11 +9,11 @@
 /* Seconds of a monotonic clock, from an arbitrary start. */
 double clock_seconds(void);
 
-/* Seconds that a processor has worked for this process; where nobody counts
- * them, as in a browser, clock_seconds(). */
+/* Return the seconds that a processor has worked for this process; where nobody
+ * counts them, as in a browser, clock_seconds(). */
 double clock_processor(void);
 
-/* "<processor>, <compiler> <flags>" in text, for a table's note. */
+/* Write "<processor>, <compiler> <flags>" into text, for a table's note. */
 void clock_machine(size_t size, char text[]);
 
 #endif

@@ -50,7 +50,7 @@ static void print_usage(const char *program, const struct option table[], int n)
     }
 }
 
-/* Whatever the words are, they are one line. */
+/* Print the words as one line, whatever they are. */
 static void print_words(const char *program, char words[])
 {
     for (char *c = words; *c; c++)
@@ -67,7 +67,7 @@ void options_refuse(const char *program, const char *words)
     exit(2);
 }
 
-/* One line with the words in question, and what is allowed instead. */
+/* Print one line with the words in question and the values that are allowed. */
 _Noreturn static void refuse(const char *program, const struct option *option,
                              const char *format, ...)
 {

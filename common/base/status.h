@@ -25,14 +25,14 @@ enum status {
     OUTSIDE       /* a particle is where the grid has no nodes for it */
 };
 
-/* The status as the word that programs print: "OK", "NOT_SPD", ... */
+/* Return the status as the word that programs print: "OK", "NOT_SPD", ... */
 const char *status_name(enum status status);
 
 /* Print "error: <message>" on stderr and exit with status 1. */
 _Noreturn void die(const char *format, ...)
     __attribute__((__format__(__printf__, 1, 2)));
 
-/* malloc() of n * size zeroed bytes; running out of memory is die(). */
+/* Return n * size zeroed bytes of malloc(), or die(). */
 void *allocate(size_t n, size_t size);
 
 /*

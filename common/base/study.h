@@ -7,18 +7,18 @@
 #ifndef COMMON_STUDY_H
 #define COMMON_STUDY_H
 
-/* A function of one number and of what else it needs. */
+/* A function of one number and its context. */
 typedef double study_function(double x, void *context);
 
 /*
- * The x between low and high, in either order, with f(x) = 0, to the last
- * digit, by GSL's Brent.  f must change its sign between them; die() when it
- * does not, or when f is not finite there.
+ * Return the x between low and high, in either order, with f(x) = 0, to the
+ * last digit, by GSL's Brent.  f must change its sign between them; die() when
+ * it does not, or when f is not finite there.
  */
 double study_root(study_function *f, void *context, double low, double high);
 
-/* log(coarse / fine) / log(ratio) [eq:order]: errors at the sizes ratio h and
- * h.  NAN unless both errors are > 0. */
+/* Return log(coarse / fine) / log(ratio) [eq:order]: errors at the sizes ratio
+ * h and h.  NAN unless both errors are > 0. */
 double study_order(double coarse, double fine, double ratio);
 
 /*
@@ -36,9 +36,10 @@ _Noreturn void study_claim_failed(const char *format, ...)
 /* ---- rates of random runs ------------------------------------------------ */
 
 /*
- * The standard error of the rate hits / runs of independent runs: the standard
- * deviation of the true rate when nothing else is known of it (Laplace).  That
- * is nearly sqrt(p (1 - p) / runs), and 1 / runs for none and for all.
+ * Return the standard error of the rate hits / runs of independent runs: the
+ * standard deviation of the true rate when nothing else is known of it
+ * (Laplace).  That is nearly sqrt(p (1 - p) / runs), and 1 / runs for none and
+ * for all.
  */
 double rate_error(int hits, int runs);
 
@@ -60,7 +61,7 @@ struct times {
     double second[STUDY_SAMPLES];
 };
 
-/* One more sample, as long as there is room. */
+/* Add a sample, as long as there is room. */
 void times_record(struct times *t, double seconds, int valid);
 
 double times_best(const struct times *t);

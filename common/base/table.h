@@ -91,9 +91,9 @@ void table_end(void);
 void table_vector(const char *name, int n, const double v[]);
 
 /*
- * Flush stdout and return the program's exit status, EXIT_SUCCESS.  Output
- * that could not be written (full disk, closed pipe) is die(): a truncated
- * table never goes with exit status 0.
+ * Flush stdout and return the program's exit status, EXIT_SUCCESS.
+ * Output that could not be written (full disk, closed pipe) is die(): a
+ * truncated table never goes with exit status 0.
  */
 int table_finish(void);
 

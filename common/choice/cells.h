@@ -24,16 +24,17 @@ struct cells {
     double flops;  /* of the solve at rest */
 };
 
-/* Each kind on each level.  false: the best one has no stable state, and no
+/* Try each kind on each level.  false: the best one has no stable state, and no
  * error is known. */
 int cells_compare(const struct ladder_scene *scene, enum rung rung,
                   struct cells cells[CELLS_KINDS * CELLS_LEVELS]);
 
-/* The one with the fewest flops whose error is at most `room`, or NULL. */
+/* Return the one with the fewest flops whose error is at most `room`, or
+ * NULL. */
 const struct cells *cells_cheapest(
     const struct cells cells[CELLS_KINDS * CELLS_LEVELS], double room);
 
-/* "linear", "quadratic". */
+/* Return "linear" or "quadratic". */
 const char *cells_name(enum element element);
 
 #endif

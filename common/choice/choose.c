@@ -20,7 +20,7 @@
 
 enum { FINEST = 2 };
 
-/* The model of s with these triangles. */
+/* Return the model of s with these triangles. */
 static struct ladder_state *solved(const struct ladder_state *s,
                                    const struct cells *c)
 {
@@ -32,7 +32,7 @@ static struct ladder_state *solved(const struct ladder_state *s,
     return q;
 }
 
-/* Of a frame. */
+/* Print what one frame costs. */
 static void say_frame(const char *which, double flops, int moving,
                       double seconds, double within)
 {
@@ -41,8 +41,8 @@ static void say_frame(const char *which, double flops, int moving,
            seconds <= within ? "within" : "NOT within", 1e3 * within);
 }
 
-/* Whether c are triangles which s has not, and at rest, where their price is
- * known. */
+/* Return whether c are triangles which s has not, and at rest, where their
+ * price is known. */
 static int others_at_rest(const struct ladder_state *s, const struct cells *c)
 {
     return c && !s->model.moving &&
@@ -163,9 +163,9 @@ static void say_true(const struct ladder_state *s, struct ladder_state *truth,
     truth->scene = scene;
 }
 
-/* The answer, with linear triangles or with `others`, beside that of the
+/* Verify the answer, with linear triangles or with `others`, beside that of the
  * richest model, with quadratic ones, which are richer than as many linear
- * ones.  Whether it could be done. */
+ * ones.  Return whether it could be done. */
 static int verify(const struct ladder_state *s, enum doubt doubt,
                   const struct cells *others, double tolerance)
 {
@@ -192,7 +192,8 @@ static int verify(const struct ladder_state *s, enum doubt doubt,
     return can;
 }
 
-/* For figures/scene.gp: the parts of the error (%), and the triangles (m). */
+/* Write for figures/scene.gp the parts of the error (%), and the triangles
+ * (m). */
 static void write_picture(const char *path, const struct scene_file *file,
                           const struct ladder_state *s,
                           const struct chosen_tried *t, double tolerance)
@@ -232,8 +233,8 @@ static void put_mesh(struct chosen_tried *t, double error)
     t->estimate = sqrt(fmax(0.0, rest) + pow(error, 2));
 }
 
-/* The climb has ended with s, tried[n - 1], and everything is said, the answer
- * first.  Whether it is enough, or the same law with other triangles. */
+/* Print the report.  Return whether s, or the same law on other triangles, is
+ * accurate enough. */
 static int end(const struct scene_file *file, const struct asked *asked,
                struct ladder_state *s, const struct chosen_tried tried[], int n,
                int enough, double start)

@@ -18,7 +18,7 @@ static double largest_turn(const struct ladder_state *s)
     return turn;
 }
 
-/* Why nobody may rely on what the parts say. */
+/* Return why the parts of the error cannot be relied on. */
 static const char *doubt_of(const struct chosen_tried *t)
 {
     static const char *const doubts[] = {
@@ -47,7 +47,7 @@ static const char *const says[N_PART] = {
     [MESH] = "the cells have a size",
     [STRESS] = "in the linear law stress does not turn with the body"};
 
-/* Where most of the error comes from. */
+/* Return the largest source of the error. */
 static const char *why_of(const struct chosen_tried *t)
 {
     return t->add == LAW && t->part[LAW] >= 1.0
@@ -55,7 +55,7 @@ static const char *why_of(const struct chosen_tried *t)
                  "logarithm" : says[t->add];
 }
 
-/* "7.7 %", in text. */
+/* Return text, as "7.7 %". */
 static const char *percent(double estimate, char text[20])
 {
     if (!(estimate < 1.0)) return "100 % or more";
@@ -170,7 +170,8 @@ void chosen_say_numbers(const struct scene_file *file,
     }
 }
 
-/* What one factorisation costs by each solver, and which one to take. */
+/* Print the cost of one factorisation by each solver, and the solver to
+ * take. */
 static void say_solver(const struct ladder_state *s, const struct cells *others)
 {
     if (s->model.rung == BAR) {
@@ -231,7 +232,7 @@ const char *chosen_quantity(enum ladder_quantity quantity)
     return words[quantity];
 }
 
-/* What is expected of every quantity that can be asked for. */
+/* Print the expected error of every quantity. */
 static void say_quantities(struct ladder_state *s)
 {
     const struct ladder_scene *scene = s->scene;

@@ -17,11 +17,11 @@ struct chosen_tried {
     enum doubt doubt;
 };
 
-/* "of the largest displacement" and so on. */
+/* Return "of the largest displacement" and so on. */
 const char *chosen_quantity(enum ladder_quantity quantity);
 
-/* The answer in two lines, with these triangles as below, and below them why it
- * is in doubt.  Whether it is enough. */
+/* Print the answer in two lines, with these triangles as below, and below them
+ * why it is in doubt.  Return whether it is enough. */
 int chosen_say_answer(const struct ladder_state *state,
                       const struct chosen_tried *tried, double tolerance,
                       const struct cells *others);
@@ -29,8 +29,8 @@ void chosen_say_numbers(const struct scene_file *file,
                         const struct ladder_state *state);
 void chosen_say_climb(const struct chosen_tried tried[], int n);
 
-/* Of `others`, triangles of cells.h, or if it is NULL of linear ones as those
- * of the state: the solver, and the parts of the error with what no part sees;
+/* Print for `others`, triangles of cells.h, or if it is NULL for linear ones as
+ * in the state, the solver and the parts of the error with what no part sees;
  * the state comes back as it was. */
 void chosen_say_model(const struct scene_file *file,
                       const struct ladder_state *state,

@@ -88,7 +88,8 @@ double estimate_strain(const struct ladder_state *s)
     return largest;
 }
 
-/* Whether the axis of the body is moved aside, by more than a tenth of |u|. */
+/* Return whether the axis of the body is moved aside, by more than a tenth of
+ * |u|. */
 static int leans(const struct ladder_state *s)
 {
     double sum = 0.0;
@@ -96,7 +97,7 @@ static int leans(const struct ladder_state *s)
     return fabs(sum / s->mesh->n_vertex) > 0.1 * ladder_size(s, s->u);
 }
 
-/* What quadratic triangles on the finest mesh say of the body at rest. */
+/* Ask quadratic triangles on the finest mesh about the body at rest. */
 static enum doubt doubt_of_finest(const struct ladder_state *s)
 {
     struct ladder_scene scene = *s->scene;

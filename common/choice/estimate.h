@@ -25,21 +25,22 @@
 
 #include "choice/relax.h"
 
-/* max |H^T H| / 2 / max |H|, H = F - I, Frobenius norm; 0 for u = 0. */
+/* Return max |H^T H| / 2 / max |H|, H = F - I, Frobenius norm; 0 for u = 0. */
 double estimate_geometry(const struct ladder_state *state);
 
-/* The larger |P_cubic - P_log| / |P_log| in uniaxial strain at the least and at
- * the largest J, at most 1; 1 where relax_law() is. */
+/* Return the larger |P_cubic - P_log| / |P_log| in uniaxial strain at the least
+ * and at the largest J, at most 1; 1 where relax_law() is. */
 double estimate_law(const struct ladder_state *state);
 
-/* What a bar of this length and height has no unknowns for, under f, of what
- * bends it 1 / (1 - P / P_cr) where it is pressed by P, less where it is
- * pulled; 1 from the load P_cr on at which it buckles, 0 for f that neither
- * pulls nor bends. */
+/* Return the part of the error for which a bar of this length and height has no
+ * unknowns, under f; the bending times 1 / (1 - P / P_cr) where it is pressed
+ * by P, less where it is pulled; 1 from the load P_cr on at which it buckles, 0
+ * for f that neither pulls nor bends. */
 double estimate_dimension(const struct ladder_state *state);
 
-/* omega (1/s), omega^2 = |f.u| / u.M u for the density 1; 0 for u = 0.  And
- * min(1, 1 / (omega T)), 1 for u = 0, which says nothing of how fast it is. */
+/* Return omega (1/s), omega^2 = |f.u| / u.M u for the density 1; 0 for u = 0.
+ * And min(1, 1 / (omega T)), 1 for u = 0, which says nothing of how fast it
+ * is. */
 double estimate_frequency(const struct ladder_state *state);
 double estimate_inertia(const struct ladder_state *state);
 
@@ -54,10 +55,10 @@ double estimate_inertia(const struct ladder_state *state);
  */
 relax_forces estimate_mesh, estimate_stress;
 
-/* All of them. */
+/* Estimate all of them. */
 void estimate_parts(const struct ladder_state *state, double part[N_PART]);
 
-/* max |G|, G the Green strain. */
+/* Return max |G|, G the Green strain. */
 double estimate_strain(const struct ladder_state *state);
 
 /*
@@ -79,21 +80,22 @@ enum doubt { NO_DOUBT, TORN, LONG_STEPS, GIVES_WAY, BUCKLES, TOO_STIFF };
 enum doubt estimate_doubt(const struct ladder_state *state);
 
 /*
- * The verdict [alg:least-model]: parts that the model does not leave out become
- * 0, *estimate is the root of the sum of the squares of the others, for their
- * signs have nothing in common; *add is the largest, of equal ones the first;
- * where the model is linear and not sure, GEOMETRY.  true: the model is enough,
- * *estimate <= tolerance, and sure, which is NO_DOUBT.
+ * Return the verdict [alg:least-model]: parts that the model does not leave out
+ * become 0, *estimate is the root of the sum of the squares of the others, for
+ * their signs have nothing in common; *add is the largest, of equal ones the
+ * first; where the model is linear and not sure, GEOMETRY.  true: the model is
+ * enough, *estimate <= tolerance, and sure, which is NO_DOUBT.
  */
 int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,
                      double tolerance, double part[N_PART], double *estimate,
                      enum part *add);
 
-/* The same for a solved model, whose parts are estimated here. */
+/* Return the same for a solved model, whose parts are estimated here. */
 int estimate_state(const struct ladder_state *state, double tolerance,
                    double *estimate, enum part *add);
 
-/* From the bar up, until a model is enough or there is none: the last one. */
+/* Climb from the bar until a model is enough or there is none.  Return the
+ * last. */
 struct ladder_state *estimate_climb(const struct ladder_scene *scene,
                                     double tolerance, double *estimate,
                                     int *enough);

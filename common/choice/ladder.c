@@ -203,7 +203,7 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     return ladder_alloc_of(LINEAR_TRIANGLE, 1.0, scene, model);
 }
 
-/* Graded towards the held ends and the sides that nothing holds. */
+/* Grade the mesh towards the held ends and the free sides. */
 static void grade_mesh(struct mesh *mesh, double grade,
                        const struct ladder_scene *scene)
 {
@@ -308,22 +308,22 @@ int ladder_add(const struct ladder_scene *scene, enum part part,
            model->level != old.level;
 }
 
-/* The state's vertex that is vertex (i, j) of the coarsest mesh. */
+/* Return the state's vertex that is vertex (i, j) of the coarsest mesh. */
 static int common(const struct ladder_state *s, int i, int j)
 {
     const int fine = s->mesh->n / coarsest(s->scene);
     return fine * (j * (s->mesh->n + 1) + i);
 }
 
-/* Whether that is where it was before mesh_grade(). */
+/* Return whether that is where it was before mesh_grade(). */
 static int stays(const struct ladder_state *s, int i)
 {
     const double X = -1.0 + 2.0 * i / coarsest(s->scene);
     return fabs(s->mesh->X[2 * common(s, i, 0)] - X) < 1e-9;
 }
 
-/* The largest |u - v| at these vertices, or the root mean square; v NULL: 0,
- * else that of `other`. */
+/* Return the largest |u - v| at these vertices, or the root mean square; v
+ * NULL: 0, else that of `other`. */
 static double apart(const struct ladder_state *s, const double u[],
                     const struct ladder_state *other, const double v[],
                     enum ladder_quantity quantity)

@@ -58,31 +58,33 @@ extern const struct ladder_scene ladder_two_loads[LADDER_TWO_LOADS];
     "above-buckling slow-pull fast-pull incompressible slender-column "      \
     "stout-column shaken"
 
-/* Whether there is a hand whose force can be asked for: something is pulled,
- * bent or pushed, and where that moves, nothing has a weight beside it. */
+/* Return whether there is a hand whose force can be asked for: something is
+ * pulled, bent or pushed, and where that moves, nothing has a weight beside
+ * it. */
 int ladder_has_hand(const struct ladder_scene *scene);
 
 /* A scene, its load multiplied. */
 struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
                                   double load);
 
-/* E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free. */
+/* Return E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides
+ * free. */
 double ladder_modulus(const struct material *material);
 
-/* The force (N) under which a straight column of this length, height and
+/* Return the force (N) under which a straight column of this length, height and
  * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
 double ladder_buckles(const struct ladder_scene *scene);
 
-/* The load over that under which the straight body buckles; negative: it is
- * pulled; 0 where both ends are held.  The beam of ladder_buckles() under all
- * that acts along its axis, deflected by w' = a sin(pi s / 2) +
- * b sin(3 pi s / 2), s = x / length: the larger eigenvalue of
- * int (-N) w'^2 over E' I int w''^2 (Timoshenko and Gere, Theory of Elastic
- * Stability, 2.9 and 2.11; a weight is right to four digits), and for the
- * shear 1.2 / (mu height) times the mean of -N in the first of these (2.17). */
+/* Return the load over that under which the straight body buckles; negative: it
+ * is pulled; 0 where both ends are held.  The beam of ladder_buckles() under
+ * all that acts along its axis, deflected by w' = a sin(pi s / 2) + b sin(3 pi
+ * s / 2), s = x / length: the larger eigenvalue of int (-N) w'^2 over E' I int
+ * w''^2 (Timoshenko and Gere, Theory of Elastic Stability, 2.9 and 2.11; a
+ * weight is right to four digits), and for the shear 1.2 / (mu height) times
+ * the mean of -N in the first of these (2.17). */
 double ladder_pressed(const struct ladder_scene *scene);
 
-/* Whether no part of the load says to which side the body goes. */
+/* Return whether no part of the load says to which side the body goes. */
 int ladder_symmetric(const struct ladder_scene *scene);
 
 enum rung { BAR, LINEAR_PLANE, CUBIC_PLANE, LOG_PLANE };
@@ -98,7 +100,7 @@ struct ladder_model {
  * which there is no bar here. */
 struct ladder_model ladder_first(const struct ladder_scene *scene);
 
-/* "bar", "linear", "cubic", "log". */
+/* Return "bar", "linear", "cubic" or "log". */
 const char *ladder_rung(enum rung rung);
 
 /* A scene on a mesh, and what a model makes of it; the pointers are owned. */
@@ -122,14 +124,14 @@ struct ladder_state {
     int systems;        /* linear systems solved, 1 for the sum of a bar */
 };
 
-/* The scene at rest, u = 0, not solved. */
+/* Return the scene at rest, u = 0, not solved. */
 struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
                                   struct ladder_model model);
 void ladder_free(struct ladder_state *state);
 
-/* The same on the same vertices with other triangles, quadratic ones, or graded
- * towards what is held and the free sides by mesh_grade(): what the estimates
- * of relax.h say of such a mesh means nothing. */
+/* Return the same on the same vertices with other triangles, quadratic ones, or
+ * graded towards what is held and the free sides by mesh_grade(): what the
+ * estimates of relax.h say of such a mesh means nothing. */
 struct ladder_state *ladder_alloc_of(enum element element, double grade,
                                      const struct ladder_scene *scene,
                                      struct ladder_model model);
@@ -138,8 +140,8 @@ struct ladder_state *ladder_alloc_of(enum element element, double grade,
 struct ladder_state *ladder_solve(const struct ladder_scene *scene,
                                   struct ladder_model model);
 
-/* The question of the lowest eigenvalue: whether K = d2Psi/du2 is positive
- * definite at u.  A model in motion is not asked: true. */
+/* Return the answer to the lowest eigenvalue: whether K = d2Psi/du2 is
+ * positive definite at u.  A model in motion is not asked: true. */
 int ladder_stable(const struct ladder_state *state);
 
 /* What a model may leave out. */
@@ -153,8 +155,8 @@ const char *ladder_part(enum part part);
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
-/* M u for the density 1, which the inertia is estimated from; a new array for
- * the caller to free. */
+/* Return M u for the density 1, which the inertia is estimated from; a new
+ * array for the caller to free. */
 double *ladder_momentum(const struct ladder_state *state);
 
 /* The richest model of a scene, on the mesh after its finest: the truth that
@@ -163,9 +165,9 @@ double *ladder_momentum(const struct ladder_state *state);
 struct ladder_model ladder_truth(const struct ladder_scene *scene);
 double ladder_step(const struct ladder_state *state);
 
-/* max |u| over the vertices of the coarsest mesh (m), where mesh_grade() has
- * not moved them, and what the error is one of: that, the root mean square over
- * them (m), or |hand.u| (J). */
+/* Return max |u| over the vertices of the coarsest mesh (m), where mesh_grade()
+ * has not moved them, and what the error is one of: that, the root mean square
+ * over them (m), or |hand.u| (J). */
 double ladder_size(const struct ladder_state *state, const double u[]);
 double ladder_measure(const struct ladder_state *state, const double u[]);
 

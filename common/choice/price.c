@@ -9,8 +9,8 @@
 static const double enough = 0.1; /* s */
 static const double a_while = 2e-3; /* twenty ticks of a browser's clock (s) */
 
-/* The least time of the scene's solve, over its columns (s): the mean of as
- * many as take a while. */
+/* Return the least time of the scene's solve, over its columns (s): the mean of
+ * as many as take a while. */
 static double timed(enum element element, double grade,
                     const struct ladder_scene *scene, struct ladder_model model,
                     int *systems)

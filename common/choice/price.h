@@ -17,22 +17,22 @@ struct price {
                            * linear system */
 };
 
-/* The least of what a tenth of a second has time for. */
+/* Return the fastest of the runs that fit into 0.1 s. */
 struct price price_calibrate(struct ladder_model model);
 
 /* ... with the triangles of ladder_alloc_of(). */
 struct price price_calibrate_of(enum element element, double grade,
                                 struct ladder_model model);
 
-/* Of the solve, without what ladder_alloc() does (s). */
+/* Return the seconds of the solve, without those of ladder_alloc(). */
 double price_seconds(const struct ladder_state *state, struct price price);
 
-/* What a frame is: a step of a motion, or the solve at rest. */
+/* Return the seconds of a frame: a step of a motion, or the solve at rest. */
 double price_frames(const struct ladder_state *state);
 
-/* The columns of cells that fit into so many seconds per frame, with as many
- * systems: between the prices of n levels, the first of level 0, a power of the
- * columns, and beyond them the power of the last two. */
+/* Return the columns of cells that fit into so many seconds per frame, with as
+ * many systems: between the prices of n levels, the first of level 0, a power
+ * of the columns, and beyond them the power of the last two. */
 int price_columns(const struct ladder_state *state, const struct price price[],
                   int n, double seconds);
 

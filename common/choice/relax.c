@@ -14,7 +14,8 @@ static struct material law_of(const struct ladder_state *s)
     return material;
 }
 
-/* Where K and dP/dF are taken: at u, or of a linear model at rest. */
+/* Return whether K and dP/dF are taken at u; those of a linear model are at
+ * rest. */
 static int at_u(const struct ladder_state *s)
 {
     return s->model.rung > LINEAR_PLANE;
@@ -171,8 +172,8 @@ static void stiffness(const struct ladder_state *s,
                                                        mat2_identity())), g);
 }
 
-/* |e| over |w + e| for (K - D) e = g, which is used up; of the force in the
- * hand |z.g| for (K - D) z = hand, over hand.z [eq:left-hand].  1: it gives
+/* Return |e| over |w + e| for (K - D) e = g, which is used up; of the force in
+ * the hand |z.g| for (K - D) z = hand, over hand.z [eq:left-hand].  1: it gives
  * way. */
 static double lacks(const struct ladder_state *s, const struct matrix *factors,
                     relax_forces *forces, const double w[], double g[])
@@ -266,7 +267,7 @@ double relax_geometry(const struct ladder_state *s,
     return part;
 }
 
-/* How far the answer is off, for it is late [eq:left-phase]. */
+/* Return how far the answer is off, for it is late [eq:left-phase]. */
 static double late(const struct ladder_state *s, const struct matrix *factors,
                    relax_forces *mesh)
 {
@@ -306,8 +307,8 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
     return part;
 }
 
-/* The root of w.M K^-1 M w, w = K^-1 f, the rate at which u would follow the
- * load: each mode swings by that, over its frequency and T. */
+/* Return the root of w.M K^-1 M w, w = K^-1 f, the rate at which u would follow
+ * the load: each mode swings by that, over its frequency and T. */
 static double swing(const struct ladder_state *s, const struct matrix *K)
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
@@ -341,7 +342,8 @@ double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
     return fmin(1.0, (begins + at_end * at_end) / (1.0 + begins));
 }
 
-/* Force along and moment of what lies beyond each section, nodal forces f. */
+/* Add up the axial force and the moment of the nodal forces f beyond each
+ * section. */
 static void sections(const struct ladder_state *s, const double f[], double N[],
                      double M[])
 {
@@ -359,7 +361,7 @@ static void sections(const struct ladder_state *s, const double f[], double N[],
     }
 }
 
-/* hand.K^-1 hand of a bar (J). */
+/* Return hand.K^-1 hand of a bar (J). */
 static double yields(const struct ladder_state *s)
 {
     const size_t n = (size_t)s->mesh->n;
@@ -421,9 +423,9 @@ double relax_dimension(const struct ladder_state *s)
     return gain > 0.0 && whole > 0.0 ? fmin(1.0, off / whole) : 1.0;
 }
 
-/* Where the body is pressed along its axis by P < P_cr, P / P_cr of what bends:
- * of `dimension` without what a held end keeps wide [eq:left-dimension].  For
- * more there is nothing that it is near to: 1. */
+/* Return P / P_cr of the bending part where P < P_cr presses the body along: of
+ * `dimension` without what a held end keeps wide [eq:left-dimension].  For more
+ * there is nothing that it is near to: 1. */
 static double pressed(const struct ladder_state *s, double dimension)
 {
     const double bends = fmax(dimension, relax_dimension(s));
@@ -436,7 +438,7 @@ static double pressed(const struct ladder_state *s, double dimension)
     return share * fmax(0.0, (bends - missed) / (1.0 - missed));
 }
 
-/* Geometry and stress of a linear model [eq:left-together]. */
+/* Estimate geometry and stress of a linear model [eq:left-together]. */
 static void linear_parts(const struct ladder_state *s, const struct matrix *K,
                          relax_forces *stress, double part[N_PART])
 {

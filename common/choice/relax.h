@@ -28,15 +28,16 @@ struct relax_field {
     const double *p;   /* [n_triangle] */
 };
 
-/* P of the model's law at u in triangle e (N/m^2); of a BAR the linear one. */
+/* Return P of the model's law at u in triangle e (N/m^2); of a BAR the linear
+ * one. */
 mat2 relax_stress(const struct ladder_state *state, int e);
 
 /* g_a += int T grad N_a for the three vertices of triangle e (N), T constant.
  */
 void relax_push(const struct ladder_state *state, int e, mat2 T, double g[]);
 
-/* The factors of K, for the caller to free; NULL: K is not positive definite,
- * or u has no K or no stress, as LOG has none where J <= 0. */
+/* Return the factors of K, for the caller to free; NULL: K is not positive
+ * definite, or u has no K or no stress, as LOG has none where J <= 0. */
 struct matrix *relax_factors(const struct ladder_state *state);
 
 /* g += D w, the nodal forces left out of a displacement (N); g: [2 n_vertex].
@@ -55,8 +56,8 @@ int relax_follow(const struct ladder_state *state,
                  double e[]);
 
 /*
- * |e| / |u + e| after two steps, |.| of ladder_measure(); 0 for u = 0, 1 where
- * relax_follow() is false or there are no factors (NULL).
+ * Return |e| / |u + e| after two steps, |.| of ladder_measure(); 0 for u = 0, 1
+ * where relax_follow() is false or there are no factors (NULL).
  *
  * Of the force in the hand it is |hand.e| / hand.z [eq:left-hand], where
  * (K - D) z = hand, by three steps: K and D are symmetric, so hand.e is z.D u,
@@ -85,23 +86,24 @@ double relax_geometry(const struct ladder_state *state,
                       double *together);
 
 /*
- * What a bar has no unknowns for, where the moment differs from section to
- * section: as estimate_dimension() with the deflection of a beam, at its
- * largest and with shear, over 1 - p, p of ladder_pressed(); 1 from p = 1 on.
- * Of the force in the hand, with m and n of the hand alone, int m M / I,
- * s^2 / 2 |n N| and int n w'^2 / 2, by which a bend w shortens the axis, over
- * int m^2 / I and n^2 / height, by which it moves its own side [eq:left-hand].
+ * Return the part for which a bar has no unknowns, where the moment differs
+ * from section to section: as estimate_dimension() with the deflection of a
+ * beam, at its largest and with shear, over 1 - p, p of ladder_pressed(); 1
+ * from p = 1 on.
+ * Of the force in the hand, with m and n of the hand alone, int m M / I, s^2 /
+ * 2 |n N| and int n w'^2 / 2, by which a bend w shortens the axis, over int m^2
+ * / I and n^2 / height, by which it moves its own side [eq:left-hand].
  */
 double relax_dimension(const struct ladder_state *state);
 
-/* hand.K^-1 hand (J): what a hand of the full force would move by itself, times
- * that; NAN where there are no factors. */
+/* Return hand.K^-1 hand (J): what a hand of the full force would move by
+ * itself, times that; NAN where there are no factors. */
 double relax_yields(const struct ladder_state *state);
 
 /*
- * The part of the mesh: relax_part() of its forces, and in motion what these
- * and the time step have made it late by, and the rival where it may be the
- * higher one: where its work is less by at most half of that part.  The
+ * Return the part of the mesh: relax_part() of its forces, and in motion what
+ * these and the time step have made it late by, and the rival where it may be
+ * the higher one: where its work is less by at most half of that part.  The
  * stiffness that they add to the velocity, |D v| over |K v|, makes half of that
  * the frequency too high, and the midpoint rule (omega dt)^2 / 12 too low;
  * after the time t the displacement is off by the angle of it, at most 2, times
@@ -112,14 +114,14 @@ double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);
 
 /*
- * What swings about rest [eq:left-slowest], at most 1, and 1 for u = 0.  Let
- * w = K^-1 f be the rate at which u follows: a load that begins to rise
- * in T, and one that ceases to, makes each mode swing by its part of w over its
- * omega T, of which A = |w|_(M K^-1 M) / |u|_M / T is the root mean square.
- * A_0 is that of K at u = 0, and A of K at u: of one mode that is pressed by p
- * of its buckling load, r / (1 - p) with r = 1 / (omega T).  As nobody knows
- * the phases, u goes beyond rest by h = hypot(A_0, A), and the part is h / (1 +
- * h); of a load that swings it is (A_0 + A^2) / (1 + A_0).
+ * Return the part that swings about rest [eq:left-slowest], <= 1; 1 for u = 0.
+ * Let w = K^-1 f be the rate at which u follows: a load that begins to rise in
+ * T, and one that ceases to, makes each mode swing by its part of w over its
+ * omega T, of which A = |w|_(M K^-1 M) / |u|_M / T is the root mean square. A_0
+ * is that of K at u = 0, and A of K at u: of one mode that is pressed by p of
+ * its buckling load, r / (1 - p) with r = 1 / (omega T).  As nobody knows the
+ * phases, u goes beyond rest by h = hypot(A_0, A), and the part is h / (1 + h);
+ * of a load that swings it is (A_0 + A^2) / (1 + A_0).
  */
 double relax_inertia(const struct ladder_state *state,
                      const struct matrix *factors);

@@ -20,7 +20,7 @@ static double sweep(const struct ladder_state *s, int tangent)
     return s->mesh->n_triangle * (each + (tangent ? 150.0 : 0.0));
 }
 
-/* Each section moves as one: u' = N / (E' A), N the force beyond it; and it
+/* Move each section as one: u' = N / (E' A), N the force beyond it; and it
  * grows thinner as it would if nothing held it. */
 static enum status bar(struct ladder_state *s)
 {
@@ -97,7 +97,8 @@ static void linear_end(struct linear *l)
     free(l->some);
 }
 
-/* Newton's method for backward Euler from w by d, or for rest (w NULL). */
+/* Solve backward Euler by Newton's method, from w by d, or for rest (w
+ * NULL). */
 static enum status newton(struct ladder_state *s, double d, const double w[],
                           double share, double u[])
 {
@@ -141,8 +142,8 @@ static void keep(struct moment *m, double x, double d, const double half[],
     }
 }
 
-/* peak[0] and peak[1] are the highest two, the highest first; [2] is sorted in
- * and becomes a moment that nobody needs. */
+/* Insert peak[2] among peak[0] and peak[1], the highest first; afterwards
+ * peak[2] is scratch. */
 static void sort_in(struct moment peak[3])
 {
     for (int k = 2; k > 0 && peak[k].work > peak[k - 1].work; k--) {
@@ -153,7 +154,7 @@ static void sort_in(struct moment peak[3])
     peak[2].work = 0.0;
 }
 
-/* What is asked for: the state in which f.u was largest, and its rival. */
+/* Set the answer: the state in which f.u was largest, and its rival. */
 static void answer(struct ladder_state *s, const struct moment peak[])
 {
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
@@ -166,7 +167,7 @@ static void answer(struct ladder_state *s, const struct moment peak[])
     s->apart = ladder_size(s, peak[2].u);
 }
 
-/* Implicit midpoint from rest. */
+/* Integrate from rest by the implicit midpoint rule. */
 static enum status move(struct ladder_state *s)
 {
     const double dt = ladder_step(s), d = 0.5 * dt;

@@ -7,7 +7,7 @@
 
 #include "choice/ladder.h"
 
-/* Sets u, and of a motion v, t, fastest, rival and apart; adds to flops what it
+/* Set u, and of a motion v, t, fastest, rival and apart; adds to flops what it
  * counts. OK, or how it was not solved: u is then of no use. */
 enum status rung_solve(struct ladder_state *state);
 

@@ -47,7 +47,7 @@ struct said {
     int at[COUNT(lines)];          /* line of the file; 0: it says nothing */
 };
 
-/* "PROGRAM: FILE: line 3: MESSAGE"; line 0: the file as a whole. */
+/* Print "PROGRAM: FILE: line 3: MESSAGE"; line 0: the file as a whole. */
 _Noreturn static void refuse(const char *program, const char *path, int line,
                              const char *format, ...)
 {
@@ -61,7 +61,7 @@ _Noreturn static void refuse(const char *program, const char *path, int line,
     options_refuse(program, words);
 }
 
-/* The number of a word in " a b c ", or -1. */
+/* Return the number of a word in " a b c ", or -1. */
 static int number_of(const char *words, const char *word)
 {
     int k = 0;
@@ -139,9 +139,9 @@ static void name_of(const char *path, char name[64])
         if (!isgraph((unsigned char)*c)) *c = '_';
 }
 
-/* The time step: 16 to the shortest of the load's time, half the period of the
- * first swing as a beam (3.52 of its modulus) or, held at both ends, 22.4, and
- * that of the first one along the axis; for a long scene fewer. */
+/* Return the time step: 16 to the shortest of the load's time, half the period
+ * of the first swing as a beam (3.52 of its modulus) or, held at both ends,
+ * 22.4, and that of the first one along the axis; for a long scene fewer. */
 static double time_step(const struct ladder_scene *scene)
 {
     const double modulus = 1000.0 / (1.0 - scene->nu * scene->nu);
@@ -156,7 +156,7 @@ static double time_step(const struct ladder_scene *scene)
                                        16.0 * scene->end / shortest)));
 }
 
-/* What belongs to a load that moves, and to none that stands. */
+/* Ask for the lines of a moving load, and refuse them of a standing one. */
 static void ask_time(const char *program, const char *path,
                      const struct said *said, enum ladder_time time)
 {

@@ -73,7 +73,7 @@ void cg_incomplete(const void *factor, const double r[], double z[])
     csr_factor_solve(L, z);
 }
 
-/* K's lower triangle, as columns: those of the rows, which are as long. */
+/* Return K's lower triangle by columns, which have the length of the rows. */
 static struct factor *lower_triangle(const struct csr *K)
 {
     int *count = allocate((size_t)K->n, sizeof *count);

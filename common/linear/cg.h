@@ -30,7 +30,7 @@ struct cg_report cg_solve(const struct csr *K, preconditioner *precondition,
                           const void *context, double tolerance, int cap,
                           const double b[], double x[]);
 
-/* Preconditioner: the inverse of the diagonal of the csr matrix that is the
+/* Precondition with the inverse of the diagonal of the csr matrix that is the
  * context [eq:jacobi]. */
 void cg_jacobi(const void *csr, const double r[], double z[]);
 

@@ -19,18 +19,20 @@ struct csr {
     double *value; /* [start[n]] */
 };
 
-/* No entries yet, and room for so many; start is all 0.  The caller frees. */
+/* Return no entries yet, and room for so many; start is all 0.  The caller
+ * frees. */
 struct csr *csr_alloc(int n, int room);
 void csr_free(struct csr *A);
 
 /* y := A x. */
 void csr_multiply(const struct csr *A, const double x[], double y[]);
 
-/* |b - A x| / |b|, Euclidean norms; NaN if an entry is one. */
+/* Return |b - A x| / |b|, Euclidean norms; NaN if an entry is one. */
 double csr_residual(const struct csr *A, const double x[], const double b[]);
 
-/* max|b - A x| / (|A| max|x| + max|b|), |A| the largest sum of a row: how far
- * the system is that x solves, as matrix_backward_error(), not in eps. */
+/* Return max|b - A x| / (|A| max|x| + max|b|), |A| the largest sum of a row:
+ * how far the system is that x solves, as matrix_backward_error(), not in
+ * eps. */
 double csr_backward_error(const struct csr *A, const double x[],
                           const double b[]);
 
@@ -43,7 +45,7 @@ struct factor {
     double *value;    /* [start[n]] */
 };
 
-/* Room for count[j] entries in column j, and none yet.  The caller frees it. */
+/* Return room for count[j] entries in column j.  The caller frees it. */
 struct factor *csr_factor_alloc(int n, const int count[]);
 void csr_factor_free(struct factor *L);
 

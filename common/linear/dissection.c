@@ -74,7 +74,7 @@ static int dissect(const struct state *s, struct box b, int depth)
     return number(s, line, depth, child0, child1);
 }
 
-/* Over how many columns or rows a triangle goes, at most. */
+/* Return the most columns or rows over which a triangle goes. */
 static int find_reach(int columns, int n_triangle, const int triangle[])
 {
     int reach = 1;

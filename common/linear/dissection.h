@@ -34,9 +34,9 @@ struct dissection {
                           * come its later neighbours, in no order */
 };
 
-/* Of a mesh whose vertex a = j columns + i is the i-th of row j.  held[a] != 0:
- * vertex a is left out; not all may be.  At most `leaf` >= 1 vertices are not
- * cut.  The caller frees it. */
+/* Dissect a mesh whose vertex a = j columns + i is the i-th of row j.  held[a]
+ * != 0: vertex a is left out; not all may be.  At most `leaf` >= 1 vertices are
+ * not cut.  The caller frees it. */
 struct dissection *dissection_alloc(int columns, int rows, int n_triangle,
                                     const int triangle[], const int held[],
                                     int leaf);

@@ -17,8 +17,8 @@ static int blocks(int n)
     return (n + V - 1) / V;
 }
 
-/* Where panel K begins, when all before it are whole, in a triangle of `all`
- * blocks. */
+/* Return where panel K begins, when all before it are whole, in a triangle of
+ * `all` blocks. */
 INLINE ptrdiff_t panel(ptrdiff_t K, ptrdiff_t all)
 {
     return V * V * (K * all - K * (K - 1) / 2);
@@ -109,7 +109,7 @@ void front_extend(const struct front *child, const int row[],
     }
 }
 
-/* S y, of the w columns of a block at y. */
+/* Return S y, of the w columns of a block at y. */
 static const double *signed_block(int w, const double sign[], const double y[],
                                   double result[W * V])
 {
@@ -143,8 +143,8 @@ struct work {
     double inverse[W];
 };
 
-/* Tile of q blocks from block i on, of panel K: subtract the columns of panels
- * `begin` to `stop` - 1; and, of pivots, finish it. */
+/* Update the tile of q blocks from block i on, of panel K: subtract the columns
+ * of panels `begin` to `stop` - 1; and, of pivots, finish it. */
 INLINE enum status front_tile(const int q, const int finish, struct work *a,
                               int begin, int stop, int K, int i)
 {
@@ -227,7 +227,7 @@ INLINE void fetch(const int single, const struct front *f, ptrdiff_t l,
             (const void *)(begin + (uintptr_t)((l + ahead) * size + line)));
 }
 
-/* Numbers i .. i + V - 1 of what is kept. */
+/* Return the kept numbers i .. i + V - 1. */
 INLINE vec numbers(const int single, const struct front *f, ptrdiff_t i)
 {
 #define ROUNDED(i, r) f->rounded[(i) + (r)]
@@ -286,7 +286,7 @@ INLINE void forward(const int single, const struct front *f, double x[])
     }
 }
 
-/* From the end of what is kept to its beginning. */
+/* Substitute from the end of the kept numbers to their beginning. */
 INLINE void backward(const int single, const struct front *f, double x[])
 {
     const int all = blocks(f->pivots) + blocks(f->rest);

@@ -27,12 +27,12 @@ struct front {
     double *sign;     /* S of the pivots in A = L S L^T, or NULL: A = L L^T */
 };
 
-/* How many numbers l holds, and in which row unknown k of the rest is; that of
- * a pivot is its number. */
+/* Return how many numbers l holds, and in which row unknown k of the rest is;
+ * that of a pivot is its number. */
 size_t front_size(int pivots, int rest);
 int front_row(int pivots, int k);
 
-/* Where in l entry (i, j) is, i >= j, j a pivot. */
+/* Return where in l entry (i, j) is, i >= j, j a pivot. */
 int front_place(int pivots, int rest, int i, int j);
 
 /* l := n 2x2 blocks, each by columns, block k at place[k]. */

@@ -10,8 +10,8 @@
 
 #include <stddef.h>
 
-/* As matrix_solve_indefinite(), in the band a[j*stride + d] = A_j+d,j of half
- * bandwidth p; room: [n (p + 1)]. */
+/* Solve as matrix_solve_indefinite(), in the band a[j*stride + d] = A_j+d,j of
+ * half bandwidth p; room: [n (p + 1)]. */
 enum status indefinite_solve(int n, int p, size_t stride, const double a[],
                              double room[], double b[], int *negative);
 

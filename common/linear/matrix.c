@@ -22,8 +22,8 @@
  * 16 MB, are worth large pages. */
 enum { LINE = 64, LARGE_PAGE = 1 << 21, MANY = 1 << 21 };
 
-/* Where entry (i, j) lives, NULL outside of a sparse pattern; banded and sparse
- * storage hold i >= j only. */
+/* Return where entry (i, j) lives, NULL outside of a sparse pattern; banded and
+ * sparse storage hold i >= j only. */
 static double *entry(const struct matrix *A, int i, int j)
 {
     if (A->storage == SPARSE) {
@@ -39,8 +39,8 @@ static int is_wide(const struct matrix *A) /* for tiles.h */
     return A->storage == BANDED && A->p >= TILES_WIDE;
 }
 
-/* n zeros that start at a line of the cache: see tiles.h.  Many of them are in
- * large pages, where the system has such: fewer addresses to look up. */
+/* Return n zeros that start at a line of the cache: see tiles.h.  Many of them
+ * are in large pages, where the system has such: fewer addresses to look up. */
 static double *allocate_lines(size_t n)
 {
     const size_t page = n < MANY ? LINE : LARGE_PAGE;

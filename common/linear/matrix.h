@@ -76,8 +76,8 @@ struct matrix_cost {
     double solve;   /* flops of the two triangular solves */
 };
 
-/* A zero matrix; p is ignored when dense.  The caller frees it.  sparse.c has
- * the second, by the third, whose size is that of a. */
+/* Return a zero matrix; p is ignored when dense.  The caller frees it.
+ * matrix_alloc_sparse() is in sparse.c and calls matrix_alloc_with(). */
 struct matrix *matrix_alloc(enum storage storage, int n, int p);
 struct matrix *matrix_alloc_sparse(const struct sparse *pattern);
 struct matrix *matrix_alloc_with(const struct matrix_sparse *methods,
@@ -93,8 +93,8 @@ struct matrix *matrix_copy(const struct matrix *A);
  */
 void matrix_keep_single(struct matrix *A, int single);
 
-/* A new matrix, of A's storage: rows and columns first .. first + n - 1 of A,
- * which is what is left when the others are struck out.  Not sparse. */
+/* Return a new matrix, of A's storage: rows and columns first .. first + n - 1
+ * of A.  Not sparse. */
 struct matrix *matrix_block(const struct matrix *A, int first, int n);
 void matrix_free(struct matrix *A);
 
@@ -109,11 +109,11 @@ void matrix_zero(struct matrix *A);
  */
 void matrix_add(struct matrix *A, int i, int j, double value);
 
-/* Where in a entry (i, j), i >= j, is, for an element loop that adds to a by
- * itself; of even i and j when sparse. */
+/* Return where in a entry (i, j), i >= j, is, for an element loop that adds to
+ * a by itself; of even i and j when sparse. */
 int matrix_place(const struct matrix *A, int i, int j);
 
-/* A[i][j]; 0 outside the band or the pattern. */
+/* Return A[i][j]; 0 outside the band or the pattern. */
 double matrix_get(const struct matrix *A, int i, int j);
 
 /*
@@ -132,7 +132,7 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
                       enum diagonal diagonal);
 
 /*
- * Cholesky factorisation A = L L^T [eq:cholesky], in place unless sparse; of a
+ * Factor A = L L^T by Cholesky [eq:cholesky], in place unless sparse; of a
  * tridiagonal band A = L D L^T, see banded.h.
  *
  * NOT_SPD when a pivot is not above n eps times its own diagonal entry, which
@@ -147,8 +147,8 @@ enum status matrix_factor(struct matrix *A);
 /* b := A^{-1} b, for L from matrix_factor(). */
 void matrix_solve(const struct matrix *L, double b[]);
 
-/* Both, with the same digits; a sparse L is read once less.  A status that is
- * not OK leaves b spoilt. */
+/* Factor and solve, with the same digits; a sparse L is read once less.  A
+ * status that is not OK leaves b spoilt. */
 enum status matrix_factor_solve(struct matrix *A, double b[]);
 
 /*
@@ -179,21 +179,21 @@ enum status matrix_eigenvalues(const struct matrix *A, double value[]);
 /* y := A x, for an A that is not factored. */
 void matrix_multiply(const struct matrix *A, const double x[], double y[]);
 
-/* Bytes that the entries occupy; sparse: and the factor, when there is one. */
+/* Return the bytes of the entries; sparse: and the factor, if any. */
 size_t matrix_bytes(const struct matrix *A);
 
-/* The largest entry of the diagonal, or 0; NaN is not looked at. */
+/* Return the largest entry of the diagonal, or 0; NaN is not looked at. */
 double matrix_max_diagonal(const struct matrix *A);
 
 /* Print a table of the entries within the band: columns i j value. */
 void matrix_table(const char *name, const struct matrix *A);
 
 /*
- * What order n and half bandwidth p cost, without a matrix [eq:band-cost]; p is
- * ignored when dense.  Each + - * / and square root of the textbook's
- * Cholesky counts one: (m + 1)^2 for a column with m entries below its pivot,
- * and 2 (2 m + 1) in the solves [eq:cholesky-flops].  Real numbers, for n^3
- * exceeds any int.
+ * Return the cost of order n and half bandwidth p, without a matrix
+ * [eq:band-cost]; p is ignored when dense.  Each + - * / and square root of the
+ * textbook's Cholesky counts one: (m + 1)^2 for a column with m entries below
+ * its pivot, and 2 (2 m + 1) in the solves [eq:cholesky-flops].  Real numbers,
+ * for n^3 exceeds any int.
  */
 struct matrix_cost matrix_cost(enum storage storage, int n, int p);
 

@@ -57,7 +57,7 @@ static int add_neighbours(int width, int height, int i, int j, int k,
     return k;
 }
 
-/* Zeros for a vertex and the eight around it, both components. */
+/* Return zeros for a vertex and the eight around it, both components. */
 static struct csr *pattern(int n)
 {
     const int width = n - 1, height = n + 1, size = 2 * width * height;
@@ -72,7 +72,7 @@ static struct csr *pattern(int n)
     return A;
 }
 
-/* Row i of the block of a vertex with corners V and of vertex w, spread. */
+/* Spread row i of the block of a vertex with corners V and of vertex w. */
 static void spread(const double value[2], int n, int w, const int V[4], int i,
                    struct csr *A)
 {

@@ -29,7 +29,7 @@ struct multigrid {
     enum status status;       /* of it; NOT_SPD: neither is K */
 };
 
-/* For a K of system_matrix() in the order of the vertices. */
+/* Make levels for a K of system_matrix() in the order of the vertices. */
 struct multigrid *multigrid_alloc(const struct csr *K, int n);
 void multigrid_free(struct multigrid *m);
 
@@ -38,7 +38,7 @@ void multigrid_free(struct multigrid *m);
 void multigrid_prolong(int n, const double coarse[], double fine[]);
 void multigrid_restrict(int n, const double fine[], double coarse[]);
 
-/* P^T K P, for the K of n squares per side. */
+/* Return P^T K P, for the K of n squares per side. */
 struct csr *multigrid_coarse(const struct csr *K, int n);
 
 /* A sweep of Gauss and Seidel over K x = b: the equations in turn, each solved

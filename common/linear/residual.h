@@ -13,9 +13,9 @@ double matrix_residual(const struct matrix *A, const double x[],
                        const double b[]);
 
 /*
- * |b - A u| / (|A| |u| + |b|) in units of eps, maximum norms, for an A that is
- * not factored: how far the system that u solves exactly is from A u = b.  NaN
- * if an entry is.  Source: Higham, Accuracy and Stability of Numerical
+ * Return |b - A u| / (|A| |u| + |b|) in units of eps, maximum norms, for an A
+ * that is not factored: how far the system that u solves exactly is from A u =
+ * b.  NaN if an entry is.  Source: Higham, Accuracy and Stability of Numerical
  * Algorithms, 2nd ed., theorem 7.1.
  */
 double matrix_backward_error(const struct matrix *A, const double u[],

@@ -26,7 +26,7 @@ static int compare(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* The row of a place in a front. */
+/* Return the row of a place in a front. */
 static int row_of(const struct sparse *s, const struct sparse_front *f,
                   int place)
 {
@@ -77,8 +77,8 @@ static int find_rest(struct sparse *s, int f, int begin, int seen[])
     return begin + front->rest;
 }
 
-/* Where the numbers of every front are, and what they cost.  Two stacks: what
- * the children leave is on top of the other one. */
+/* Place the numbers of every front, and count them.  Two stacks: the rest of
+ * the children is on top of the other one. */
 static void lay_out(struct sparse *s)
 {
     size_t top[2] = {0, 0}, peak[2] = {0, 0}, largest = 0;
@@ -109,7 +109,7 @@ static void lay_out(struct sparse *s)
     s->room = s->l + largest;
 }
 
-/* Where the blocks of a front are in it; the rows of its rest in its parent. */
+/* Find the blocks of a front in it, and the rows of its rest in its parent. */
 static void find_rows(struct sparse *s, int n_rest)
 {
     s->up = allocate((size_t)n_rest + 1, sizeof *s->up);
@@ -184,7 +184,7 @@ struct memory {
     double *sign;     /* S, of all unknowns, or NULL */
 };
 
-/* Front i, with its part of the memory. */
+/* Return front i, with its part of the memory. */
 static struct front front_of(const struct sparse *s, int i, struct memory m)
 {
     const struct sparse_front *f = &s->front[i];
@@ -269,7 +269,8 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
     return status;
 }
 
-/* Every block and its mirror image; a block of the diagonal is one. */
+/* Multiply by every block and its mirror image; a block of the diagonal is
+ * one. */
 void sparse_multiply(const struct sparse *s, const double a[],
                      const double x[], double y[])
 {

@@ -43,22 +43,24 @@ struct sparse {
     double flops, solve;    /* as those of matrix_cost() of matrix.h */
 };
 
-/* As dissection_alloc(), with a leaf of SPARSE_LEAF unless it is measured. */
+/* Dissect as dissection_alloc(), with a leaf of SPARSE_LEAF unless it is
+ * measured. */
 struct sparse *sparse_alloc(int columns, int rows, int n_triangle,
                             const int triangle[], const int held[], int leaf);
 void sparse_free(struct sparse *s);
 
-/* The block of places i >= j, -1: it is zero. */
+/* Return the block of places i >= j, -1: it is zero. */
 int sparse_block(const struct sparse *s, int i, int j);
 
 /* y := A x, for the blocks a. */
 void sparse_multiply(const struct sparse *s, const double a[],
                      const double x[], double y[]);
 
-/* As matrix_max_diagonal(), of the blocks a. */
+/* Return matrix_max_diagonal() of the blocks a. */
 double sparse_max_diagonal(const struct sparse *s, const double a[]);
 
-/* Numbers of the memory below: room to work, and L, as it is or rounded. */
+/* Return the numbers of the memory below: room to work, and L, as it is or
+ * rounded. */
 size_t sparse_size(const struct sparse *s, int single);
 
 /* Factor a, in double precision; keep L in single precision, or as it is.  The
@@ -72,8 +74,8 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
 void sparse_solve(const struct sparse *s, int single, double memory[],
                   double b[]);
 
-/* As matrix_solve_indefinite(), for the blocks a: A = L S L^T, S a diagonal of
- * signs.  The memory is for L as it is. */
+/* Solve as matrix_solve_indefinite(), for the blocks a: A = L S L^T, S a
+ * diagonal of signs.  The memory is for L as it is. */
 enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
                                     double memory[], double b[],
                                     int *negative);

@@ -30,9 +30,9 @@ size_t tiles_stride(int p)
     return (((size_t)p + 15) / 8 | 1) * 8 + 1;
 }
 
-/* The columns of a band from k up to end.  This function and those below have
- * up to ten parameters: in a struct the tile t would not stay in registers.
- */
+/* Return the columns of a band from k up to end.  This function and those below
+ * have up to ten parameters: in a struct the tile t would not stay in
+ * registers. */
 INLINE int subtract(const int q, int k, int end, int J, int i, ptrdiff_t next,
                     const double a[], vec t[W][Q])
 {
@@ -42,7 +42,8 @@ INLINE int subtract(const int q, int k, int end, int J, int i, ptrdiff_t next,
     return end;
 }
 
-/* For all columns before J.  In the first of them the lower vecs are zero. */
+/* Subtract all columns before J.  In the first of them the lower vecs are
+ * zero. */
 INLINE void subtract_all(const int q, int p, int J, int i, ptrdiff_t next,
                          const double a[], vec t[W][Q])
 {
@@ -69,8 +70,8 @@ enum status tiles_triangle(int n, int w, const double diagonal[],
     return OK;
 }
 
-/* Rows i .. i + q V - 1 of a panel of w columns: a := L.  At the diagonal i is
- * J.  What sticks out of the band is zero. */
+/* Factor rows i .. i + q V - 1 of a panel of w columns: a := L.  At the
+ * diagonal i is J.  What sticks out of the band is zero. */
 INLINE enum status tile(const int q, int n, int p, int J, int i, int w,
                         ptrdiff_t next, double a[], vec l[W],
                         double inverse[W])

@@ -18,9 +18,9 @@
 /* From this half bandwidth on the routines below may be used. */
 enum { TILES_WIDE = 15 };
 
-/* Numbers a column: one more than an odd multiple of 8.  A row then keeps its
- * place in a line of the cache from column to column, columns do not compete
- * for one place in the cache, and no tile reaches into the next column. */
+/* Return the numbers in a column: one more than an odd multiple of 8.  A row
+ * then keeps its place in a line of the cache from column to column, columns do
+ * not compete for one place in the cache, and no tile reaches into the next. */
 size_t tiles_stride(int p);
 
 /* A = L L^T in place [eq:cholesky]; statuses as matrix_factor() of matrix.h. */

@@ -48,15 +48,15 @@ double material_corner(const struct material *material)
     return high;
 }
 
-/* s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near J = 1,
- * where the series begins, nor of a small J, which s does not know. */
+/* Return s - r(J) with s = J - 1, that is s^2/2 - ... : no digits are lost near
+ * J = 1, where the series begins, nor of a small J, which s does not know. */
 static double s_minus_r(const struct material *material, double s, double J)
 {
     if (material->law != LOG) return s * s / 2.0 - s * s * s / 3.0;
     return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s);
 }
 
-/* G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
+/* Set G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
  * order about eps, or about J itself. */
 static inline void extended(const struct material *material, double J,
                             double G[3])
@@ -80,7 +80,7 @@ struct volume material_volume_beyond(const struct material *material, double J,
     return (struct volume){weight * G[1], weight * G[2]};
 }
 
-/* shape + mu s + G(J) with s = J - 1; see s_minus_r. */
+/* Return shape + mu s + G(J) with s = J - 1; see s_minus_r. */
 static double add_volume(const struct material *material, double shape,
                          double J, double s)
 {

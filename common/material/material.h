@@ -52,19 +52,20 @@ struct material material_notes(enum law law);
 /* A state without any symmetry, at which lesson and studies look at a law. */
 extern const mat2 MATERIAL_STATE;
 
-/* 2 mu + lambda: the modulus of every law at F = 1 in uniaxial strain. */
+/* Return 2 mu + lambda: the modulus of every law at F = 1 in uniaxial
+ * strain. */
 double material_modulus(const struct material *material);
 
 /*
- * Where a held side meets a free one at a right angle, u ~ r^p: p, between 1/2
- * and 1, of the linear law in plane strain [eq:corner].  Elements of size h
- * have h^(2 p) of the energy wrong there.
+ * Return where a held side meets a free one at a right angle, u ~ r^p: p,
+ * between 1/2 and 1, of the linear law in plane strain [eq:corner].  Elements
+ * of size h have h^(2 p) of the energy wrong there.
  *
  * Source: M. L. Williams, J. Appl. Mech. 19 (1952).
  */
 double material_corner(const struct material *material);
 
-/* Whether psi exists at J: LOG needs J > 0 (false for NaN). */
+/* Return whether psi exists at J: LOG needs J > 0 (false for NaN). */
 static inline int material_defined(const struct material *material, double J)
 {
     return material->law == LOG ? J > 0.0 : !isnan(J);
@@ -112,13 +113,14 @@ static inline struct volume material_volume(const struct material *material,
     return material_volume_weighted(material, J, 1.0);
 }
 
-/* One dimension.  F must be where the material is defined (asserted). */
+/* Evaluate one dimension.  F must be where the material is defined
+ * (asserted). */
 double material1_psi(const struct material *material, double F);
 double material1_pk1(const struct material *material, double F);
 double material1_dpk1(const struct material *material, double F); /* dP/dF */
 
-/* Two dimensions; dpk1 is the change of P for a small change dF of F:
- * dP_iJ = (dP_iJ / dF_kL) dF_kL  [eq:dpk1]. */
+/* Evaluate two dimensions; dpk1 is the change of P for a small change dF of F:
+ * dP_iJ = (dP_iJ / dF_kL) dF_kL [eq:dpk1]. */
 double material2_psi(const struct material *material, mat2 F);
 mat2 material2_pk1(const struct material *material, mat2 F);
 mat2 material2_dpk1(const struct material *material, mat2 F, mat2 dF);

@@ -28,7 +28,8 @@ struct svd {
     double s1, s2;
 };
 
-/* In closed form, for every finite F: where s1 = |s2| it is one of many. */
+/* Decompose in closed form, for every finite F: where s1 = |s2| it is one of
+ * many. */
 struct svd modes_svd(mat2 F);
 
 enum mode { MODE_TWIST, MODE_FLIP, MODE_LOW, MODE_HIGH };
@@ -39,14 +40,15 @@ struct modes {
     mat2 direction[4]; /* dF, of length 1 */
 };
 
-/* From mu, G'(J) and G''(J); or those of a material, not LINEAR, at F. */
+/* Return the modes from mu, G'(J) and G''(J); or those of a material, not
+ * LINEAR, at F. */
 struct modes modes_of(mat2 F, double mu, double dG, double ddG);
 struct modes modes_at(const struct material *material, mat2 F);
 
 /*
- * dP for dF, no factor below floor: sum_m max(value_m, floor) (D_m:dF) D_m
- * [eq:projection].  With floor = -INFINITY it is material2_dpk1(); with 0 the
- * nearest positive semi-definite matrix in the Frobenius norm.
+ * Return dP for dF, no factor below floor: sum_m max(value_m, floor) (D_m:dF)
+ * D_m [eq:projection].  With floor = -INFINITY it is material2_dpk1(); with 0
+ * the nearest positive semi-definite matrix in the Frobenius norm.
  */
 mat2 modes_dpk1(const struct modes *modes, double floor, mat2 dF);
 

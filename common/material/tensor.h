@@ -40,7 +40,7 @@ static inline mat2 mat2_subtract(mat2 A, mat2 B)
     return mat2_add(A, mat2_scale(-1.0, B));
 }
 
-/* A B */
+/* Return A B */
 static inline mat2 mat2_multiply(mat2 A, mat2 B)
 {
     mat2 C;
@@ -55,7 +55,7 @@ static inline mat2 mat2_transpose(mat2 A)
     return (mat2){{{A.m[0][0], A.m[1][0]}, {A.m[0][1], A.m[1][1]}}};
 }
 
-/* d(det A)/dA = det(A) A^{-T} */
+/* Return d(det A)/dA = det(A) A^{-T} */
 static inline mat2 mat2_cofactor(mat2 A)
 {
     return (mat2){{{A.m[1][1], -A.m[1][0]}, {-A.m[0][1], A.m[0][0]}}};
@@ -71,7 +71,7 @@ static inline double mat2_trace(mat2 A)
     return A.m[0][0] + A.m[1][1];
 }
 
-/* A : B = sum_iJ A_iJ B_iJ */
+/* Return A : B = sum_iJ A_iJ B_iJ */
 static inline double mat2_dot(mat2 A, mat2 B)
 {
     return A.m[0][0] * B.m[0][0] + A.m[0][1] * B.m[0][1] +

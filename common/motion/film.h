@@ -13,8 +13,8 @@
 
 #define FILM "k J x0 y0 x1 y1 x2 y2 pointer_x pointer_y down"
 
-/* Where k is a multiple of `every`, a row for each triangle: its J and corners
- * now, and the pointer. */
+/* Print, where k is a multiple of `every`, a row for each triangle: its J and
+ * corners now, and the pointer. */
 void film_frame(const struct live *live, int every, int k,
                 const struct pointer *pointer);
 

@@ -34,7 +34,8 @@ struct hand {
 static char said[8], slot_now[8]; /* the lesson; what is called */
 static volatile sig_atomic_t open_now;
 
-/* `helps`, unless NULL, is a goal that does; `said` is written behind it. */
+/* Stop: `helps`, unless NULL, is a goal that does; `said` is written behind
+ * it. */
 static _Noreturn void stop(const char *verdict, const char *why,
                            const char *helps)
 {
@@ -138,7 +139,8 @@ int hand_next(struct hand *hand, struct pointer *pointer)
 static double across(double x) { return 280.0 + 100.0 * x; }
 static double down(double y) { return 220.0 - 100.0 * y; }
 
-/* As view.h has it: blue, white, orange; magenta where it is not positive. */
+/* Colour as view.h has it: blue, white, orange; magenta where it is not
+ * positive. */
 static void colour(double value, char text[16])
 {
     const double s = fmax(-1.0, fmin(1.0, log2(value > 0.0 ? value : 1.0)));

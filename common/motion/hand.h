@@ -47,8 +47,8 @@ struct hand;
 struct hand *hand_open(const char *lesson, const char *whose,
                        const char *keys, int argc, char *argv[]);
 
-/* The next frame: false at the end of the input, or of the window.  The pointer
- * stays within 2.7 m and 2.1 m of the middle. */
+/* Return the next frame: false at the end of the input, or of the window.  The
+ * pointer stays within 2.7 m and 2.1 m of the middle. */
 int hand_next(struct hand *hand, struct pointer *pointer);
 
 /* The slot that is called from here on; NULL: none. */
@@ -63,19 +63,19 @@ void hand_slot(const char *slot);
 void hand_draw(struct hand *hand, struct view_picture *picture,
                enum status status, const char *columns, const double number[]);
 
-/* The exit status; hand is freed. */
+/* Return the exit status; hand is freed. */
 int hand_close(struct hand *hand);
 
 /* Add to picture an arrow from a to a + scale d, if it can be seen. */
 void hand_arrow(struct view_picture *picture, const double a[2],
                 const double d[2], double scale);
 
-/* The point that is held from here on, or -1: while the button is down the one
- * that was, or else the nearest one that is within reach (m). */
+/* Return the point that is held from here on, or -1: while the button is down
+ * the one that was, or else the nearest one that is within reach (m). */
 int hand_grab(int held, const struct pointer *pointer, int n, const double x[],
               double reach);
 
-/* A picture of the triangles of a mesh, whose vertices are at x now. */
+/* Return a picture of the triangles of a mesh, whose vertices are at x now. */
 struct view_picture hand_triangles(const struct mesh *mesh, const double x[],
                                    const double value[]);
 

@@ -39,12 +39,12 @@ struct state {
 /* A state at rest. */
 struct state state_make(int n);
 
-/* At rest, u with all modes at once, so small that a body is linear (1e-7 m);
- * 0 at what is prescribed. */
+/* Return a state at rest, u with all modes at once, so small that a body is
+ * linear (1e-7 m); 0 at what is prescribed. */
 struct state state_ripple(const struct model *model);
 
-/* At rest, a large smooth swing of the square, 0 at both ends and at what is
- * prescribed: u = size (0.4 sin(pi X1), cos(pi X1 / 2)). */
+/* Return, at rest, a large smooth swing of the square, 0 at both ends and at
+ * what is prescribed: u = size (0.4 sin(pi X1), cos(pi X1 / 2)). */
 struct state state_swing(const struct body *body, double size);
 
 void state_copy(const struct state *from, struct state *to);
@@ -91,7 +91,7 @@ typedef struct step_report implicit_function(struct model *model,
                                              const struct state *s, double u[],
                                              double v[]);
 
-/* One step of any method by two such functions; s stays as it was when the
+/* Make one step of any method by two such functions; s stays as it was when the
  * status is not OK. */
 struct step_report integrate_by(explicit_function *explicit,
                                 implicit_function *implicit,
@@ -122,9 +122,9 @@ struct frame {
 };
 
 /*
- * One frame: u and v advance by dt to the boundary values g under the forces f
- * (NULL: none) [alg:frame].  Backward Euler of step.h, tried with FAST, then
- * with ROBUST, then ROBUST in 2, 4, ... MOST_SUBSTEPS sub-steps, the
+ * Make one frame: u and v advance by dt to the boundary values g under the
+ * forces f (NULL: none) [alg:frame].  Backward Euler of step.h, tried with
+ * FAST, then with ROBUST, then ROBUST in 2, 4, ... MOST_SUBSTEPS sub-steps, the
  * prescribed values going in a straight line to g.
  *
  * now  in/out  u, v and v_before; exactly as it was when the frame is lost

@@ -56,7 +56,7 @@ static void begin(struct live *live)
     hold(live, NULL);
 }
 
-/* All but the body, whose storage the next one takes over. */
+/* Free all but the body, whose storage the next one takes over. */
 static void end(struct live *live)
 {
     mesh_free(live->mesh);
@@ -83,14 +83,14 @@ void live_free(struct live *live)
     free(live);
 }
 
-/* Where the pointer is, or would be if it had stayed within LIVE_FAR. */
+/* Set `place` to the pointer, kept within LIVE_FAR. */
 static void within_reach(const struct pointer *pointer, double place[2])
 {
     place[0] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->x));
     place[1] = fmax(-LIVE_FAR, fmin(LIVE_FAR, pointer->y));
 }
 
-/* The hand takes what is near the pointer; false: there is nothing. */
+/* Take the vertex near the pointer into the hand; false: there is none. */
 static int grab(struct live *live, const struct pointer *pointer)
 {
     const struct mesh *mesh = live->mesh;

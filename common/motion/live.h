@@ -121,11 +121,11 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
                              enum tangent tangent, double leap, double u[]);
 
 /*
- * Is u, lifted to the held values g, a start for the second rung?  OK; or the
- * status of step_potential() at u; or STALLED, where Phi is larger than with
- * the free vertices left where they are.  (Where K is nearly
- * singular a lift can be finite, defined and worse than none; on fine meshes
- * frames without end follow from one.)
+ * Ask whether u, lifted to the held values g, is a start for the second rung.
+ * OK; or the status of step_potential() at u; or STALLED, where Phi is larger
+ * than with the free vertices left where they are.  (Where K is nearly singular
+ * a lift can be finite, defined and worse than none; on fine meshes frames
+ * without end follow from one.)
  */
 enum status live_start(const struct live *live, struct incremental Phi,
                        const double g[], const double u[]);
@@ -157,7 +157,7 @@ struct live_way {
 enum status live_downhill_by(struct live *live, struct live_way way, double u[],
                              double v[], struct live_report *report);
 
-/* One frame; hand, u and v advance [alg:live-frame]. */
+/* Make one frame; hand, u and v advance [alg:live-frame]. */
 struct live_report live_frame(struct live *live, const double to[2]);
 
 /* The same with a lift and a second rung of one's own. */
@@ -166,17 +166,18 @@ typedef enum status live_rung(struct live *live, double u[], double v[],
 struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  live_rung *downhill, const double to[2]);
 
-/* One frame by integrate_frame(), whole ("parts" as well) or in sub-steps, by
- * backward Euler; in a frame that is "lost" the hand waits. */
+/* Make one frame by integrate_frame(), whole ("parts" as well) or in sub-steps,
+ * by backward Euler; in a frame that is "lost" the hand waits. */
 struct live_report live_frame_in_parts(struct live *live, const double to[2]);
 
-/* Vertices inside the body round which the angles of their triangles do not add
- * up to 2 pi: it is wound twice there, or inside out [eq:winding].  knot[a] :=
- * is vertex a one?  NULL: do not say.  The triangles are those of the mesh: a
- * quadratic one is four of them, with straight sides between its six nodes. */
+/* Count the vertices inside the body round which the angles of their triangles
+ * do not add up to 2 pi: it is wound twice there, or inside out [eq:winding].
+ * knot[a] := is vertex a one?  NULL: do not say.  The triangles are those of
+ * the mesh: a quadratic one is four of them, with straight sides between its
+ * six nodes. */
 int live_knots(const struct mesh *mesh, const double u[], int knot[]);
 
-/* v.M v / 2 + Psi(u) */
+/* Return v.M v / 2 + Psi(u) */
 double live_energy(const struct live *live);
 
 #endif

@@ -149,7 +149,7 @@ struct step_report model_newton(struct model *model, double dt, double q[])
     return report;
 }
 
-/* Whether M - A / s is positive definite; T is for the difference. */
+/* Return whether M - A / s is positive definite; T is for the difference. */
 static int above(const struct matrix *M, const struct matrix *A, double s,
                  struct matrix *T)
 {

@@ -41,7 +41,7 @@ void model_free(struct model *model);
 /* out := M v */
 void model_mass(const struct model *model, const double v[], double out[]);
 
-/* (v.M v)^(1/2) */
+/* Return (v.M v)^(1/2) */
 double model_norm(const struct model *model, const double v[]);
 
 /* out := dPsi/du, without f; statuses as body_energy(), out is then
@@ -53,7 +53,7 @@ enum status model_force(const struct model *model, const double u[],
  * that the forces r cause. */
 void model_accelerate(const struct model *model, double r[]);
 
-/* v.M v / 2 + Psi(u) - f.u; infinite where Psi is not defined. */
+/* Return v.M v / 2 + Psi(u) - f.u; infinite where Psi is not defined. */
 double model_energy(const struct model *model, const double u[],
                     const double v[]);
 
@@ -63,8 +63,8 @@ double model_energy(const struct model *model, const double u[],
 struct step_report model_newton(struct model *model, double dt, double q[]);
 
 /*
- * The largest frequency omega at rest (1/s): M - A / s is positive definite if
- * and only if s > omega^2.  Bisection, in which Cholesky decides
+ * Return the largest frequency omega at rest (1/s): M - A / s is positive
+ * definite if and only if s > omega^2.  Bisection, in which Cholesky decides
  * [eq:critical-step].
  */
 double model_frequency(const struct model *model);

@@ -102,7 +102,7 @@ struct pointers pointers_mad(int seed, int frames)
 
 /* ---- files --------------------------------------------------------------- */
 
-/* The path in a message of one line. */
+/* Return the path in a message of one line. */
 static const char *shown(const char *path)
 {
     char *text = allocate(strlen(path) + 1, 1);

@@ -23,23 +23,25 @@ struct side {
     double curve[2 * SIDE_FRAMES]; /* side_energy() */
 };
 
-/* The square of scene.h, or, slender > 1, a strip, at rest without a load. */
+/* Return the square of scene.h, or, slender > 1, a strip, at rest without a
+ * load. */
 struct side *side_alloc(enum law law, int n, int slender);
 void side_free(struct side *side);
 
-/* Is the right side held now? */
+/* Return whether the right side is held now. */
 int side_held(const struct side *side);
 
-/* Grab, move or let go as the pointer says: the scene of this frame, with its
- * prescribed values in g; `r` takes it to rest, `l` to the other law, LOG or
- * CUBIC. */
+/* Grab, move or let go as the pointer says: the scene of this frame,
+ * with its prescribed values in g; `r` takes it to rest, `l` to the other law,
+ * LOG or CUBIC. */
 struct scene *side_next(struct side *side, const struct pointer *pointer);
 
 /* The state as a picture; value is J, and min_J the least. */
 struct view_picture side_picture(struct side *side);
 
-/* kinetic + elastic energy (J), added to the curve of the last SIDE_FRAMES
- * frames in the picture, a decade 0.25 m high; INFINITY is left out. */
+/* Return kinetic + elastic energy (J), added to the curve of the last
+ * SIDE_FRAMES frames in the picture, a decade 0.25 m high; INFINITY is left
+ * out. */
 double side_energy(struct side *side, struct view_picture *picture);
 
 #endif

@@ -43,8 +43,8 @@ void user_free(struct user *user)
     free(user);
 }
 
-/* The motion that holds at time t, 0 < t <= the end of the last, and the place
- * of the right side. */
+/* Return the motion that holds at time t, 0 < t <= the end of the last, and the
+ * place of the right side. */
 static const struct user_motion *script_at(double t, double reach,
                                            double place[2])
 {

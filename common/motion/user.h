@@ -41,7 +41,8 @@ struct user {
     int n_kept;
 };
 
-/* n squares per side, consistent mass, the notes' material; LOG or CUBIC. */
+/* Make n squares per side, with consistent mass, the notes' material; LOG or
+ * CUBIC. */
 struct user *user_alloc(int n, enum law law, double reach);
 void user_free(struct user *user);
 
@@ -51,8 +52,8 @@ int user_next(struct user *user);
 /* Keep the state u [n_dof] of this frame, if it is the last of a motion. */
 void user_keep(struct user *user, const double u[]);
 
-/* Table square: the vertices in the states kept, k being the number of the
- * motion. */
+/* Print the table square: the vertices in the states kept, k being the number
+ * of the motion. */
 void user_table(const struct user *user);
 
 #endif

@@ -53,7 +53,7 @@ static SDL_Texture *letters_load(SDL_Renderer *draw)
     return letters;
 }
 
-/* Lines of text on a plate, for the body may be behind them.  At most 60
+/* Write lines of text on a plate, for the body may be behind them.  At most 60
  * letters are inside the smallest window.  What the last key has changed,
  * `[key] what it is now`, has a plate of another colour for a second. */
 static void write_text(struct view *v, int x, int y, const char *text)
@@ -183,7 +183,7 @@ static void draw_body(struct view *v, const struct view_picture *p)
     }
 }
 
-/* Arrows three pixels wide, with a block as head; the curve has two. */
+/* Draw arrows three pixels wide, with a block as head; the curve has two. */
 static void draw_arrows(struct view *v, const struct view_picture *p)
 {
     ink(v, 20, 20, 20);

@@ -13,15 +13,15 @@
 
 struct window;
 
-/* NULL: the program was not linked by `make live`.  die() where there is no
- * display. */
+/* Open a window.  NULL: the program was not linked by `make live`.  die() where
+ * there is no display. */
 struct window *window_open(void);
 void window_close(struct window *window);
 
 /*
- * Is there a frame k?  In a window its time is waited for (space stops it), and
- * the mouse, where it is the input, adds a line to it.  False: the input is at
- * its end, or the window was closed, as it is by q and Esc.
+ * Return whether there is a frame k.  In a window its time is waited for (space
+ * stops it), and the mouse, where it is the input, adds a line to it.  False:
+ * the input is at its end, or the window was closed, as it is by q and Esc.
  */
 int window_next(struct window *window, struct pointers *input, int k,
                 int mouse);

@@ -36,7 +36,7 @@ int window_next(struct window *w, struct pointers *input, int k, int mouse)
     return k < input->n;
 }
 
-/* Black squares where the body is held, red rings round its knots. */
+/* Draw black squares where the body is held, red rings round its knots. */
 void window_draw(struct window *w, const struct live *live,
                  const struct live_report *report, double seconds,
                  const char *shot)

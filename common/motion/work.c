@@ -43,8 +43,8 @@ enum element work_limit_element(enum work_scene scene)
                                            : QUADRATIC_TRIANGLE;
 }
 
-/* From 0 to 1 within 0 < s < 1, with a velocity and an acceleration that begin
- * and end with 0. */
+/* Rise from 0 to 1 within 0 < s < 1, with a velocity and an acceleration that
+ * begin and end with 0. */
 static double ramp(double s)
 {
     return s <= 0.0 ? 0.0 : s >= 1.0 ? 1.0
@@ -83,7 +83,7 @@ void work_pluck(const struct scene *s, double u[])
 
 /* ---- one solve ----------------------------------------------------------- */
 
-/* Newton's method of a run: fast, and then whatever goes downhill. */
+/* Solve by Newton's method: fast, and then whatever goes downhill. */
 static struct step_report nonlinear(struct model *model, double d,
                                     const double a[], const double b[],
                                     const double g[], double u[])
@@ -178,7 +178,7 @@ struct scene *work_alloc(const struct work_setting *set)
     return scene;
 }
 
-/* What moves; *tolerance has to stay where it is. */
+/* Return the model that moves; *tolerance has to stay where it is. */
 static struct model *model_of(const struct work_setting *set, struct scene *s,
                               const double *tolerance)
 {

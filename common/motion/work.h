@@ -37,7 +37,7 @@ double work_end(enum work_scene scene);             /* (s) */
  * is inverted on fine meshes, and waves with kinks are no better with them. */
 enum element work_limit_element(enum work_scene scene);
 
-/* Cells per row of the coarsest mesh; others have a multiple of it. */
+/* Return the cells per row of the coarsest mesh; others have a multiple. */
 int work_coarsest(enum work_scene scene);
 
 struct work_setting {
@@ -64,34 +64,34 @@ struct work {
     double u[2 * WORK_SHARED]; /* at the shared vertices (m) */
 };
 
-/* From rest to the end of the scene.  NONFINITE also where the explicit method
- * has left the scene: some |u| > 100 m. */
+/* Run from rest to the end of the scene.  NONFINITE also where the explicit
+ * method has left the scene: some |u| > 100 m. */
 struct work work_run(const struct work_setting *set);
 
-/* What a run is made of: the body of a setting at rest, freed by scene_free();
- * s->g := where the held vertices are at time t; u := the hump that SWING
- * begins with, which neither loads nor moves the boundary; and, as the answer,
- * u at the vertices that all meshes of the scene share. */
+/* Make the parts of a run: the body of a setting at rest, freed by
+ * scene_free(); s->g := where the held vertices are at time t; u := the hump
+ * that SWING begins with, which neither loads nor moves the boundary; and, as
+ * the answer, u at the vertices that all meshes of the scene share. */
 struct scene *work_alloc(const struct work_setting *set);
 void work_hold(struct scene *s, enum work_scene scene, double t);
 void work_pluck(const struct scene *s, double u[]);
 void work_share(const struct mesh *mesh, const double u[], struct work *work);
 
-/* Flops of all elements: 250 for one with its tangent, 100 without
+/* Return the flops of all elements: 250 for one with its tangent, 100 without
  * [eq:roofline], 1700 and 400 for a quadratic one. */
 double work_elements(const struct body *body, enum tangent tangent);
 
 /*
- * Flops of what was solved: a factorisation and the two triangular solves as
- * matrix_cost() has them, and the elements.  Per step one residual more than
- * systems is looked at.  Of a banded K, as work_run() has it of all
+ * Return the flops of what was solved: a factorisation and the two triangular
+ * solves as matrix_cost() has them, and the elements.  Per step one residual
+ * more than systems is looked at.  Of a banded K, as work_run() has it of all
  * elements with less than BODY_SPARSE_FROM rows of cells.
  */
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations);
 
-/* Root mean square over the shared vertices of |a - b| (m); of |a| for b NULL.
- * INFINITY if one of the runs is not OK. */
+/* Return the root mean square of |a - b| over the shared vertices (m); of |a|
+ * for b NULL.  INFINITY if one of the runs is not OK. */
 double work_distance(const struct work *a, const struct work *b);
 
 /* u := u + s (a - b) at the shared vertices: what a chain of corrections is

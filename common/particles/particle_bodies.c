@@ -22,8 +22,8 @@ struct cloud cloud_hanging(int order, int cells, int ppc)
     return bar(order, 1.0 / cells, 0.0, cells * ppc, 1.75);
 }
 
-/* F with P(F) = p >= 0: P is monotone there, and Newton's method converges from
- * the first step on. */
+/* Return F with P(F) = p >= 0: P is monotone there, and Newton's method
+ * converges from the first step on. */
 static double stretch_of(const struct material *material, double p)
 {
     double F = 1.0;

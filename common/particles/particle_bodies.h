@@ -18,13 +18,13 @@
 
 #include "particles/particle_step.h"
 
-/* ppc particles in each of the cells of 1 / cells; from -2 h to 1.75. */
+/* Put ppc particles into each of the cells of 1 / cells; from -2 h to 1.75. */
 struct cloud cloud_hanging(int order, int cells, int ppc);
 
 /*
- * Where X is, and its stretch in *F, when the static bar carries the body force
- * c > 0 (N/m): P(F) = c (1 - X), x = [F P - psi] / c, between X and 0
- * [eq:hanging-bar].
+ * Return where X is, and its stretch in *F, when the static bar carries the
+ * body force c > 0 (N/m): P(F) = c (1 - X), x = [F P - psi] / c, between X and
+ * 0 [eq:hanging-bar].
  */
 double hanging_place(const struct material *material, double c, double X,
                      double *F);
@@ -46,16 +46,17 @@ enum stepping { HANGING, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
 
-/* From x = 0.5003 on, two particles per cell; a: velocity.  B is set for APIC.
- */
+/* Make, from x = 0.5003 on, two particles per cell; a: velocity.  B is set for
+ * APIC. */
 struct cloud cloud_ringing(int order, int cells, double a,
                            enum transfer transfer);
 
-/* Length 1, 8 cells, two particles per cell, the last one eps h beyond the
- * place from which it reaches a further node: 9 h, or 9.5 h if order is 2. */
+/* Make a bar of length 1, 8 cells, two particles per cell, the last one eps h
+ * beyond the place from which it reaches a further node: 9 h, or 9.5 h if order
+ * is 2. */
 struct cloud cloud_outlying(int order, double eps);
 
-/* sum_p V_p psi(F_p) */
+/* Return sum_p V_p psi(F_p) */
 double particles_elastic(const struct particles *p,
                          const struct material *material);
 
@@ -67,8 +68,8 @@ double particles_elastic(const struct particles *p,
 void cloud_energies(struct cloud c, const struct material *material, double t,
                     const struct particle_report *report);
 
-/* Three tables: `newton`, the iterations of the report; `step`, the nodes with
- * mass and their velocities before and after; `particles`. */
+/* Print three tables: `newton`, the iterations of the report; `step`, the nodes
+ * with mass and their velocities before and after; `particles`. */
 void cloud_tables(struct cloud c, const struct particle_report *report);
 
 #endif

@@ -18,8 +18,8 @@ void support_pull_back(struct support *s, mat2 F)
     }
 }
 
-/* Support of particle p with pulled back gradients, and F at the nodes x + u.
- */
+/* Find the support of particle p with pulled back gradients, and F at the nodes
+ * x + u. */
 static enum status at_particle(const struct particle_body *body, int p,
                                const double u[], struct support *s, mat2 *F)
 {

@@ -49,7 +49,7 @@ void support_pull_back(struct support *s, mat2 F);
 enum status particle_energy(const struct particle_body *body, const double u[],
                             double *energy);
 
-/* f_a (N). */
+/* Set f_a (N). */
 enum status particle_force(const struct particle_body *body, const double u[],
                            double f[]);
 
@@ -58,7 +58,8 @@ enum status particle_force(const struct particle_body *body, const double u[],
 enum status particle_cauchy_force(const struct particle_body *body,
                                   const double u[], double f[]);
 
-/* And by central differences of the energy, u_r + step and u_r - step. */
+/* Compute it by central differences of the energy, u_r + step and u_r -
+ * step. */
 enum status particle_difference_force(const struct particle_body *body,
                                       const double u[], double step,
                                       double f[]);

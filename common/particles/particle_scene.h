@@ -17,13 +17,13 @@
 
 #include "particles/particles.h"
 
-/* Seven particles in 0.8 < x < 1.6, 0.75 < y < 1.55, with irregular v, m, F,
- * V0, and C = B D^{-1} unless grid is NULL; all must be inside it (asserted).
- */
+/* Return seven particles in 0.8 < x < 1.6, 0.75 < y < 1.55, with irregular v,
+ * m, F, V0, and C = B D^{-1} unless grid is NULL; all must be inside it
+ * (asserted). */
 struct particles *particles_seven(const struct grid *grid);
 
-/* The particles of a square lattice, at (i + 1/2, j + 1/2) spacing, that are
- * within the radius of the centre. */
+/* Return the particles of a square lattice, at (i + 1/2, j + 1/2) spacing, that
+ * are within the radius of the centre. */
 struct particles *particles_disc(const double centre[2], double radius,
                                  double spacing, double rho);
 
@@ -44,7 +44,8 @@ void grid_kick(struct grid *grid, const double v[2], double omega);
 enum status particles_wave(struct particles *p, const struct grid *grid,
                            double k);
 
-/* The part of cos kx in the first component of v: sum v cos / sum cos^2. */
+/* Return the part of cos kx in the first component of v: sum v cos / sum
+ * cos^2. */
 double particles_wave_part(const struct particles *p, double k);
 
 /*
@@ -77,9 +78,9 @@ struct inner {
 struct inner cloud_bar_inner(struct cloud bar, const double f[]);
 
 /*
- * What one transfer leaves of the wave in the limit of many particles per cell
- * [eq:pic-filter]: with z = k h and S = (sin(z/2) / (z/2))^(order + 1),
- * S^2 for PIC, 1 for FLIP, S (S - z S'(z)) for APIC.
+ * Return the factor that one transfer leaves of the wave in the limit of many
+ * particles per cell [eq:pic-filter]: with z = k h and S = (sin(z/2) /
+ * (z/2))^(order + 1), S^2 for PIC, 1 for FLIP, S (S - z S'(z)) for APIC.
  */
 double transfer_factor(int order, enum transfer transfer, double z);
 

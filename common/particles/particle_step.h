@@ -53,10 +53,10 @@ void unknowns_number(const struct grid *grid, enum wall wall,
 void unknowns_gather(const struct unknowns *map, const double r[], double y[]);
 void unknowns_scatter(const struct unknowns *map, const double y[], double u[]);
 
-/* max|y|; NaN if an entry is. */
+/* Return max|y|; NaN if an entry is. */
 double unknowns_largest(const struct unknowns *map, const double y[]);
 
-/* A zero matrix for them, as wide as the particles need. */
+/* Return a zero matrix for them, as wide as the particles need. */
 struct matrix *unknowns_matrix(const struct particle_body *body,
                                const struct unknowns *map);
 
@@ -74,18 +74,19 @@ struct potential {
 };
 double potential_sum(struct potential E);
 
-/* Whether E at `there` is less than at `here`, or not more than by 1e-12 of its
- * parts: so close to the minimum E is round-off, and du needs no guard. */
+/* Return whether E at `there` is less than at `here`, or not more than by 1e-12
+ * of its parts: so close to the minimum E is round-off, and du needs no
+ * guard. */
 int potential_falls(struct potential here, struct potential there);
 
-/* E and r at u; statuses of particle_force(). */
+/* Set E and r at u; statuses of particle_force(). */
 enum status particle_potential(const struct particle_body *body,
                                const struct particle_step *step,
                                const double u[], struct potential *E,
                                double r[]);
 
-/* The largest frequency omega of the nodes with mass (1/s), lumped, at u = 0
- * [eq:critical-step]; NAN where the tangent is not defined. */
+/* Return the largest frequency omega of the nodes with mass (1/s), lumped, at u
+ * = 0 [eq:critical-step]; NAN where the tangent is not defined. */
 double particle_frequency(const struct particle_body *body);
 
 /* How a step went: the linear systems solved (particle_newton() does not count
@@ -105,20 +106,20 @@ struct particle_report {
 mat2 particle_projected(const struct material *material, mat2 F, mat2 dF);
 
 /*
- * Newton's method for r = 0 from u = 0, where nothing is inverted, with halving
- * until potential_falls() [alg:particle-newton].  Where A is not positive
- * definite, it is assembled again with particle_projected().  Done: max|du| <=
- * tolerance h, then max|r| <= tolerance h max A_ii.  NOT_SPD: neither A is
- * positive definite, as where nothing holds a node; STALLED: no part of du
- * makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
+ * Solve r = 0 by Newton's method from u = 0, where nothing is inverted, with
+ * halving until potential_falls() [alg:particle-newton].  Where A is not
+ * positive definite, it is assembled again with particle_projected().  Done:
+ * max|du| <= tolerance h, then max|r| <= tolerance h max A_ii.  NOT_SPD:
+ * neither A is positive definite, as where nothing holds a node; STALLED: no
+ * part of du makes E fall; MAX_ITERATIONS; OUTSIDE; NONFINITE.
  */
 struct particle_report particle_newton(const struct particle_body *body,
                                        const struct particle_step *step,
                                        double tolerance, double u[]);
 
 /*
- * One step of the particles: P2G, particle_newton() with the tolerance 1e-10,
- * G2P; or, in the explicit one, v := v + dt (f(0) / m + g) instead
+ * Make one step of the particles: P2G, particle_newton() with the tolerance
+ * 1e-10, G2P; or, in the explicit one, v := v + dt (f(0) / m + g) instead
  * [eq:symplectic-euler].  Where the status is not OK, no particle has moved,
  * but for one that leaves the grid (OUTSIDE, in the next step's P2G).
  */

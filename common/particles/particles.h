@@ -37,16 +37,17 @@ const char *transfer_name(enum transfer transfer);
 enum { ORDER_MAX = 3, SUPPORT_MAX = (ORDER_MAX + 1) * (ORDER_MAX + 1) };
 
 /*
- * The B-spline of order 1, 2 or 3 (asserted) for nodes at h i: w[q] = N_i(x)
- * and dw[q] = dN_i/dx (1/m) of i = first + q, 0 <= q <= order; returns first.
- * x is finite.  On a node the linear kernel takes the cell to the right.
+ * Return the B-spline of order 1, 2 or 3 (asserted) for nodes at h i: w[q] =
+ * N_i(x) and dw[q] = dN_i/dx (1/m) of i = first + q, 0 <= q <= order; returns
+ * first. x is finite.  On a node the linear kernel takes the cell to the right.
  */
 typedef int kernel_function(int order, double h, double x, double w[],
                             double dw[]);
 kernel_function kernel_weights;
 
-/* D along one axis at x (m^2) [eq:apic]: f (1 - f) h^2 for order 1, f the place
- * of x in its cell; h^2 / 4 and h^2 / 3, wherever x is, for orders 2 and 3. */
+/* Return D along one axis at x (m^2) [eq:apic]: f (1 - f) h^2 for order 1, f
+ * the place of x in its cell; h^2 / 4 and h^2 / 3, wherever x is, for orders 2
+ * and 3. */
 double kernel_inertia(int order, double h, double x);
 
 struct grid {
@@ -61,7 +62,7 @@ struct grid {
     double *next; /* [2 n_node] velocities for G2P: those that forces made */
 };
 
-/* Not periodic; all masses and velocities 0. */
+/* Make a grid that is not periodic; all masses and velocities 0. */
 struct grid *grid_alloc(int order, const double origin[2], double h,
                         const int nodes[2]);
 void grid_free(struct grid *grid);
@@ -94,28 +95,29 @@ struct particles {
     double *mass, *volume; /* [n] m_p (kg), V_p^0 (m^2), both constant */
 };
 
-/* F = I, all other numbers 0. */
+/* Make particles with F = I and all other numbers 0. */
 struct particles *particles_alloc(int n);
 void particles_free(struct particles *p);
 
 /*
- * count[0] x count[1] particles at the middles of equal cells of the box from
- * `low` to `high`, row by row, with the volumes of the cells and density rho
- * (kg/m^2).  A bar of unit cross-section: count[1] = 1, from y = -1/2 to 1/2.
+ * Put count[0] x count[1] particles at the middles of equal cells of the box
+ * from `low` to `high`, row by row, with the volumes of the cells and density
+ * rho (kg/m^2).  A bar of unit cross-section: count[1] = 1, from y = -1/2 to
+ * 1/2.
  */
 struct particles *particles_box(const double low[2], const double high[2],
                                 const int count[2], double rho);
 
 /*
- * Particles to grid [eq:p2g]: mass, v, and next := v.  The affine term is B's;
- * PIC and FLIP have B = 0.  A node without mass gets v = 0.  Statuses as
- * grid_support(); the grid is then incomplete.
+ * Transfer particles to the grid [eq:p2g]: mass, v, and next := v.  The affine
+ * term is B's; PIC and FLIP have B = 0.  A node without mass gets v = 0.
+ * Statuses as grid_support(); the grid is then incomplete.
  */
 enum status grid_p2g(struct grid *grid, const struct particles *p);
 
 /*
- * Grid to particles, with the velocities v^n = grid->v and v^{n+1} = grid->next
- * and all weights at the old x_p [eq:g2p]:
+ * Transfer the grid to particles, with the velocities v^n = grid->v and v^{n+1}
+ * = grid->next and all weights at the old x_p [eq:g2p]:
  *
  *     PIC, APIC  v_p := sum_a N_a v_a^{n+1}
  *     FLIP       v_p := v_p + sum_a N_a (v_a^{n+1} - v_a^n)

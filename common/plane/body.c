@@ -18,7 +18,7 @@ static struct numbering numbering_of(const struct body *body)
                               body->equation};
 }
 
-/* Vertices, gradients and area of triangle e, the vertices in the order of
+/* Set vertices, gradients and area of triangle e, the vertices in the order of
  * their equations. */
 static void make_triangle(struct body *body, int e)
 {
@@ -41,7 +41,7 @@ static void make_triangle(struct body *body, int e)
     }
 }
 
-/* The pattern of K, of the vertices that have an equation. */
+/* Return the pattern of K, of the vertices that have an equation. */
 static struct sparse *find_pattern(const struct body *body)
 {
     const struct mesh *mesh = body->mesh;

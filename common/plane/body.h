@@ -129,15 +129,16 @@ enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
 enum { BODY_ROOM = 8 + PAST_ORDER }; /* vectors over all vertices */
 
 /*
- * A body of linear triangles.  held[a] != 0: both components of vertex a are
- * prescribed; not all may be.  Every triangle must be counter-clockwise
+ * Return a body of linear triangles.  held[a] != 0: both components of vertex a
+ * are prescribed; not all may be.  Every triangle must be counter-clockwise
  * (asserted: see mesh_clockwise()).
  */
 struct body *body_alloc(const struct mesh *mesh, struct material material,
                         double rho, enum mass mass, const int held[]);
 
-/* The same of this element.  Quadratic triangles: the mesh has an even number
- * of cells and of rows, and its edges are straight (quadratic_straighten()). */
+/* Return the same of this element.  Quadratic triangles: the mesh has an even
+ * number of cells and of rows, and its edges are straight
+ * (quadratic_straighten()). */
 struct body *body_alloc_of(enum element element, const struct mesh *mesh,
                            struct material material, double rho,
                            enum mass mass, const int held[]);
@@ -147,18 +148,19 @@ void body_free(struct body *body);
  * Matrices of body_matrix() that were made before are of no use any more. */
 void body_store(struct body *body, enum storage storage);
 
-/* Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
+/* Compute Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not
+ * finite. */
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
 
-/* int N_a N_b / area of a linear triangle, or its row sums [eq:mass]. */
+/* Return int N_a N_b / area of a linear triangle, or its row sums [eq:mass]. */
 double body_mass_share(enum mass mass, int a, int b);
 
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);
 
-/* F of triangle e of the mesh, of which a quadratic triangle has four: F is
- * then that of its corners alone.  The least det F of all points. */
+/* Return F of triangle e of the mesh, of which a quadratic triangle has four: F
+ * is then that of its corners alone.  The least det F of all points. */
 mat2 body_deformation(const struct body *body, const double u[], int e);
 double body_min_J(const struct body *body, const double u[]);
 
@@ -172,22 +174,22 @@ void body_turned(const struct body *body, const double u[], double by[2]);
 enum status body_force(const struct body *body, const double u[], double q[]);
 
 /*
- * Matrices of the free unknowns, numbered by body->equation: a zero one for the
- * caller to free; K := d2Psi/du2 at u [eq:element-tangent], EXACT or PROJECTED,
- * statuses as body_energy(); M := the mass matrix [eq:mass].
+ * Make matrices of the free unknowns, numbered by body->equation: a zero one
+ * for the caller to free; K := d2Psi/du2 at u [eq:element-tangent], EXACT or
+ * PROJECTED, statuses as body_energy(); M := the mass matrix [eq:mass].
  */
 struct matrix *body_matrix(const struct body *body);
 enum status body_stiffness(const struct body *body, const double u[],
                            enum tangent tangent, struct matrix *K);
 void body_mass_matrix(const struct body *body, struct matrix *M);
 
-/* Between vectors over all vertices and over the free unknowns: some := the
- * entries of all that are free; all := some, and 0 where a vertex is held. */
+/* Copy between vectors over all vertices and over the free unknowns: some :=
+ * the entries of all that are free; all := some, and 0 where a vertex is
+ * held. */
 void body_gather(const struct body *body, const double all[], double some[]);
 void body_scatter(const struct body *body, const double some[], double all[]);
 
-/* max|v| of the free unknowns, v over all vertices; INFINITY if one of them is
- * not finite. */
+/* Return max|v| of the free unknowns; INFINITY where one is not finite. */
 double body_max_free(const struct body *body, const double v[]);
 
 /*
@@ -199,11 +201,11 @@ enum status body_increment(const struct body *body, struct matrix *A,
                            const double q[], double du[]);
 
 /*
- * q of Phi at u, of all vertices (at prescribed ones it is what holds them),
- * and K of the free ones into body->K unless NO_TANGENT.  PROJECTED clamps the
- * negative eigenvalues of every dP/dF to 0 [eq:projection]; K is then positive
- * definite where M is.  Statuses as body_energy(); q and K are incomplete after
- * them.
+ * Assemble q of Phi at u, of all vertices (at prescribed ones it is what holds
+ * them), and K of the free ones into body->K unless NO_TANGENT.  PROJECTED
+ * clamps the negative eigenvalues of every dP/dF to 0 [eq:projection]; K is
+ * then positive definite where M is.  Statuses as body_energy(); q and K are
+ * incomplete after them.
  */
 enum status body_assemble(struct body *body, struct incremental Phi,
                           const double u[], enum tangent tangent, double q[]);

@@ -19,7 +19,7 @@ struct elements {
     int *held; /* [n_vertex] are both components 0?  For the caller, too */
 };
 
-/* All of them 0.  reach: an element goes over so many columns and rows, at
+/* Make them all 0.  reach: an element goes over so many columns and rows, at
  * most; the band is as wide as that. */
 struct elements *elements_alloc(const struct mesh *mesh, int reach);
 void elements_free(struct elements *elements); /* not NULL */

@@ -26,7 +26,7 @@ struct tension fibre_tension(const struct fibre *fibre, double l)
     return t;
 }
 
-/* The stretch of F g; n := its direction, 0 if it has none. */
+/* Return the stretch of F g; n := its direction, 0 if it has none. */
 static double stretch(const double g[2], mat2 F, double n[2])
 {
     for (int i = 0; i < 2; i++) n[i] = F.m[i][0] * g[0] + F.m[i][1] * g[1];
@@ -76,7 +76,8 @@ mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
                          mat2_multiply(dF, gg));
 }
 
-/* Block (a, b) of K, where t[a] and t[b] are not held, += scale s_a s_b B. */
+/* Add scale s_a s_b B to block (a, b) of K, where t[a] and t[b] are not
+ * held. */
 static void add_stiffness(const struct body *body, const int t[3],
                           double scale, const double s[3], mat2 B)
 {
@@ -92,8 +93,8 @@ static void add_stiffness(const struct body *body, const int t[3],
         }
 }
 
-/* With s_a = g . grad N_a triangle e adds area T s_a n to the force of vertex a
- * and area s_a s_b B to block (a, b) of K, B of stiffness(). */
+/* Add for triangle e with s_a = g . grad N_a area T s_a n to the force of
+ * vertex a and area s_a s_b B to block (a, b) of K, B of stiffness(). */
 static void add(const struct body *body, double dt, const double u[],
                 enum tangent tangent, double *energy, double q[])
 {

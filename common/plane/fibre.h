@@ -44,8 +44,8 @@ struct tension {
 };
 struct tension fibre_tension(const struct fibre *fibre, double l);
 
-/* Energy, stress and tangent for the direction g, |g| = 1.  A fibre of length
- * 0 points nowhere: its P is 0, and so is its dP. */
+/* Return energy, stress and tangent for the direction g, |g| = 1.  A fibre of
+ * length 0 points nowhere: its P is 0, and so is its dP. */
 double fibre_psi(const struct fibre *fibre, const double g[2], mat2 F);
 mat2 fibre_pk1(const struct fibre *fibre, const double g[2], mat2 F);
 mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
@@ -58,14 +58,15 @@ struct fibres {
     const double *angle; /* [n_triangle] */
 };
 
-/* A new array of angles for the caller to free: at the centre of a triangle
- * tilt + bend X1, given in degrees and degrees/m. */
+/* Return a new array of angles for the caller to free: at the centre of a
+ * triangle tilt + bend X1, given in degrees and degrees/m. */
 double *fibres_bent(const struct mesh *mesh, double tilt, double bend);
 
 /* Give them to the body, which borrows them, in place of what it had. */
 void fibres_attach(struct body *body, const struct fibres *fibres);
 
-/* Stretch of the fibre in triangle e; *angle (or NULL): where it points now. */
+/* Return the stretch of the fibre in triangle e; *angle (or NULL): where it
+ * points now. */
 double fibres_stretch(const struct body *body, const struct fibres *fibres,
                       const double u[], int e, double *angle);
 

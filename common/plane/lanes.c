@@ -41,8 +41,8 @@ struct points {
     vec F[2][2], J, c[GRADIENTS], m_aa, m_ab, mu, dG, ddG;
 };
 
-/* The numbers of V vertices, component i of vertex a of each triangle.  Indices
- * are of the width of an address: a product of ints would be widened. */
+/* Return the numbers of V vertices, component i of vertex a of each triangle.
+ * Indices have the width of an address: an int would be widened. */
 INLINE vec lanes_of(const double u[], const int vertex[], int a, int i)
 {
 #define LANE(l) u[2 * (ptrdiff_t)vertex[3 * (l) + a] + i]
@@ -56,7 +56,7 @@ INLINE vec lanes_of(const double u[], const int vertex[], int a, int i)
 #endif
 }
 
-/* F and J at u; what triangles.c says where the material is not defined. */
+/* Set F and J at u; return as triangles.c where the material is not defined. */
 INLINE enum status deform(const struct body *body, const vec g[KEPT],
                           const vec u[GRADIENTS], struct points *pt)
 {
@@ -74,7 +74,7 @@ INLINE enum status deform(const struct body *body, const vec g[KEPT],
     return OK;
 }
 
-/* G' and G'' of material_volume_weighted() in all lanes. */
+/* Set G' and G'' of material_volume_weighted() in all lanes. */
 INLINE void volume(const struct material *material, vec weight,
                    struct points *pt)
 {
@@ -169,7 +169,7 @@ INLINE void add_blocks(const struct points *pt, const vec g[KEPT],
     }
 }
 
-/* Is there no negative eigenvalue [eq:projection]? */
+/* Return whether no eigenvalue is negative [eq:projection]. */
 INLINE int is_convex(const struct points *pt)
 {
     for (int l = 0; l < V; l++)
@@ -225,7 +225,7 @@ enum status lanes_assemble(const struct body *body, struct incremental Phi,
     return assemble(tangent, body, scale, u, w, q, next);
 }
 
-/* psi of the cubic law in all lanes, as material2_psi() computes it. */
+/* Return psi of the cubic law in all lanes, as material2_psi() computes it. */
 INLINE vec cubic_psi(const struct material *material, const struct points *pt)
 {
     const double mu = material->mu, lambda = material->lambda;

@@ -15,15 +15,14 @@
 
 #include "plane/body.h"
 
-/* Gradients and areas of the triangles of a body, group by group.  The caller
- * frees them. */
+/* Return gradients and areas of the triangles, by groups.  The caller frees. */
 double *lanes_alloc(const struct body *body);
 
-/* Where the group of triangle e ends. */
+/* Return where the group of triangle e ends. */
 int lanes_end(const struct body *body, int e);
 
-/* As triangles_assemble(), for linear triangles (asserted); PROJECTED leaves a
- * group in which there may be something to clamp [eq:projection]. */
+/* Assemble as triangles_assemble(), for linear triangles (asserted); PROJECTED
+ * leaves a group in which there may be something to clamp [eq:projection]. */
 enum status lanes_assemble(const struct body *body, struct incremental Phi,
                            const double u[], enum tangent tangent, double q[],
                            int *next);

@@ -125,7 +125,7 @@ void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
     }
 }
 
-/* Whether vertex a is one of triangle e. */
+/* Return whether vertex a is one of triangle e. */
 static int has(const struct mesh *mesh, int e, int a)
 {
     const int *t = &mesh->triangle[3 * e];

@@ -21,10 +21,10 @@ struct mesh {
 
 struct mesh *mesh_square(int n); /* (-1, 1) x (-1, 1), n rows */
 
-/* (-a, a) x (-b, b); the column of Lecture 3 is 80 cells by 8, a = 1, b = 0.1.
- */
+/* Mesh (-a, a) x (-b, b); the column of Lecture 3 is 80 cells by 8, a = 1, b =
+ * 0.1. */
 struct mesh *mesh_rectangle(int n, int rows, double a, double b);
-/* One triangle, its corners at (X[0], X[1]), (X[2], X[3]), (X[4], X[5]),
+/* Return one triangle, its corners at (X[0], X[1]), (X[2], X[3]), (X[4], X[5]),
  * counter-clockwise. */
 struct mesh *mesh_triangle(const double X[6]);
 void mesh_free(struct mesh *mesh);
@@ -40,7 +40,8 @@ void mesh_free(struct mesh *mesh);
 enum mesh_side { MESH_LEFT = 1, MESH_RIGHT = 2, MESH_BOTTOM = 4, MESH_TOP = 8 };
 void mesh_grade(struct mesh *mesh, double m, int sides);
 
-/* The first triangle whose area is not > 0 (clockwise or flat), or -1. */
+/* Return the first triangle whose area is not > 0 (clockwise or flat), or
+ * -1. */
 int mesh_clockwise(const struct mesh *mesh);
 
 /* angle[a] := the angles added up that the triangles have at vertex a, which is
@@ -49,18 +50,18 @@ int mesh_clockwise(const struct mesh *mesh);
 void mesh_angles(const struct mesh *mesh, const double u[], double angle[]);
 
 /*
- * Area (m^2) and shape-function gradients (1/m) of triangle e:
+ * Return the area (m^2) and shape-function gradients (1/m) of triangle e:
  * gradient[2a + j] = dN_a / dX_j for its vertices a = 0, 1, 2
  * [eq:shape-gradient].
  */
 double mesh_gradients(const struct mesh *mesh, int e, double gradient[6]);
-/* The same of the triangle with these vertices, whether the mesh has it. */
+/* Return the same of a triangle with these vertices, of the mesh or not. */
 double mesh_gradients_of(const struct mesh *mesh, const int vertex[3],
                          double gradient[6]);
 
-/* [3 n_triangle] for the caller to free: the triangle beyond the edge of e that
- * lies opposite to its vertex k at [3 e + k], or e itself at the boundary.  At
- * most eight triangles meet in a vertex (asserted). */
+/* Return [3 n_triangle] for the caller to free: the triangle beyond the edge of
+ * e that lies opposite to its vertex k at [3 e + k], or e itself at the
+ * boundary.  At most eight triangles meet in a vertex (asserted). */
 int *mesh_across(const struct mesh *mesh);
 
 #endif

@@ -35,7 +35,7 @@ int numbering_lines(const struct mesh *mesh, const struct sparse *pattern,
 void numbering_order(int nodes, const int vertex[], const int equation[],
                      int order[]);
 
-/* Of K: the largest difference of two equations of one element. */
+/* Return for K the largest difference of two equations of one element. */
 int numbering_half_bandwidth(struct numbering elements);
 
 /* place := for each element where in K->a its 2x2 blocks (0,0) (1,0) (1,1)

@@ -55,8 +55,8 @@ void quadratic_straighten(struct mesh *mesh)
     }
 }
 
-/* The gradients of l of a triangle and its area, which is > 0; the edges are
- * straight to round-off, and the nodes in their middles. */
+/* Return the gradients of l of a triangle and its area, which is > 0; the edges
+ * are straight to round-off, and the nodes in their middles. */
 static double corner_gradients(const struct mesh *mesh, const int node[NODES],
                                double of_l[6])
 {

@@ -45,9 +45,9 @@ void quadratic_nodes(const struct mesh *mesh, int e, int node[6]);
  * edge: after mesh_grade(), or whatever else has moved vertices. */
 void quadratic_straighten(struct mesh *mesh);
 
-/* The gradients (1/m) of the six functions of triangle e at the three points:
- * gradient[p][2 a + j] = dN_a / dX_j.  Returns its area (m^2); straight edges
- * are asserted. */
+/* Return the gradients (1/m) of the six functions of triangle e at the three
+ * points: gradient[p][2 a + j] = dN_a / dX_j.  Returns its area (m^2); straight
+ * edges are asserted. */
 double quadratic_gradients(const struct mesh *mesh, int e,
                            double gradient[QUADRATIC_POINTS]
                                           [2 * QUADRATIC_NODES]);
@@ -60,9 +60,9 @@ void quadratic_shares(const struct mesh *mesh, double area[]);
 void quadratic_load(const struct mesh *mesh, const double density[2],
                     double f[]);
 
-/* Any two nodes of a triangle are neighbours.  This list for sparse_alloc()
- * says so: *n_list triangles of three vertices each, in which every pair of the
- * six occurs.  The caller frees it. */
+/* List for sparse_alloc() that any two nodes of a triangle are neighbours:
+ * *n_list triangles of three vertices each, in which every pair of the six
+ * occurs.  The caller frees it. */
 int *quadratic_pairs(const struct mesh *mesh, int *n_list);
 
 #endif

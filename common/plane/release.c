@@ -69,7 +69,7 @@ void release_shift(struct body *body)
         matrix_add(body->K, r, r, RELEASE_SHIFT * modulus);
 }
 
-/* One iteration; *done: the forces are small, and u is as it was. */
+/* Make one iteration; *done: the forces are small, and u is as it was. */
 static enum status descend(struct body *body, double q[], double du[],
                            double u[], int *done)
 {
@@ -111,7 +111,7 @@ struct release_report release_solve(struct body *body, int max_iterations,
     return report;
 }
 
-/* A number in [-1, 1) from the state of the generator, 64 bits. */
+/* Return a number in [-1, 1) from the state of the generator, 64 bits. */
 static double draw(unsigned long long *state)
 {
     unsigned long long z = *state += 0x9E3779B97F4A7C15u;

@@ -46,9 +46,10 @@ struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[]);
 
 /*
- * How often the triangles round a vertex go round it, the largest number: 1 for
- * an inner vertex at rest, 2 where a body is wound twice about it.  No J sees
- * that: each triangle may be upright.  Less than 1: there is no inner vertex.
+ * Return how often the triangles round a vertex go round it, the largest
+ * number: 1 for an inner vertex at rest, 2 where a body is wound twice about
+ * it.  No J sees that: each triangle may be upright.  Less than 1: there is no
+ * inner vertex.
  */
 double release_winding(const struct body *body, const double u[]);
 
@@ -63,8 +64,8 @@ extern const struct crushed {
 void release_place(const struct body *body, mat2 F, double u[]);
 
 /*
- * Every vertex that is not held to a place at random in the square (-1, 1)^2:
- * two numbers of splitmix64 per vertex, in the order of the vertices.
+ * Move every vertex that is not held to a place at random in the square (-1,
+ * 1)^2: two numbers of splitmix64 per vertex, in the order of the vertices.
  *
  * Source: Steele, Lea & Flood, OOPSLA 2014 (splitmix64).
  */

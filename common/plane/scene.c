@@ -37,7 +37,7 @@ struct scene_setting scene_column(enum law law, int n, double e)
     return set;
 }
 
-/* int density N_a of linear triangles: a third of the force of each. */
+/* Add int density N_a of linear triangles: a third of the force of each. */
 static void linear_load(struct scene *scene)
 {
     const struct mesh *mesh = scene->mesh;
@@ -51,8 +51,8 @@ static void linear_load(struct scene *scene)
     }
 }
 
-/* f_a = int density N_a + int over the right end of traction N_a: of the force
- * of an edge half at each end, of a quadratic one 1/6, in its middle 4/6. */
+/* Set f_a = int density N_a + int over the right end of traction N_a: of the
+ * force of an edge half at each end, of a quadratic one 1/6, 4/6 and 1/6. */
 static void nodal_forces(struct scene *scene)
 {
     static const double part[2][3] = {{0.5, 0.5}, {1.0 / 6, 4.0 / 6, 1.0 / 6}};
@@ -73,7 +73,7 @@ static void nodal_forces(struct scene *scene)
     }
 }
 
-/* The mesh of a setting. */
+/* Return the mesh of a setting. */
 static struct mesh *make_mesh(const struct scene_setting *set)
 {
     struct mesh *mesh = mesh_rectangle(set->n, set->n / set->slender, 1.0,

@@ -82,17 +82,17 @@ void scene_rest(struct scene *scene);
  * lifted into u [eq:lift-2d], and pushed sideways, `push` in the middle (m). */
 void scene_press(struct scene *scene, double e, double push);
 
-/* Where the column's deflection is, u2 of the vertex at (0, 0) (m); for an even
- * number of cells along and across. */
+/* Return where the column's deflection is, u2 of the vertex at (0, 0) (m); for
+ * an even number of cells along and across. */
 double *scene_middle(const struct scene *scene);
 
-/* On to e from where the column is, pushed while it is straight (a deflection
- * below 1e-3 m): at most 400 systems of step_method(method), and if that is OK,
- * the status of step_certify(). */
+/* Walk on to e from where the column is, pushed while it is straight (a
+ * deflection below 1e-3 m): at most 400 systems of step_method(method), and if
+ * that is OK, the status of step_certify(). */
 struct step_report scene_walk(struct scene *scene, const char *method, double e,
                               double push);
 
-/* Psi(u) (J); INFINITY where it is not defined. */
+/* Return Psi(u) (J); INFINITY where it is not defined. */
 double scene_energy(const struct scene *scene);
 
 /* The next step of backward Euler of step.h.  u, v and steps stay as they are
@@ -110,10 +110,11 @@ struct scene_measures {
     double min_J;
 };
 
-/* Energies and momenta of the state, which the material must allow. */
+/* Return energies and momenta of the state, which the material must allow. */
 struct scene_measures scene_measure(const struct scene *scene);
 
-/* The corners of triangle e in their places, x0 y0 x1 y1 x2 y2 (m); its J. */
+/* Return the corners of triangle e in their places, x0 y0 x1 y1 x2 y2 (m); its
+ * J. */
 double scene_triangle(const struct scene *scene, int e, double x[6]);
 
 #endif

@@ -105,7 +105,8 @@ enum status step_search(const struct body *body, struct incremental Phi,
     return status;
 }
 
-/* Are the factors in K still good for a step of Phi [alg:kept]? */
+/* Return whether the factors in K are still good for a step of Phi
+ * [alg:kept]. */
 static int is_usable(const struct body *body, struct incremental Phi)
 {
     const struct kept *kept = &body->kept;
@@ -115,7 +116,7 @@ static int is_usable(const struct body *body, struct incremental Phi)
            kept->dt == Phi.dt && kept->moving == (Phi.w != NULL);
 }
 
-/* K, assembled at u, has been factored. */
+/* Remember that K, assembled at u, has been factored. */
 static void keep(struct body *body, struct incremental Phi, const double u[])
 {
     body->kept.usable = 1;
@@ -125,7 +126,7 @@ static void keep(struct body *body, struct incremental Phi, const double u[])
     body_turned(body, u, body->kept.turned);
 }
 
-/* How far u has turned the body since K was factored. */
+/* Set the angle by which u has turned the body since K was factored. */
 static void turn(struct body *body, const double u[])
 {
     struct kept *kept = &body->kept;
@@ -191,8 +192,8 @@ static double increment(const struct body *body, const double b[], double du[])
     return body_max_free(body, du);
 }
 
-/* As step_solve(), the first system with new factors if `fresh`, else with
- * those that there are; report goes on. */
+/* Solve as step_solve(), the first system with new factors if `fresh`, else
+ * with those that there are; report goes on. */
 static void newton(struct body *body, const struct step_control *control,
                    struct incremental Phi, struct room room, int fresh,
                    double u[], struct step_report *report)

@@ -71,7 +71,7 @@ struct step_report {
 };
 
 /*
- * How a step ended, as a word: status_name(), or "fails" where round-off
+ * Return how a step ended, as a word: status_name(), or "fails" where round-off
  * decides between NOT_SPD, NONFINITE, STALLED and MAX_ITERATIONS: without a
  * line search, when the iterates blow up.
  */
@@ -79,9 +79,9 @@ const char *step_reason(const struct step_control *control,
                         enum status status);
 
 /*
- * Newton's method for q(u) = 0 of Phi, from u, whose prescribed vertices have
- * their values [alg:body-newton]; guess and lift of control are not looked at.
- * u is the solution, or the last state reached when the status is not OK.
+ * Solve q(u) = 0 of Phi by Newton's method, from u, whose prescribed vertices
+ * have their values [alg:body-newton]; guess and lift of control are not looked
+ * at. u is the solution, or the last state reached when the status is not OK.
  */
 struct step_report step_solve(struct body *body,
                               const struct step_control *control,
@@ -103,9 +103,10 @@ enum status step_search(const struct body *body, struct incremental Phi,
                         const double q[], const double du[], double u[]);
 
 /*
- * Converged is not stable.  At the u that step_solve() ends in, K is factored
- * once more [alg:certify]: OK when it is positive definite, so that Phi has a
- * minimum there, else SADDLE; statuses of body_energy() where u has no K.
+ * Certify: converged is not stable.  At the u that step_solve() ends in, K is
+ * factored once more [alg:certify]: OK when it is positive definite, so that
+ * Phi has a minimum there, else SADDLE; statuses of body_energy() where u has
+ * no K.
  */
 enum status step_certify(struct body *body, struct incremental Phi,
                          const double u[]);
@@ -120,7 +121,8 @@ void step_boundary(const struct body *body, const double g[], int lift,
                    double u[]);
 
 /*
- * One step of backward Euler: guess, boundary values, step_solve(), velocity.
+ * Make one step of backward Euler: guess, boundary values, step_solve(),
+ * velocity.
  *
  * u, v       in/out  state; unchanged when the status is not OK
  * v_before   in/out  velocity of the step before, which EXTRAPOLATED reads; a

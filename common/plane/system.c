@@ -60,7 +60,8 @@ static int place_of(const int place[], int v)
     return place ? place[v] : v;
 }
 
-/* Entries k - 1, k - 2, ... back to first ascend; put entry k in its place. */
+/* Insert: entries k - 1, k - 2, ... back to first ascend; put entry k in its
+ * place. */
 static void insert(struct csr *A, int first, int k)
 {
     for (; k > first && A->index[k - 1] > A->index[k]; k--) {

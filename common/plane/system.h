@@ -29,22 +29,22 @@ struct system {
     double *b;           /* -q of all vertices of the mesh; owned */
 };
 
-/* n >= 2 squares per side.  The caller frees it. */
+/* Make n >= 2 squares per side.  The caller frees it. */
 struct system *system_alloc(int n);
 
-/* K in this storage, BANDED or SPARSE, assembled anew. */
+/* Store K in this storage, BANDED or SPARSE, assembled anew. */
 void system_store(struct system *system, enum storage storage);
 void system_free(struct system *system);
 
-/* K, in the storage that it has, of the body that is pressed evenly, u =
- * (-squeeze X1, 0), squeeze < 1; b stays. */
+/* Assemble K, in the storage that it has, of the body that is pressed evenly, u
+ * = (-squeeze X1, 0), squeeze < 1; b stays. */
 void system_press(struct system *system, double squeeze);
 
-/* K in an order, NULL: that of the vertices.  The caller frees it. */
+/* Return K in an order, NULL: that of the vertices.  The caller frees it. */
 struct csr *system_matrix(const struct system *system, const int place[]);
 
-/* b, [2 n_vertex], in that order; and x, of that order, back into the order of
- * the vertices. */
+/* Copy b, [2 n_vertex], in that order; and x, of that order, back into the
+ * order of the vertices. */
 void system_right_side(const struct system *system, const int place[],
                        double b[]);
 void system_back(const struct system *system, const int place[],

@@ -152,8 +152,8 @@ struct scales {
     enum tangent tangent;
 };
 
-/* Point p of triangle e: its part of q and, unless NO_TANGENT, of K; of linear
- * triangles with their mass. */
+/* Add the part of point p of triangle e to q and, unless NO_TANGENT, of K; of
+ * linear triangles with their mass. */
 INLINE enum status add_point(const struct body *body, struct scales scale,
                              int e, int p, int nodes, double q[])
 {

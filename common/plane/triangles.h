@@ -10,11 +10,11 @@
 
 #include "plane/body.h"
 
-/* F at point p of triangle e. */
+/* Return F at point p of triangle e. */
 mat2 triangles_deformation(const struct body *body, const double u[], int e,
                            int p);
 
-/* Psi(u) [eq:body-energy]; statuses as body_energy(). */
+/* Compute Psi(u) [eq:body-energy]; statuses as body_energy(). */
 enum status triangles_energy(const struct body *body, const double u[],
                              double *energy);
 
