@@ -103,7 +103,8 @@ static enum status newton(struct ladder_state *s, double d, const double w[],
                           double share, double u[])
 {
     const struct step_control control = {
-        1e-9, CAP, FROM_LAST, 0, 1, 1, ON_DEMAND};
+        .tolerance = 1e-9, .max_iterations = CAP, .chord = 1,
+        .line_search = 1, .projection = ON_DEMAND};
     const struct matrix_cost cost =
         matrix_cost(BANDED, s->body->n_equation, s->body->K->p);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;

@@ -6,10 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct step_control INTEGRATE_NEWTON = {1e-10, 30, FROM_VELOCITY, 1, 1, 0,
-                                              NEVER};
-const struct step_control FAST = {1e-8, 12, EXTRAPOLATED, 1, 1, 0, NEVER};
-const struct step_control ROBUST = {1e-8, 40, FROM_LAST, 1, 0, 1, ON_DEMAND};
+const struct step_control INTEGRATE_NEWTON = {
+    .tolerance = 1e-10, .max_iterations = 30, .guess = FROM_VELOCITY,
+    .lift = 1, .chord = 1};
+const struct step_control FAST = {
+    .tolerance = 1e-8, .max_iterations = 12, .guess = EXTRAPOLATED,
+    .lift = 1, .chord = 1};
+const struct step_control ROBUST = {
+    .tolerance = 1e-8, .max_iterations = 40, .guess = FROM_LAST,
+    .lift = 1, .line_search = 1, .projection = ON_DEMAND};
 
 const char *method_name(enum method method)
 {

@@ -225,12 +225,14 @@ enum status live_lift(struct body *body, struct incremental Phi,
     return live_lift_within(body, Phi, u0, g, tangent, LIVE_LEAP, u);
 }
 
-static const struct step_control
-    LIVE_FAST = {LIVE_TOLERANCE, FAST_SYSTEMS - 1, FROM_LAST, 0, 1, 0, NEVER};
-const struct step_control
-    LIVE_ALONE = {LIVE_TOLERANCE, 40, FROM_LAST, 0, 1, 0, NEVER};
+static const struct step_control LIVE_FAST = {
+    .tolerance = LIVE_TOLERANCE, .max_iterations = FAST_SYSTEMS - 1,
+    .chord = 1};
+const struct step_control LIVE_ALONE = {
+    .tolerance = LIVE_TOLERANCE, .max_iterations = 40, .chord = 1};
 const struct step_control LIVE_DOWNHILL = {
-    LIVE_TOLERANCE, FRAME_SYSTEMS, FROM_LAST, 0, 0, 1, ON_DEMAND};
+    .tolerance = LIVE_TOLERANCE, .max_iterations = FRAME_SYSTEMS,
+    .line_search = 1, .projection = ON_DEMAND};
 
 /* u, v := the end of the frame by the method of the setting, if the status is
  * OK. */

@@ -90,8 +90,9 @@ static struct step_report nonlinear(struct model *model, double d,
 {
     const size_t n = (size_t)model->n_dof;
     const double *tolerance = model->context;
-    struct step_control control = {*tolerance, 40, FROM_VELOCITY, 1, 1,
-                                         1, ON_DEMAND};
+    struct step_control control = {
+        .tolerance = *tolerance, .max_iterations = 40, .guess = FROM_VELOCITY,
+        .lift = 1, .chord = 1, .line_search = 1, .projection = ON_DEMAND};
     double *v = allocate(n, sizeof *v);
     memcpy(u, a, n * sizeof *u);
     memcpy(v, b, n * sizeof *v);
