@@ -196,38 +196,8 @@ SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 .DEFAULT_GOAL := help
 
 help:
-	@echo 'Elasticity Workbook: lessons in lessons/, the book is workbook.md'
-	@echo
-	@echo '  make deps         install what is missing'
-	@echo '  make status       the lessons, and which of yours pass'
-	@echo '  make lesson-07    build and run my lessons/07_*.c'
-	@echo '  make check-07     judge it: one line per check, one verdict'
-	@echo '  make check        judge all of mine that have changed since'
-	@echo '  make hint-07      the next hint; there are three levels'
-	@echo '  make plot-07      my numbers over the reference, as a picture'
-	@echo '  make diff-07      the cells in which mine and the reference differ'
-	@echo '  make solution-07  the reference solution (after a pass, or FORCE=1)'
-	@echo '  make reset-07     put the starter back (my file is saved first)'
-	@echo '  make update       take a new version; what I wrote is set into it'
-	@echo '  make watch-07     check again at each save'
-	@echo '  make debug-07     run mine with the sanitizers; where to start gdb'
-	@echo '  make figure-07    the figures of a lesson; figure-07-orders: one'
-	@echo '  make figures      run every study and draw every figure'
-	@echo '  make course       run and judge every solution, draw every figure'
-	@echo '  make book         the book as HTML in $(BUILD)/book/ (needs pandoc)'
-	@echo '  make web          the book in which the lessons run; make deps-web first'
-	@echo '  make test         the tests of the workbook itself'
-	@echo '  make live         lesson 24 in a window (needs SDL2)'
-	@echo '  make live-12      my own slots in a window: '$(foreach l,$(SCENES),$(call number,$l))
-	@echo '  make choose SCENE=lessons/scenes/flap.scene   the least model for a scene'
-	@echo '  make bench        solvers and time steps against others, here'
-	@echo '  make many         a step on many processes; make deps-many first'
-	@echo
-	@echo '  for teachers:     verify-07  mutants-07  starters  workbook-07  workbook'
-	@echo '  and authors       lint  memcheck  clean  (CONTRIBUTING.md says how)'
-	@echo '  make new-27 NAME=spring      the files of a new lesson'
-	@echo '  make grade DIR=submissions   judge a class, a folder per student'
-	@echo '  make check-07 JSON=file      the verdict for machines, too'
+	@sed -e '/^---/,$$d' -e 's|BUILD|$(BUILD)|' -e 's|SCENES|$(foreach \
+	    l,$(SCENES),$(call number,$l))|' tests/tools/goals.txt
 
 gsl:
 	@echo '#include <gsl/gsl_math.h>' | $(CC) -E - > /dev/null 2>&1 || { \
@@ -498,14 +468,10 @@ bench: $(SPEED:%=$(BUILD)/figures/%) \
 # exec: a signal to make's child is one to the script
 STUDENT = exec env BUILD='$(BUILD)' FORCE='$(FORCE)' sh tests/tools/student.sh
 
-override TABLE := $(if $(filter TABLE,$(given)),$(value TABLE))
-override X     := $(if $(filter X,$(given)),$(value X))
-override Y     := $(if $(filter Y,$(given)),$(value Y))
-override KEY   := $(if $(filter KEY,$(given)),$(value KEY))
-override ARGS  := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
-$(foreach v,SCENE ERROR WITHIN VERIFIED FROM DRY,$(eval override $v := $$(if $$(filter \
-    $v,$$(given)),$$(value $v))))
-export TABLE X Y KEY ARGS SCENE ERROR WITHIN VERIFIED FROM DRY
+override ARGS := $(if $(filter ARGS,$(given)),$(strip $(value ARGS)))
+HANDED_ON := $(filter-out ARGS JSON,$(MAY_BE_GIVEN))
+$(foreach v,$(HANDED_ON),$(eval override $v := $$(if $$(filter $v,$$(given)),$$(value $v))))
+export ARGS $(HANDED_ON)
 
 status: ; @$(STUDENT) status
 check: ; @$(SHARED)$(STUDENT) check
@@ -514,18 +480,15 @@ update: ; @exec sh $(firstword $(wildcard tests/tools/update.sh \
             saved/*/old/tests/tools/update.sh))
 
 define lesson_rules
-.PHONY: $(addsuffix -$1,lesson check hint plot diff solution reset watch mistakes)
+.PHONY: $(addsuffix -$1,lesson check hint plot diff solution reset watch debug mistakes)
 mistakes-$1: $(BUILD)/mistakes/$2/all.judge
 lesson-$1: $(BUILD)/mine/$2
 	@$(STUDENT) run $2
-check-$1: ; @$(SHARED)$(STUDENT) check $2
-watch-$1: ; @$(SHARED)$(STUDENT) watch $2
+check-$1 watch-$1 debug-$1: ; @$(SHARED)$(STUDENT) $$(@:-$1=) $2
 plot-$1 diff-$1: $(BUILD)/mine/$2 $(BUILD)/solutions/$2 \
         $(BUILD)/solutions/$2.judge $(if $(ARGS),,$(BUILD)/data/$2.tsv)
 	@$(STUDENT) $$(@:-$1=) $2
 hint-$1 solution-$1 reset-$1: ; @$(STUDENT) $$(@:-$1=) $2
-.PHONY: debug-$1
-debug-$1: ; @$(SHARED)$(STUDENT) debug $2
 endef
 $(foreach l,$(LESSONS),$(eval $(call lesson_rules,$(call number,$l),$l)))
 
@@ -580,17 +543,14 @@ new-%:
 # A goal that there is not: what may have been meant.  A file that is missing is
 # make's to name; .DEFAULT would hide by whom it is needed, so it is there only
 # when a goal is none of these.
-WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk >&2
-BY_NUMBER := lesson check hint diff plot solution reset watch debug
-GOALS := help status check update figures course book web wasm web-pages test live \
-         choose bench many grade lint starters workbook programs units studies memcheck \
-         same look alone clean new-% \
-         test-% many-% mutants mutants-% figure-% mistakes-% verify-% \
-         workbook-% $(BY_NUMBER:=-%)
-$(BY_NUMBER:=-%): ; $(WANT); exit 2
+GOALS := $(if $(MAKECMDGOALS),$(shell sed -n -e 's/^  make \([^ ]*\).*/\1/p' \
+             -e '1,/^---/d' -e p tests/tools/goals.txt | sed 's/-[0-9][0-9]*/-%/g'))
+WANT = @awk -v goal='$@' -v lessons='$(LESSONS)' -f tests/tools/goal.awk \
+       tests/tools/goals.txt >&2; exit 2
+$(sort $(filter-out figure-% new-% live-%,$(filter %-%,$(GOALS)))): ; $(WANT)
 ifneq ($(filter-out $(GOALS),$(foreach g,$(MAKECMDGOALS),$(if $(findstring \
       /,$g)$(findstring .,$g),,$g))),)
-.DEFAULT: ; $(WANT); exit 2
+.DEFAULT: ; $(WANT)
 endif
 
 # Progress and replaced files of the student stay, and what was fetched.

@@ -120,13 +120,10 @@ $(T)/same-here.result: $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) 
         tests/tools/same.sh always
 	$(Q)BUILD='$(BUILD)' SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' \
 	    sh tests/tools/same.sh here > $@
-SAME_RESULTS := $(T)/same-here.result $(T)/same-v8.result $(T)/same-$(NARROW).result \
-                $(T)/same.result
+SAME_RESULTS := $(patsubst %,$(T)/same-%.result,here v8 $(NARROW))
 # Tables that are missing are made for a result that is to be made alone.
 .PHONY: same
 SAME_ALL := $(patsubst %,$(T)/same-%.result,v8 $(NARROW))
 $(if $(filter same,$(MAKECMDGOALS)),$(eval $(SAME_ALL): always))
 same: $(SAME_ALL)
 	@cat $^ | sh tests/tools/count.sh
-$(T)/same.result: tests/cli/same.sh tests/tools/same.awk
-	$(Q)$(HERE) && sh $< > $@

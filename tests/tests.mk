@@ -163,28 +163,38 @@ $(MADE)/said: $(BOOK) tests/tools/book.sh
 	    { BUILD=$(@D) sh tests/tools/book.sh > $(PART) 2>&1; $(MOVED); }
 # where pandoc was missing, it is tried again
 $(shell grep -ls '^book: install' $(MADE)/said 2>/dev/null): always
-$(T)/book.result: $(MADE)/said tests/cli/book.sh
-	$(call say,test,the book as HTML)
-	$(Q)$(HERE) && sh tests/cli/book.sh $(MADE) > $@
-$(T)/wide.result: $(MADE)/said tests/cli/wide.sh
-	$(call say,test,the width of the pages)
-	$(Q)$(HERE) && sh tests/cli/wide.sh $(MADE) > $@
-$(T)/form.result: tests/cli/form.sh $(wildcard tests/tools/*.awk) \
-        $(wildcard tests/tools/skeleton/*)
-	$(call say,test,the form of answers)
-	$(Q)$(HERE) && sh $< > $@
-$(T)/bench.result: tests/cli/bench.sh tests/tools/bench.awk tests/tools/closing.awk \
-        tests/tools/seconds.awk figures/speed/README.md
-	$(call say,test,what make bench makes of its tables)
-	$(Q)$(HERE) && sh $< > $@
-$(T)/bare.result: tests/cli/bare.sh tests/tools/deps.sh Makefile $(wildcard tests/*.mk)
-	$(call say,test,a machine that has nothing yet)
-	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
-$(T)/drawn.result: tests/cli/drawn.sh tests/tools/figure.sh \
-        $(BUILD)/data/10_neohookean_bar/newton.tsv \
+# The commands, each by its script; what it rests on beside the tools stands below.
+CLI := $(filter-out names,$(patsubst tests/cli/%.sh,%,$(wildcard tests/cli/*.sh)))
+CLI_RESULTS := $(CLI:%=$(T)/%.result)
+$(CLI_RESULTS): $(T)/%.result: tests/cli/%.sh $(wildcard tests/tools/* tests/*.mk) Makefile
+	$(call say,test,$*)
+	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' $(CLI_ENV) sh $< > $@
+$(T)/book.result $(T)/wide.result: $(MADE)/said
+$(T)/bench.result: figures/speed/README.md
+$(T)/form.result $(T)/new.result: $(wildcard tests/tools/skeleton/*)
+$(T)/drawn.result: $(BUILD)/data/10_neohookean_bar/newton.tsv \
         $(BUILD)/data/13_backward_euler_2d/motion.tsv
-	$(call say,test,which pictures are drawn anew)
-	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
+$(T)/cli.result: $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
+$(T)/pictures.result: $(LESSONS:%=$(BUILD)/data/%.tsv) README.md lessons/02_constitutive.md \
+        $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk)
+$(T)/cli.result $(T)/options.result: $(PROGRAMS)
+# all on one lesson, the cheapest to judge
+TRIED := 03_dirichlet_correction
+$(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff update): \
+        $(JUDGE) $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
+        $(BUILD)/mistakes/$(TRIED)/all.judge
+# those that copy the workbook (copy.sh)
+$(patsubst %,$(T)/%.result,hostile grade habits json limits new diff cli \
+    elsewhere update): $(LIB)
+# and on what each lesson's own judge says of its data
+$(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
+        figures/overlay.gp
+$(T)/elsewhere.result: .gitattributes $(BUILD)/data/$(TRIED).tsv
+$(T)/new.result: figures/map.awk *.md $(T)/lint.result
+$(T)/hand.result: $(LIB) $(wildcard figures/*/hand.c) $(SCENES:%=solutions/%.c) \
+        $(SCENES:%=tests/mistakes/%.txt)
+$(T)/hand.result: CLI_ENV = SCENES='$(SCENES)' COMPILE='$(PLAIN) -Werror -O1 -g0' \
+        OBJECTS='$(LIB)' LIBS='$(LIBS)'
 # Every study's claim holds, and every figure is drawn from its data or can be: those
 # in figures/ are left as they are.
 define figure_test
@@ -197,36 +207,6 @@ $(T)/figure.$(subst /,.,$1).result: $(call data_of,$1) figures/$1.gp \
 endef
 DRAWN := $(filter-out $(BENCHED),$(SCRIPTS))
 $(foreach f,$(DRAWN),$(eval $(call figure_test,$f)))
-$(T)/cli.result: $(PROGRAMS) $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
-	$(call say,test,command lines)
-	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' sh tests/cli/cli.sh > $@
-$(T)/pictures.result: tests/cli/pictures.sh $(LESSONS:%=$(BUILD)/data/%.tsv) \
-        README.md lessons/02_constitutive.md \
-        $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk) \
-        $(wildcard tests/tools/*)
-	$(call say,test,pictures of the student)
-	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
-$(T)/options.result: tests/cli/options.sh $(PROGRAMS)
-	$(call say,test,random options)
-	$(Q)$(HERE) && BUILD='$(BUILD)' sh $< > $@
-# all on one lesson, the cheapest to judge
-TRIED := 03_dirichlet_correction
-$(patsubst %,$(T)/%.result,hostile grade habits elsewhere json limits new diff update): \
-        $(T)/%.result: tests/cli/%.sh \
-        $(wildcard tests/tools/*) Makefile tests/tests.mk $(JUDGE) \
-        $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
-        $(BUILD)/mistakes/$(TRIED)/all.judge
-	$(call say,test,$*)
-	$(SHARED)$(Q)$(HERE) && BUILD='$(BUILD)' sh tests/cli/$*.sh > $@
-# those that copy the workbook (copy.sh)
-$(patsubst %,$(T)/%.result,hostile grade habits json limits new diff cli \
-    elsewhere update): $(LIB)
-# and on what each lesson's own judge says of its data
-$(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) \
-        figures/overlay.gp
-$(T)/elsewhere.result: .gitattributes $(wildcard tests/*.mk) $(BUILD)/data/$(TRIED).tsv
-$(T)/new.result: $(wildcard tests/tools/skeleton/*) figures/map.awk *.md \
-        $(T)/lint.result
 # Objects that are the same without the flags for this machine, where the others
 # are those of the Makefile.
 NOT_NATIVE = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename \
@@ -253,29 +233,14 @@ $(shell grep -ls '^skip' $(T)/build-mac.result): always
 $(T)/build-valgrind.result: $$(READY)
 $(T)/build-gcc.result: $$(basename $$(SAID_gcc))
 
-$(T)/hand.result: tests/cli/hand.sh tests/tools/hand.sh tests/tools/hand.awk $(LIB) \
-        $(wildcard figures/*/hand.c) $(SCENES:%=solutions/%.c) $(SCENES:%=tests/mistakes/%.txt)
-	$(call say,test,in the hand)
-	$(Q)$(HERE) && BUILD='$(BUILD)' SCENES='$(SCENES)' \
-	    COMPILE='$(PLAIN) -Werror -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' sh $< > $@
-
 include tests/same.mk
 WEB_TESTS := web-write web-live web-choose web-pictures web-mistakes
-RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) \
+RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) $(CLI_RESULTS) $(SAME_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
-           $(T)/lint.result $(T)/workbook.result $(T)/book.result \
-           $(T)/wide.result $(T)/form.result $(T)/bench.result $(T)/drawn.result \
-           $(T)/cli.result $(T)/options.result $(T)/pictures.result $(T)/habits.result \
-           $(T)/elsewhere.result \
-           $(T)/json.result $(T)/hostile.result $(T)/grade.result \
-           $(T)/limits.result $(T)/behave.result $(T)/bare.result $(T)/new.result $(T)/diff.result \
-           $(T)/update.result $(T)/hand.result \
-           $(T)/many.result $(T)/web-small.result $(T)/web-pages.result \
-           $(T)/web.result $(patsubst %,$(T)/web-%.result,judge panel student) \
-           $(WEB_TESTS:%=$(T)/%.result) $(SAME_RESULTS) \
+           $(patsubst %,$(T)/%.result,lint workbook behave many web-small web-pages web \
+               web-judge web-panel web-student $(WEB_TESTS)) \
            $(foreach f,$(DRAWN),$(T)/figure.$(subst /,.,$f).result) \
-           $(patsubst %,$(T)/build-%.result,gcc clang mac sanitize \
-               valgrind)
+           $(patsubst %,$(T)/build-%.result,gcc clang mac sanitize valgrind)
 # First what is long, one after the other, or waits, while the rest computes; then
 # what rests on all studies of another compiler; the many short ones come last, so
 # that no processor is without one before the end.

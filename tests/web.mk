@@ -87,10 +87,7 @@ web-pages: $(BUILD)/web/index.html ; @:
 web:
 	@missing=$$($(WEB_MISSING)); [ -z "$$missing" ] || \
 	    { echo "web: $$missing: $(no_web)" >&2; exit 2; }
-	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html:' \
-	    "$$(find $(BUILD)/web -type f | wc -l) files," \
-	    "$$(find $(BUILD)/web -type f -exec cat {} + | wc -c | \
-	    awk '{ printf "%.1f", $$1 / 1e6 }') MB"
+	$(SHARED)@"$$MAKE" web-pages && echo '  web      $(BUILD)/web/index.html'
 
 # ---- in a headless Chromium: once the pages are made, each test is by itself.  What
 # is missing for them is said in one line.  What was left out or has failed is tried

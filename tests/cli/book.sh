@@ -1,12 +1,13 @@
 #!/bin/sh
-# book.sh MADE - what becomes of the book: by cmark-gfm, as on a forge, and by
-# `make book`, which has put it into the folder MADE, where pandoc is there.  Every
+# book.sh - what becomes of the book: by cmark-gfm, as on a forge, and by
+# `make book`, which has put it into build/test/made, where pandoc is there.  Every
 # chapter has its page, every link and picture its aim, every label its row, and
 # every formula arrives as it was written.  Prints "ok ...", "FAIL ..." or "skip ...".
 set -u
 LC_ALL=C
 export LC_ALL
-made=$1
+: "${BUILD:=build}"
+made=$BUILD/test/made
 tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
 rule() { # rule NAME OFFENDERS

@@ -1,5 +1,5 @@
 #!/bin/sh
-# wide.sh MADE - no page of `make book` is wider than the screen that it is read on,
+# wide.sh - no page of `make book` is wider than the screen that it is read on,
 # and the cheat sheet prints on two pages of A4.
 #
 # A browser without a window lays every page out, with all folds open, for a desk
@@ -10,6 +10,7 @@
 set -u
 LC_ALL=C
 export LC_ALL
+: "${BUILD:=build}"
 tmp=$(mktemp -d) || exit 1
 trap 'rm -rf "$tmp"' EXIT
 # A selector that ends in a name would match other pictures, too: load_map.svg.
@@ -25,7 +26,7 @@ for tool in pandoc "${browser:-a browser (chromium)}"; do
     echo "skip wide: $tool is not on this machine"
     exit 0
 done
-cp -R "$1/book" "$tmp" || { echo 'FAIL wide: there is no book'; exit 0; }
+cp -R "$BUILD/test/made/book" "$tmp" || { echo 'FAIL wide: there is no book'; exit 0; }
 printed() { # the pages of the cheat sheet
     "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$tmp/browser" \
         --print-to-pdf="$tmp/pdf" "file://$tmp/book/lessons/CHEATSHEET.html" >/dev/null 2>&1

@@ -1,6 +1,7 @@
 # goal.awk - a line about a goal of make that there is not.
 #
-#     awk -v goal=chek-07 -v lessons='01_slug 02_slug ...' -f tests/tools/goal.awk
+#     awk -v goal=chek-07 -v lessons='01_slug 02_slug ...' -f tests/tools/goal.awk \
+#         tests/tools/goals.txt
 #
 # A word that differs from a command's in one letter, or a longer word in two, is
 # taken for it.
@@ -22,23 +23,24 @@ function nearest(word, names,   name, m, k, d, best, found) {
     }
     return found
 }
-BEGIN {
+/^---/ { exit }
+$1 == "make" && $2 ~ /-[0-9]/ { sub(/-[0-9]+$/, "", $2); by_number = by_number " " $2; next }
+$1 == "make" { plain = plain " " $2 }
+END {
     if (goal ~ /[\/.]/) { # a file that a rule needs
         print "make: *** No rule to make target '" goal "'."
         exit
     }
-    by_number = "lesson check hint plot diff solution reset watch debug"
     word = goal
     sub(/[-_]?[0-9].*$/, "", word)
     if (match(goal, /[0-9]+/)) number = substr(goal, RSTART, RLENGTH)
     if (length(number) == 1) number = "0" number
     n = split(lessons, slug, " ")
     for (k = 1; k <= n; k++) if (index(slug[k], number "_") == 1) known = 1
-    command = nearest(word, by_number (number != "" ? "" : " help deps status" \
-        " update figures course book web test live bench many grade lint starters clean"))
+    command = nearest(word, by_number (number != "" ? "" : plain))
     if (command == "")
         print "There is no " goal "; make alone says what there is."
-    else if (number == "" && command != "check" && index(" " by_number " ", " " command " "))
+    else if (number == "" && !index(plain " ", " " command " "))
         print "There is no " goal ": make " command "-07, for lesson 07?"
     else if (number == "")
         print "There is no " goal ": make " command "?"
