@@ -148,8 +148,7 @@ void body_free(struct body *body);
  * Matrices of body_matrix() that were made before are of no use any more. */
 void body_store(struct body *body, enum storage storage);
 
-/* Compute Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not
- * finite. */
+/* Set Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
 
@@ -184,8 +183,7 @@ enum status body_stiffness(const struct body *body, const double u[],
 void body_mass_matrix(const struct body *body, struct matrix *M);
 
 /* Copy between vectors over all vertices and over the free unknowns: some :=
- * the entries of all that are free; all := some, and 0 where a vertex is
- * held. */
+ * the free entries of all; all := some, and 0 where a vertex is held. */
 void body_gather(const struct body *body, const double all[], double some[]);
 void body_scatter(const struct body *body, const double some[], double all[]);
 

@@ -76,8 +76,7 @@ mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
                          mat2_multiply(dF, gg));
 }
 
-/* Add scale s_a s_b B to block (a, b) of K, where t[a] and t[b] are not
- * held. */
+/* Add scale s_a s_b B to block (a, b) of K, where t[a] and t[b] are free. */
 static void add_stiffness(const struct body *body, const int t[3],
                           double scale, const double s[3], mat2 B)
 {

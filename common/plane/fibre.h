@@ -65,8 +65,7 @@ double *fibres_bent(const struct mesh *mesh, double tilt, double bend);
 /* Give them to the body, which borrows them, in place of what it had. */
 void fibres_attach(struct body *body, const struct fibres *fibres);
 
-/* Return the stretch of the fibre in triangle e; *angle (or NULL): where it
- * points now. */
+/* Return the stretch of the fibre of triangle e, and *angle (or NULL). */
 double fibres_stretch(const struct body *body, const struct fibres *fibres,
                       const double u[], int e, double *angle);
 

@@ -21,8 +21,7 @@ struct mesh {
 
 struct mesh *mesh_square(int n); /* (-1, 1) x (-1, 1), n rows */
 
-/* Mesh (-a, a) x (-b, b); the column of Lecture 3 is 80 cells by 8, a = 1, b =
- * 0.1. */
+/* Mesh (-a, a) x (-b, b); Lecture 3's column: 80 cells by 8, a = 1, b = 0.1. */
 struct mesh *mesh_rectangle(int n, int rows, double a, double b);
 /* Return one triangle, its corners at (X[0], X[1]), (X[2], X[3]), (X[4], X[5]),
  * counter-clockwise. */
@@ -40,8 +39,7 @@ void mesh_free(struct mesh *mesh);
 enum mesh_side { MESH_LEFT = 1, MESH_RIGHT = 2, MESH_BOTTOM = 4, MESH_TOP = 8 };
 void mesh_grade(struct mesh *mesh, double m, int sides);
 
-/* Return the first triangle whose area is not > 0 (clockwise or flat), or
- * -1. */
+/* Return the first triangle whose area is not > 0 (clockwise, flat), or -1. */
 int mesh_clockwise(const struct mesh *mesh);
 
 /* angle[a] := the angles added up that the triangles have at vertex a, which is

@@ -105,8 +105,7 @@ enum status step_search(const struct body *body, struct incremental Phi,
     return status;
 }
 
-/* Return whether the factors in K are still good for a step of Phi
- * [alg:kept]. */
+/* Return whether the factors in K are still good for Phi [alg:kept]. */
 static int is_usable(const struct body *body, struct incremental Phi)
 {
     const struct kept *kept = &body->kept;

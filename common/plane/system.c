@@ -60,8 +60,7 @@ static int place_of(const int place[], int v)
     return place ? place[v] : v;
 }
 
-/* Insert: entries k - 1, k - 2, ... back to first ascend; put entry k in its
- * place. */
+/* Put entry k in its place; entries k - 1, k - 2, ... back to first ascend. */
 static void insert(struct csr *A, int first, int k)
 {
     for (; k > first && A->index[k - 1] > A->index[k]; k--) {
