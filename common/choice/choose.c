@@ -99,7 +99,7 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
 enum { CELLS = CELLS_KINDS * CELLS_LEVELS };
 struct compared {
     struct cells cells[CELLS];
-    double room; /* what the other parts leave of the tolerance */
+    double room; /* the tolerance less the other parts */
     const struct cells *best; /* the fewest flops for the room; NULL: none, or
                                * nobody knows */
     double own; /* how far those of the answer, at rest, are from the best mesh;
@@ -218,7 +218,7 @@ static void write_picture(const char *path, const struct scene_file *file,
     if (fclose(out) != 0) die("%s: cannot be written", path);
 }
 
-/* What is asked for: the error and the seconds that may be. */
+/* The allowed error and seconds. */
 struct asked {
     double error, within;
     int check;

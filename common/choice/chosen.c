@@ -38,7 +38,7 @@ static const char *doubt_of(const struct chosen_tried *t)
     return doubts[t->doubt];
 }
 
-/* What a part of the error comes from. */
+/* The source of a part of the error. */
 static const char *const says[N_PART] = {
     [GEOMETRY] = "the linear law knows no turn and no square of the strain",
     [LAW] = "the cubic law stands in place of the logarithm",

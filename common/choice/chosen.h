@@ -9,7 +9,7 @@
 #include "choice/estimate.h"
 #include "choice/scene_file.h"
 
-/* A model that was tried, what is said of it, and what is added next. */
+/* A model that was tried, its estimates, and the next addition. */
 struct chosen_tried {
     struct ladder_model model;
     double part[N_PART], estimate;

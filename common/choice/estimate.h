@@ -7,7 +7,7 @@
  *     geometry   max |H^T H| / 2 over max |H|               [eq:left-geometry]
  *     law        |P_cubic - P_log| over |P_log| at the extreme J
  *                                                           [eq:left-law]
- *     dimension  what bends, and what the held end keeps wide
+ *     dimension  the bending, and the held end that stays wide
  *                                                           [eq:left-dimension]
  *     inertia    1 / (omega T), omega of Rayleigh's quotient
  *                                                           [eq:left-inertia]

@@ -26,7 +26,7 @@
 
 enum ladder_time { STANDS, RISES, SWINGS };
 enum ladder_held { LADDER_LEFT, LADDER_ENDS }; /* the left end, or both */
-/* What the error is one of, ladder_error(): the displacement, at its largest or
+/* The quantity of ladder_error(): the displacement, at its largest or
  * in the root mean square, or the force in the hand. */
 enum ladder_quantity { LADDER_LARGEST, LADDER_RMS, LADDER_HAND };
 struct ladder_scene {
@@ -103,7 +103,7 @@ struct ladder_model ladder_first(const struct ladder_scene *scene);
 /* Return "bar", "linear", "cubic" or "log". */
 const char *ladder_rung(enum rung rung);
 
-/* A scene on a mesh, and what a model makes of it; the pointers are owned. */
+/* A scene on a mesh, and its state by a model; the pointers are owned. */
 struct ladder_state {
     const struct ladder_scene *scene; /* borrowed */
     struct ladder_model model;
@@ -144,7 +144,7 @@ struct ladder_state *ladder_solve(const struct ladder_scene *scene,
  * positive definite at u.  A model in motion is not asked: true. */
 int ladder_stable(const struct ladder_state *state);
 
-/* What a model may leave out. */
+/* The parts that a model may leave out. */
 enum part { GEOMETRY, LAW, DIMENSION, INERTIA, MESH, STRESS, N_PART };
 const char *ladder_part(enum part part);
 

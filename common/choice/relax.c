@@ -60,7 +60,7 @@ struct matrix *relax_factors(const struct ladder_state *s)
     return at_u(s) ? factors_at(s, s->u) : factors_at_rest(s);
 }
 
-/* d := K^-1 g, 0 at what is held. */
+/* d := K^-1 g, 0 at held vertices. */
 static void solve(const struct ladder_state *s, const struct matrix *factors,
                   const double g[], double d[])
 {
@@ -71,7 +71,7 @@ static void solve(const struct ladder_state *s, const struct matrix *factors,
     free(some);
 }
 
-/* g := D w, 0 at what is held. */
+/* g := D w, 0 at held vertices. */
 static void product(const struct ladder_state *s, relax_forces *forces,
                     const double w[], double g[])
 {
@@ -214,7 +214,7 @@ double relax_part(const struct ladder_state *s, const struct matrix *factors,
     return part;
 }
 
-/* g += int (P_a - P_b) grad N of two laws at w, 0 at what is held.  false: b is
+/* g += int (P_a - P_b) grad N of two laws at w, 0 where held.  false: b is
  * the logarithm, of which J says nothing there. */
 static int push_laws(const struct ladder_state *s, enum law a, enum law b,
                      const double w[], double g[])

@@ -13,7 +13,7 @@
 
 enum { LONGEST = 256, MOST_STEPS = 400, LEAST_STEPS = 40 };
 
-/* What a file may say: n numbers from least to most, or one of the words. */
+/* The lines of a file: n numbers from least to most, or one of the words. */
 static const struct line {
     const char *word;
     int n;

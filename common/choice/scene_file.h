@@ -36,7 +36,7 @@
 
 #include "choice/ladder.h"
 
-/* What a line may say: n numbers from least to most in a unit, or (n = 0) one
+/* A line of a file: n numbers from least to most in a unit, or (n = 0) one
  * of `words`, with a blank around each. */
 struct scene_line {
     const char *word;

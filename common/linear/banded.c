@@ -34,7 +34,7 @@ enum status banded_factor(int n, int p, double a[])
         double *column = &a[j * (p + 1)]; /* A_jj, A_j+1,j, ..., A_j+p,j */
         const double A_jj = column[0];
         for (int k = j > p ? j - p : 0; k < j; k++) {
-            /* L_jk and what is below it: A_ij -= L_jk L_ik */
+            /* L_jk and the entries below it: A_ij -= L_jk L_ik */
             const double *L_k = &a[k * (p + 1) + j - k];
             for (int d = 0; d <= p - (j - k); d++) column[d] -= L_k[0] * L_k[d];
         }

@@ -10,7 +10,7 @@
 /* Of a vertex of a square grid, however it is cut; with quadratic triangles. */
 enum { NEIGHBOURS = 18 };
 
-/* What the recursion carries along. */
+/* The state of the recursion. */
 struct state {
     struct dissection *d;
     const int *held;

@@ -5,7 +5,7 @@
  * common.  They are numbered first, each cut in its turn, and the line last
  * [alg:dissection]:
  *
- *     0 0 0 6 3 3 3       a piece is a line, or what is not cut any further;
+ *     0 0 0 6 3 3 3       a piece is a line, or a part that is not cut;
  *     0 0 0 6 3 3 3       in elimination the lines fill, and little else does:
  *     2 2 2 6 5 5 5       n^2 log n numbers and n^3 flops, where a band takes
  *     1 1 1 6 4 4 4       n^3 and n^4

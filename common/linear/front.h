@@ -1,6 +1,6 @@
 /*
  * front.h - the fronts of sparse.h: dense columns of some pivots with all their
- * rows, and u, which is what they subtract from rows and columns of the rest.
+ * rows, and u, which they subtract from rows and columns of the rest.
  *
  *      pivots  rest       pivots, and the rest, fill up whole blocks of V rows
  *     | l         |       (vec.h) with zeros; blocks of a panel of V columns
@@ -23,7 +23,7 @@
 struct front {
     int pivots, rest; /* numbers of unknowns, even */
     double *l, *u;    /* [front_size()], [front_size(front_row(rest, 0), 0)] */
-    float *rounded;   /* what is kept, [front_size()]; NULL: l is */
+    float *rounded;   /* the kept numbers, [front_size()]; NULL: l */
     double *sign;     /* S of the pivots in A = L S L^T, or NULL: A = L L^T */
 };
 

@@ -69,7 +69,7 @@ struct matrix {
                      * first call, or NULL; owned */
 };
 
-/* What a matrix costs, see matrix_cost(). */
+/* The cost of a matrix, see matrix_cost(). */
 struct matrix_cost {
     double numbers; /* kept, without the room behind a wide band's columns */
     double flops;   /* of the factorisation */
@@ -125,7 +125,7 @@ double matrix_get(const struct matrix *A, int i, int j);
  *
  * d being the old A_kk (KEEP_DIAGONAL, which leaves the scale of the matrix
  * alone) or 1 (UNIT_DIAGONAL).  The order of the nodes does not matter.  Not
- * sparse: there what is prescribed is left out.
+ * sparse: there prescribed unknowns are left out.
  */
 void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
                       const int node[], const double value[],

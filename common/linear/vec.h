@@ -48,7 +48,7 @@ typedef double two __attribute__((vector_size(16), aligned(8)));
 #endif
 
 /* t -= x y for n columns of L, next apart; of q vecs (a constant), down apart.
- * What is wanted 16 columns later is fetched from memory ahead of time. */
+ * Numbers 16 columns later are fetched from memory ahead of time. */
 INLINE void vec_columns(const int q, int n, ptrdiff_t down, ptrdiff_t next,
                         const double *x, const double *y, vec t[W][Q])
 {

@@ -30,8 +30,8 @@ struct hand {
     double start; /* of this frame (s) */
 };
 
-/* What a handler of a signal may know. */
-static char said[8], slot_now[8]; /* the lesson; what is called */
+/* The state that a handler of a signal may read. */
+static char said[8], slot_now[8]; /* the lesson; the slot that is called */
 static volatile sig_atomic_t open_now;
 
 /* Stop: `helps`, unless NULL, is a goal that does; `said` is written behind

@@ -4,7 +4,7 @@
  *
  *     struct hand *hand = hand_open("12", HAND_WHOSE, "lr", argc, argv);
  *     while (hand_next(hand, &pointer)) {
- *         hand_slot("12e");         what is called now, should it never return
+ *         hand_slot("12e");         the call of now, should it never return
  *         ... one frame ...
  *         hand_draw(hand, &picture, status, "min_J systems", numbers);
  *     }

@@ -100,8 +100,8 @@ enum status integrate_residual(const struct model *model, double dt,
     return status;
 }
 
-/* Compute u, v of the next step of SYMPLECTIC_EULER; what is prescribed keeps
- * its velocity.  Statuses of model_force(), the state then being of no use. */
+/* Compute u, v of the next step of SYMPLECTIC_EULER; prescribed entries keep
+ * their velocity.  Statuses of model_force(), the state is then of no use. */
 static enum status symplectic_euler(const struct model *model, double dt,
                                     double u[], double v[])
 {

@@ -40,7 +40,7 @@ struct state {
 struct state state_make(int n);
 
 /* Return a state at rest, u with all modes at once, so small that a body is
- * linear (1e-7 m); 0 at what is prescribed. */
+ * linear (1e-7 m); 0 where prescribed. */
 struct state state_ripple(const struct model *model);
 
 /* Return, at rest, a large smooth swing of the square, 0 at both ends and at

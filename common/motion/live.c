@@ -386,7 +386,7 @@ struct live_report live_frame_in_parts(struct live *live, const double to[2])
                                 lost ? 0.0 : 1.0};
 }
 
-/* ---- what is looked at --------------------------------------------------- */
+/* ---- measures ----------------------------------------------------------- */
 
 int live_knots(const struct mesh *mesh, const double u[], int knot[])
 {

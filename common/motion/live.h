@@ -33,7 +33,7 @@
 #include "motion/integrate.h"
 #include "motion/pointer.h"
 
-enum grab { PATCH, SIDE };                 /* what the hand takes */
+enum grab { PATCH, SIDE };                 /* the hand takes one or the other */
 enum start { ELASTIC, ROWS, LAST_STATE };  /* `fast` starts from live_lift(),
                                             * step_boundary(), the last state */
 
@@ -43,7 +43,7 @@ enum { FRAME_SYSTEMS = 8, FAST_SYSTEMS = 6, CALM_SYSTEMS = 3, LIVE_TRIES = 4 };
 #define LIVE_TOLERANCE 1e-4
 
 /* The hand goes this far in a frame at most (m), stays this near to 0 (m), and
- * takes what is this near to it (m). */
+ * takes vertices this near to it (m). */
 #define LIVE_REACH 0.25
 #define LIVE_FAR 10.0
 #define LIVE_RADIUS 0.3
@@ -65,13 +65,13 @@ struct live {
     struct live_setting set;
     double dt; /* 1/30 s */
     struct mesh *mesh;
-    struct body *body; /* with what is held now */
+    struct body *body; /* with the vertices that are held now */
     int n_dof;
     struct state now;
     int trouble;     /* does the next frame begin downhill? */
     int holding;     /* does the hand hold anything? */
     double hand[2];  /* where it is (m) */
-    double *grip;    /* [n_dof] what it holds, from the hand (m) */
+    double *grip;    /* [n_dof] the held vertices, from the hand (m) */
     double *g;       /* [n_dof] prescribed values at the end of the frame */
 };
 

@@ -25,7 +25,7 @@ struct model {
     int n_dof;
     struct body *body;       /* borrowed; NULL: the model is linear */
     struct matrix *M, *A;    /* mass and stiffness of a linear model; owned */
-    struct matrix *M_factor; /* Cholesky factors of the mass of what is free */
+    struct matrix *M_factor; /* Cholesky factors of the mass of free unknowns */
     struct matrix *K;        /* linear: factors of M + K_step^2 A, or NULL */
     double K_step;
     double *f;               /* nodal forces (N), 0 unless set; owned */

@@ -1,5 +1,5 @@
 /*
- * pointer.h - what a hand does to a live scene: a line per frame, from a file,
+ * pointer.h - a hand in a live scene: a line per frame, from a file,
  * from a script or from a window.
  *
  *     x y down key
@@ -43,7 +43,7 @@ struct pointers pointers_hard(void);
 struct pointers pointers_mad(int seed, int frames);
 
 /*
- * The lines of a file.  What is not a line as above ends the program with exit
+ * The lines of a file.  Any other line than above ends the program with exit
  * status 2 and one message that names file and line.
  */
 struct pointers pointers_read(const char *path);

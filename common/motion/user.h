@@ -13,7 +13,7 @@
 
 #include "plane/scene.h"
 
-/* What the right side does until a time. */
+/* A motion of the right side until a time. */
 struct user_motion {
     const char *word;
     double until;   /* (s) */
@@ -35,7 +35,7 @@ struct user {
     int k;                  /* number of this frame, 1 the first */
     double t;               /* at its end */
     const char *motion;     /* word of its motion */
-    struct body *body;      /* with what is prescribed in it; borrowed */
+    struct body *body;      /* with its prescribed vertices; borrowed */
     double *g;              /* [n_dof] boundary values at its end; owned */
     double *kept;           /* [motions][n_dof] see user_keep(); owned */
     int n_kept;

@@ -13,7 +13,7 @@
  * steps matters only for the branch that they follow. */
 static const struct {
     const char *name;
-    enum reading reading; /* what is held */
+    enum reading reading; /* the held vertices */
     int slender, limit_steps, load_steps;
     double end; /* (s) */
 } scenes[WORK_SCENES] = {

@@ -1,5 +1,5 @@
 /*
- * particle_bodies.h - bodies that step, and what is known about them.
+ * particle_bodies.h - bodies that step, and their exact answers.
  *
  *     hanging    the bar 0 < X < 1 at rest, held at 0, pulled along its axis
  *     strained   a free bar of ten particles, irregular, strained and moving

@@ -54,7 +54,7 @@ struct incremental {
 struct incremental at_rest(const double f[]);
 
 /*
- * What a body has besides its material, fibres for example (fibre.h), adds its
+ * An addition to a body besides its material, as fibres (fibre.h), adds its
  * energy to *energy, or (energy NULL) dt^2 times its gradient to q and, unless
  * NO_TANGENT, dt^2 times its tangent of the free unknowns to body->K.  Only
  * linear triangles take one (asserted).
@@ -113,7 +113,7 @@ struct body {
                        * a vertex has (m^2); NULL: linear triangles */
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
-    struct kept kept; /* what is in it */
+    struct kept kept; /* the state of its factors */
     int exact;        /* 1: factors that are kept stay in double precision */
     struct past past; /* in room, behind what step.h works in */
     double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:

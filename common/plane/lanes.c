@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <math.h>
 
-/* What is kept of V triangles: their six gradients, and their areas. */
+/* The numbers of V triangles: their six gradients, and their areas. */
 enum { GRADIENTS = 6, KEPT = GRADIENTS + 1, BLOCKS = 6 };
 
 double *lanes_alloc(const struct body *body)
@@ -30,7 +30,7 @@ int lanes_end(const struct body *body, int e)
     return end < body->n_element ? end : body->n_element;
 }
 
-/* What a step multiplies by the same numbers in all triangles. */
+/* The factors of a step, equal in all triangles. */
 struct scales {
     double dt2, rho_aa, rho_ab; /* rho: times the shares of a vertex, a pair */
 };

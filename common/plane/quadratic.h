@@ -41,7 +41,7 @@ void quadratic_shape(const double l[3], const double of_l[6], double N[6],
  * one below the cut first. */
 void quadratic_nodes(const struct mesh *mesh, int e, int node[6]);
 
-/* Put what lies between the corners of the triangles into the middle of its
+/* Put each vertex between two corners of the triangles into the middle of its
  * edge: after mesh_grade(), or whatever else has moved vertices. */
 void quadratic_straighten(struct mesh *mesh);
 

@@ -1,5 +1,5 @@
 /*
- * scene.h - the notes' square in its readings: what is held, moved and pulled.
+ * scene.h - the notes' square in its readings: held, moved and pulled.
  *
  * The body (-1, 1)^2, mesh.h, Neo-Hookean.  The notes prescribe "u = sin t" at
  * both ends and leave open in which direction; these are the ways to read it,

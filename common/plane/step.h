@@ -34,7 +34,7 @@ struct step_control {
                       * with those of an earlier one begins again with new ones
                       * */
     int line_search; /* halve the increment until Phi decreases */
-    enum projection projection; /* NEVER: what is indefinite is solved as it
+    enum projection projection; /* NEVER: an indefinite K is solved as it
                                  * is, or NOT_SPD with line_search;
                                  * ON_DEMAND: PROJECTED when K is not SPD */
 };
@@ -53,7 +53,7 @@ struct step_control {
  *     lift+search    ... with a line search
  *     all            ... and projected on demand
  *
- * The caps: what has no projection has converged after 40 systems or hardly
+ * The caps: a method without projection converges within 40 systems or hardly
  * ever does; projections need more, most when they start far away.
  */
 struct step_control step_method(const char *name);
@@ -88,8 +88,8 @@ struct step_report step_solve(struct body *body,
                               struct incremental Phi, double u[]);
 
 /*
- * *phi := Phi(u) [eq:incremental-potential], *noise := the size of what is
- * added up, on which its round-off depends.  room: [4 n_vertex].  OK; the
+ * *phi := Phi(u) [eq:incremental-potential], *noise := the size of its terms,
+ * on which its round-off depends.  room: [4 n_vertex].  OK; the
  * status of body_energy() where u has no energy; NONFINITE.
  */
 enum status step_potential(const struct body *body, struct incremental Phi,
@@ -129,7 +129,7 @@ void step_boundary(const struct body *body, const double g[], int lift,
  *                    step that is OK, whatever its guess, leaves the v of its
  *                    beginning there.  NULL: nobody keeps it
  *
- * Eight parameters: what a step reads, and the three vectors that it moves on.
+ * Eight parameters: the data of a step, and the three vectors that it moves on.
  */
 struct step_report step_backward_euler(struct body *body,
                                        const struct step_control *control,

@@ -1,5 +1,5 @@
 /*
- * tissue.h - a body that a knife may cut: what it keeps, and what it may lose.
+ * tissue.h - a body that a knife may cut: its lasting and its passing parts.
  *
  * The triangles stay what they are when a body is cut along edges of its mesh,
  * but neighbours no longer share their vertices.  So all that lasts is said of
@@ -11,7 +11,7 @@
 
 #include "plane/body.h"
 
-/* What no cut changes. */
+/* The part that no cut changes. */
 struct tissue_whole {
     const struct mesh *mesh; /* before any cut; borrowed */
     int *across; /* [3 n_triangle] the triangle beyond edge c; e: none */

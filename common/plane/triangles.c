@@ -70,7 +70,7 @@ enum status triangles_energy(const struct body *body, const double u[],
     return status == OK ? energy_of(body, u, energy, next, 3) : status;
 }
 
-/* What a point adds to K is M_ab I + dt^2 area (...); its factors. */
+/* The factors of M_ab I + dt^2 area (...), which a point adds to K. */
 struct factors {
     double m_aa, m_ab;  /* mass of a vertex, of a pair; linear triangles */
     double mu, dG, ddG; /* mu, G', G'' times dt^2 area */
@@ -145,7 +145,7 @@ static void add_projected(struct factors s, int nodes, const double g[],
         }
 }
 
-/* What a step multiplies by the same numbers at all points. */
+/* The factors of a step, equal at all points. */
 struct scales {
     double dt, rho_aa, rho_ab; /* rho: times the shares of a vertex, a pair */
     const double *u, *w;
