@@ -1,7 +1,7 @@
 #!/bin/sh
-# elsewhere.sh - the workbook under an older make and in a checkout on Windows, and a
-# file that an editor there has saved.  OLD_MAKE: the older make; "make-3.81", if
-# there is one.  Prints "ok ...", "FAIL ..." or "skip ..." lines.
+# elsewhere.sh - the workbook under an older make, with clang, and in a checkout on
+# Windows, and a file that an editor there has saved.  OLD_MAKE: the older make;
+# "make-3.81", if there is one.  Prints "ok ...", "FAIL ..." or "skip ..." lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -25,6 +25,7 @@ mkdir build/data && mv build/$slug.tsv build/data
 sed 's/^\( \* PREDICT 1 [^:]*\): .*/\1: 238.5/' solutions/$slug.c >predicted
 cp $mine starter
 
+anew() { env MAKELEVEL=0 MAKEFLAGS= "$@"; } # as from a terminal
 # ---- an older make -----------------------------------------------------------------
 found() { # found TEXT WHAT TOOL FILE: the rule of lint finds it
     awk -f "tests/tools/$3" "$4" | grep -qF -e "$1"
@@ -42,7 +43,7 @@ printf 'function part(x) { return x }\nfunction f(a, part) { return a }\n' >a.aw
 found 'part of f()' 'a parameter named like a function' parameters.awk a.awk
 if command -v "$OLD_MAKE" >/dev/null; then
     old=$("$OLD_MAKE" --version | head -n 1)
-    older() { env MAKELEVEL=0 MAKEFLAGS= "$OLD_MAKE" "$@"; } # as from a terminal
+    older() { anew "$OLD_MAKE" "$@"; }
     cp predicted $mine
     says 0 'not checked yet' "status, $old" older status
     says 0 'next: make check-03' "lesson-$nn, $old" older -j2 lesson-$nn
@@ -53,6 +54,17 @@ if command -v "$OLD_MAKE" >/dev/null; then
     says 0 'count.sh' "test can be planned, $old" older -n test
 else
     echo "skip elsewhere: no $OLD_MAKE here, an older make; OLD_MAKE= names one"
+fi
+
+# ---- the compiler of a Mac -------------------------------------------------------------
+if command -v clang >/dev/null; then
+    said=$(anew "$MAKE" CC=clang build/solutions/$slug.judge 2>&1)
+    ! echo "$said" | grep -q -e warning -e Error
+    result $? 'clang has nothing to say of the solution' "$said"
+    cp predicted $mine
+    says 0 'OK, all' "check-$nn, CC=clang" anew "$MAKE" CC=clang check-$nn
+else
+    echo 'skip elsewhere: no clang here'
 fi
 
 # ---- a checkout that would end lines as Windows does ---------------------------------

@@ -43,7 +43,9 @@ awk -v program="$program" -v own="$part.h" -f tests/tools/program.awk "$checks.h
     echo 'refused: a struct of the starter has a member of a type of its own' >&2
     exit 1
 }
-$COMPILER -S -fno-common -fno-lto -x cpp-output "$part.i" -o "$part.s" &&
+# what is preprocessed has no use for -I, of which clang would warn
+$COMPILER -Wno-unused-command-line-argument -S -fno-common -fno-lto -x cpp-output \
+    "$part.i" -o "$part.s" &&
     awk -v sanitized="${SANITIZED:-}" -f tests/tools/assembler.awk \
         "$checks.words" "$checks.calls" "$part.s" >"$part" &&
     mv -f "$part" "$into.s"
