@@ -212,8 +212,8 @@ $(BUILD)/flags: $(OTHER_FLAGS) | $(if $(LINKED),$(if $(GSL_CFLAGS),,gsl))
 
 # A program is linked with the objects whose headers it reaches, so that the
 # first lesson does not wait for all; tests are linked with the library, which
-# has all but view_sdl.c, which needs SDL2, window_sdl.c, which needs that,
-# window_web.c, which is for a page, and the program of `make choose`.
+# has all but view_sdl.c, which needs SDL2, window_web.c, which is for a page, and
+# the program of `make choose`.
 # The goals of NO_PROGRAM link none, and for a judge INTO only its own count.
 ASKED := $(if $(INTO),$(filter lessons/%,$(FILE)) tests/checks/$(SLUG).c \
              solutions/$(SLUG).c)
@@ -227,8 +227,7 @@ needs = $(addprefix $(BUILD)/,$(subst $(comma), ,$(patsubst $1=%,%,$(filter \
 .SECONDEXPANSION:
 
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out \
-               common/motion/window_sdl.c common/motion/view_sdl.c \
-               common/motion/window_web.c \
+               common/motion/view_sdl.c common/motion/window_web.c \
                common/choice/choose.c,$(wildcard \
                common/*/*.c)))
 # One of another make may have left out what has come since.
@@ -504,7 +503,7 @@ live: $(LIB)
 	@[ $(LIVE) = lessons/24_live.c ] || [ -n '$(FORCE)' ] || echo 'Lesson 24' \
 	    'has slots that are not written yet: this is its solution.'
 	@mkdir -p $(BUILD) && $(PLAIN) $$(pkg-config --cflags sdl2) $(LIVE) \
-	    common/motion/window_sdl.c common/motion/view_sdl.c -o $(BUILD)/live $(LINK) \
+	    common/motion/view_sdl.c -o $(BUILD)/live $(LINK) \
 	    $$(pkg-config --libs sdl2)
 	@set -f; case " $$ARGS " in *' -h '*|*' --help '*) exec $(BUILD)/live -h ;; \
 	esac; $(BUILD)/live $$ARGS > $(BUILD)/live.tsv && \

@@ -21,8 +21,7 @@ $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 	$(call say,emcc,GSL)
 	$(Q)BUILD='$(BUILD)' sh tests/tools/web_gsl.sh build
 WASM_OBJECTS := $(patsubst %.c,$(WASM)/%.o,$(filter-out \
-                    common/motion/window_sdl.c common/motion/view_sdl.c \
-                    common/motion/hand.c,$(wildcard common/*/*.c)) \
+                    common/motion/view_sdl.c common/motion/hand.c,$(wildcard common/*/*.c)) \
                     $(LESSONS:%=solutions/%.c))
 -include $(wildcard $(WASM)/common/*/*.d)
 NAMED_MAIN = -Dmain=main_$(notdir $*)

@@ -1,10 +1,10 @@
 /*
- * window.h - a window on a live scene.  window_sdl.c alone needs SDL2, and is
- * linked by `make live` and by nothing else; window_web.c is for a page.
+ * window.h - a window on a live scene, which view.h shows where `make live` has
+ * linked it; window_web.c is for a page.
  *
  * The square is coloured by log2 J: blue where it is pressed, white at rest,
  * orange where it is stretched, magenta where J <= 0; a red ring stands round a
- * knot.  Below are the milliseconds of the last 240 frames and the line of 33.
+ * knot.
  */
 #ifndef COMMON_WINDOW_H
 #define COMMON_WINDOW_H

@@ -24,7 +24,7 @@ says() { # says TEXT WHAT COMMAND...: TEXT is a pattern in what it says
 
 # ---- editors ------------------------------------------------------------------
 if command -v clangd >/dev/null; then
-    for file in tests/checks/$slug.c common/motion/window_sdl.c; do
+    for file in tests/checks/$slug.c common/motion/view_sdl.c; do
         says '[^0-9]0 errors' "clangd finds no error in $file" \
             clangd --check=$file
     done
