@@ -2,21 +2,11 @@
  * plot.js - pictures of tables as SVG: two columns, and a body with its triangles.
  */
 "use strict";
-const SVG = "http://www.w3.org/2000/svg";
 const INKS = 6; /* colours of web.css */
 
-function draw(parent, name, attributes, text) {
-    const element = document.createElementNS(SVG, name);
-    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-    if (text !== undefined) element.textContent = text;
-    return parent.appendChild(element);
-}
-
 function picture(width, height, label) {
-    const svg = document.createElementNS(SVG, "svg");
-    const attributes = {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label};
-    for (const key in attributes) svg.setAttribute(key, attributes[key]);
-    return svg;
+    return drawn("svg", document.createDocumentFragment(),
+                 {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label});
 }
 
 function short(x) {
@@ -92,33 +82,33 @@ function plot(table, setting, width, reference = null) {
     const svg = picture(W, H, `${what}: ${all.length} points, ${x} from ${range(0)}, ` +
         `${y} from ${range(1)}`);
     for (const t of across.ticks) {
-        draw(svg, "path", {class: "grid", d: `M${px(t)},${top}V${H - foot}`});
-        draw(svg, "text", {x: px(t), y: H - foot + 18, "text-anchor": "middle"}, short(t));
+        drawn("path", svg, {class: "grid", d: `M${px(t)},${top}V${H - foot}`});
+        drawn("text", svg, {x: px(t), y: H - foot + 18, "text-anchor": "middle", text: short(t)});
     }
     for (const t of up.ticks) {
-        draw(svg, "path", {class: "grid", d: `M${left},${py(t)}H${W - right}`});
-        draw(svg, "text", {x: left - 6, y: py(t) + 4, "text-anchor": "end"}, short(t));
+        drawn("path", svg, {class: "grid", d: `M${left},${py(t)}H${W - right}`});
+        drawn("text", svg, {x: left - 6, y: py(t) + 4, "text-anchor": "end", text: short(t)});
     }
-    draw(svg, "text", {x: (left + W - right) / 2, y: H - 8, "text-anchor": "middle"},
-         x + (logx ? " (log)" : ""));
-    draw(svg, "text", {"text-anchor": "middle", transform:
-         `translate(12 ${(top + H - foot) / 2}) rotate(-90)`}, y + (logy ? " (log)" : ""));
+    drawn("text", svg, {x: (left + W - right) / 2, y: H - 8, "text-anchor": "middle",
+                        text: x + (logx ? " (log)" : "")});
+    drawn("text", svg, {"text-anchor": "middle", text: y + (logy ? " (log)" : ""),
+                        transform: `translate(12 ${(top + H - foot) / 2}) rotate(-90)`});
     const places = (points) => points.map((p) => `${px(p[0]).toFixed(1)},${py(p[1]).toFixed(1)}`).join(" ");
     for (const points of below)
-        draw(svg, "polyline", {class: "curve reference", points: places(points)});
+        drawn("polyline", svg, {class: "curve reference", points: places(points)});
     if (reference) {
-        draw(svg, "path", {class: "curve reference", d: `M${left},${12 + 18 * names.length}h24`});
-        draw(svg, "text", {x: left + 30, y: 16 + 18 * names.length}, "reference");
+        drawn("path", svg, {class: "curve reference", d: `M${left},${12 + 18 * names.length}h24`});
+        drawn("text", svg, {x: left + 30, y: 16 + 18 * names.length, text: "reference"});
     }
     [...lists].forEach(([name, points], n) => {
         const ink = `ink${n % INKS}`;
-        draw(svg, "polyline", {class: `curve ${ink}`, points: places(points)});
+        drawn("polyline", svg, {class: `curve ${ink}`, points: places(points)});
         if (points.length <= 80)
             for (const p of points)
-                draw(svg, "circle", {class: ink, cx: px(p[0]), cy: py(p[1]), r: 2.6});
+                drawn("circle", svg, {class: ink, cx: px(p[0]), cy: py(p[1]), r: 2.6});
         if (names.includes(name)) {
-            draw(svg, "path", {class: `curve ${ink}`, d: `M${left},${12 + 18 * n}h24`});
-            draw(svg, "text", {x: left + 30, y: 16 + 18 * n}, name || "yours");
+            drawn("path", svg, {class: `curve ${ink}`, d: `M${left},${12 + 18 * n}h24`});
+            drawn("text", svg, {x: left + 30, y: 16 + 18 * n, text: name || "yours"});
         }
     });
     return svg;
@@ -198,18 +188,18 @@ function drawBody(name, {corners, points, J}, width, reference = null) {
         .map((c) => c.toFixed(1));
     J.forEach((j, e) => {
         if (corners)
-            draw(svg, "polygon", {class: "element", fill: colour(j),
+            drawn("polygon", svg, {class: "element", fill: colour(j),
                                   points: corners[e].map(pixel).join(" ")});
         else {
             const [cx, cy] = pixel(points[e]);
-            draw(svg, "circle", {class: "element", fill: colour(j), cx, cy, r: 4});
+            drawn("circle", svg, {class: "element", fill: colour(j), cx, cy, r: 4});
         }
     });
     for (const t of reference?.corners || [])
-        draw(svg, "polygon", {class: "outline", points: t.map(pixel).join(" ")});
+        drawn("polygon", svg, {class: "outline", points: t.map(pixel).join(" ")});
     for (const p of reference?.points || []) {
         const [cx, cy] = pixel(p);
-        draw(svg, "circle", {class: "outline", cx, cy, r: 4});
+        drawn("circle", svg, {class: "outline", cx, cy, r: 4});
     }
     return svg;
 }

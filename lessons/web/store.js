@@ -1,6 +1,6 @@
 /*
  * store.js - what a reader has done, in this browser alone; for each lesson a record
- * {predict: answers by their keys, text: of the file, verdict}.
+ * {predict: answers by their keys, text: of the file, verdict}.  It begins offline.js, too.
  */
 "use strict";
 (() => {
@@ -24,4 +24,11 @@ self.store = {
         }
     },
 };
+/* Keep the pages, where a server brings them; the first one was loaded before that. */
+const keeper = location.protocol === "file:" ? null : navigator.serviceWorker;
+keeper?.addEventListener("controllerchange", () => {
+    for (const {name} of [{name: location.href}, ...performance.getEntriesByType("resource")])
+        fetch(name).catch(() => {});
+});
+keeper?.register(new URL("../offline.js", document.currentScript.src)).catch(() => {});
 })();

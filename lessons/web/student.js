@@ -55,7 +55,7 @@
  * use; fraction from 0 to 1, of bytes), "lesson" (its files), "compile", "link", "run" or
  * "judge".  fraction is null where it is not known, which is after "load".
  *
- * student.size(slug) is a promise of {bytes, cached}: what the next call would load.
+ * student.size(slug) is a promise of the bytes that the next call would load.
  */
 "use strict";
 (() => {
@@ -277,7 +277,7 @@ globalThis.makeStudent = ({base, worker}) => {
             let bytes = 0;
             for (const name of [...compiler ? [] : COMPILER, `${slug}.tar.gz`])
                 if (!await store?.match(`${base}${name}?${files[name].sum}`)) bytes += files[name].bytes;
-            return {bytes, cached: bytes === 0};
+            return bytes;
         },
     };
 };

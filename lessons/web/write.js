@@ -142,11 +142,10 @@ async function bringStudent() {
 async function sizeOf() {
     try {
         await bringStudent();
-        const {bytes, cached} = await student.size(program);
-        const size = `${(bytes / 1e6).toFixed(bytes < 1e7 ? 1 : 0)} MB`;
-        if (!cached) PHASES.load = `Loading the compiler, ${size}, once`;
-        find(".size").textContent = cached ? ""
-            : `The first Run or Check loads a C compiler, ${size}, which this browser keeps.`;
+        const bytes = await student.size(program), size = `${(bytes / 1e6).toFixed(0)} MB`;
+        if (bytes < 1e6) return; /* the compiler is here */
+        PHASES.load = `Loading the compiler, ${size}, once`;
+        find(".size").textContent = `The first Run or Check loads a C compiler, ${size}, which this browser keeps.`;
     } catch (error) {
         find(".size").textContent = error.message;
     }
@@ -245,7 +244,7 @@ async function inHand(file, unless) {
     diagnosed(hand.diagnostics);
     if (hand.end === "not compiled") return say("It does not compile.", "refused");
     bar.hidden = true;
-    for (const name of ["elements", "live_draw", "live"])
+    for (const name of ["live_draw", "live"])
         if (!self.liveScene) await unless(bring(`../web/${name}.js`)).catch((error) => {
             hand.close();
             throw error.name === "Stopped" ? error : new Error(`../web/${name}.js cannot be read.`);

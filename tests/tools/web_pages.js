@@ -84,7 +84,7 @@ ${fields.join("")}<p class="hint">The same with your own program: <code class="c
 </form>
 <div class="results"></div>
 </section>
-${["store", "programs", "run", "plot", "results", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
+${["store", "programs", "run", "elements", "plot", "results", "try"].map((name) => `<script src="../web/${name}.js" defer></script>\n`).join("")}`;
 }
 
 /* The hints of a lesson, each hidden, and a button for what each is about. */
@@ -138,7 +138,7 @@ fs.cpSync(book, part, {recursive: true});
 fs.mkdirSync(part + "/web");
 fs.mkdirSync(part + "/programs");
 for (const name of fs.readdirSync("lessons/web").filter((name) => !/\.(c|mjs)$/.test(name)))
-    fs.copyFileSync("lessons/web/" + name, `${part}/web/${name}`);
+    fs.copyFileSync("lessons/web/" + name, `${part}/${name === "offline.js" ? "" : "web/"}${name}`);
 const {index, workbook, moved} = front(read(part + "/index.html"),
                                        archive(`${part}/elasticity-workbook.tar.gz`));
 fs.writeFileSync(part + "/index.html", index);

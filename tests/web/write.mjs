@@ -223,6 +223,14 @@ try {
     const rows = await page.evaluate(`${live}.state.lines.filter(line => /^\\d/.test(line)).length`);
     say(begun && over && /reference: 12a/.test(words) && rows > 60 && page.errors.length === 0,
         'lesson 12 is taken into the hand', `${begun} ${over} ${rows} ${words} ${page.errors}`);
+
+    /* without a network: what was opened before, and the compiler, are kept */
+    server.close();
+    await page.go(url);
+    const kept = await ready();
+    if (kept) await script(text => document.querySelector('.write').editor.setText(text), down + '\n');
+    if (kept) await work('check');
+    say(kept && /Verdict: OK/.test(await said()), 'without a network it is all there', kept ? await said() : 'no page');
 } catch (end) {
     if (end !== 'enough') throw end;
 } finally {
