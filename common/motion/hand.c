@@ -13,6 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#ifndef __wasm__
+#include <sys/resource.h>
+#endif
 
 #ifndef HAND_SECONDS
 #define HAND_SECONDS 60 /* that a frame may take */
@@ -106,6 +109,10 @@ struct hand *hand_open(const char *lesson, const char *whose,
     hand->view = view_open(name, !input || hand->shot);
     if (!hand->view && !input)
         options_refuse("live", "without a window it needs --input");
+#ifdef RLIMIT_DATA
+    const rlim_t most = (rlim_t)2 << 30; /* bytes, should a slot leak */
+    if (hand->view) setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
+#endif
     snprintf(said, sizeof said, "%s", lesson);
     static const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT,
                                   SIGALRM};

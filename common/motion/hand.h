@@ -15,7 +15,7 @@
  * frames.  hard and mad press a key every now and then, each in turn.
  * A slot that crashes, that does not return within a minute, that exits or
  * returns a place that is not finite ends the program with one line that names
- * it, and status 1.
+ * it, and status 1.  So does one that has leaked two gigabytes, in a window.
  *
  * Names: program_.
  */
