@@ -41,6 +41,17 @@ static enum status hand_steps(const struct scene *s, struct model *model,
     return status;
 }
 
+/* One frame_step(); *rescued counts those that a later attempt has saved. */
+static enum status hand_survive(const struct scene *s, struct state *now,
+                                int *rescued)
+{
+    hand_slot("14d");
+    const struct frame frame =
+        frame_step(s->body, HAND_FRAME, s->g, NULL, now);
+    *rescued += frame.status == OK && frame.attempts > 1;
+    return frame.status;
+}
+
 int main(int argc, char *argv[])
 {
     struct hand *hand = hand_open("14", HAND_WHOSE, "i+li-pi+rp", argc, argv);
@@ -61,16 +72,9 @@ int main(int argc, char *argv[])
         memcpy(now.u, s->u, (size_t)now.n * sizeof *now.u);
         memcpy(now.v, s->v, (size_t)now.n * sizeof *now.v);
         state_copy(&now, &before);
-        enum status status;
-        if (!saved)
-            status = hand_steps(s, model[side_held(side)], method, parts, &now);
-        else {
-            hand_slot("14d");
-            const struct frame frame =
-                frame_step(s->body, HAND_FRAME, s->g, NULL, &now);
-            status = frame.status;
-            rescued += status == OK && frame.attempts > 1;
-        }
+        enum status status =
+            saved ? hand_survive(s, &now, &rescued)
+                  : hand_steps(s, model[side_held(side)], method, parts, &now);
         if (status != OK) state_copy(&before, &now);
         side->lost += status != OK;
         for (int r = 0; r < now.n; r++) {
