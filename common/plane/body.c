@@ -307,7 +307,7 @@ void body_scatter(const struct body *body, const double some[], double all[])
  * the largest of the bits is found without a branch. */
 double body_max_free(const struct body *body, const double v[])
 {
-    long long pattern = 0;
+    long long largest_bits = 0;
     double largest;
     const int n_dof = 2 * body->mesh->n_vertex;
     for (int r = 0; r < n_dof; r++) {
@@ -315,9 +315,9 @@ double body_max_free(const struct body *body, const double v[])
         long long bits;
         memcpy(&bits, &size, sizeof bits);
         bits = body->equation[r] < 0 ? 0 : bits;
-        pattern = bits > pattern ? bits : pattern;
+        largest_bits = bits > largest_bits ? bits : largest_bits;
     }
-    memcpy(&largest, &pattern, sizeof largest);
+    memcpy(&largest, &largest_bits, sizeof largest);
     return isfinite(largest) ? largest : INFINITY;
 }
 

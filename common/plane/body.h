@@ -148,7 +148,8 @@ void body_free(struct body *body);
  * Matrices of body_matrix() that were made before are of no use any more. */
 void body_store(struct body *body, enum storage storage);
 
-/* Set Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not finite. */
+/* *energy := Psi(u).  INVERTED: LOG and some J <= 0; NONFINITE: u is not
+ * finite. */
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
 

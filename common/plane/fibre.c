@@ -55,15 +55,15 @@ static mat2 stiffness(const struct fibre *fibre, double l, const double n[2],
                       enum tangent tangent)
 {
     const struct tension t = fibre_tension(fibre, l);
-    double along = t.dT, slack = l > 0.0 ? t.T / l : 0.0;
+    double along = t.dT, transverse = l > 0.0 ? t.T / l : 0.0;
     if (l <= 0.0) along = 0.0;
     if (tangent == PROJECTED) {
         along = GSL_MAX_DBL(along, 0.0);
-        slack = GSL_MAX_DBL(slack, 0.0);
+        transverse = GSL_MAX_DBL(transverse, 0.0);
     }
-    const double surplus = along - slack;
-    return (mat2){{{slack + surplus * n[0] * n[0], surplus * n[0] * n[1]},
-                   {surplus * n[1] * n[0], slack + surplus * n[1] * n[1]}}};
+    const double excess = along - transverse;
+    return (mat2){{{transverse + excess * n[0] * n[0], excess * n[0] * n[1]},
+                   {excess * n[1] * n[0], transverse + excess * n[1] * n[1]}}};
 }
 
 mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
