@@ -14,17 +14,13 @@ rule() { # rule NAME OFFENDERS
     printf 'FAIL form: %s: %s\n' "$1" "$2"
 }
 of_lesson() { # of_lesson SKELETON FILE
-    sed 's/@NN@/98/g; s/@N@/98/g; s/@NAME@/spring/g; s/@PLACE@/6 1/g
-         s|<!-- code .*|&\
-```c\
-y[0] = 0.0;\
-```|' "tests/tools/skeleton/$1" >"$2"
+    sed 's/@NN@/98/g; s/@N@/98/g; s/@NAME@/spring/g; s/@PLACE@/6 1/g' \
+        "tests/tools/skeleton/$1" >"$2"
 }
 of_lesson chapter.md "$tmp/chapter.md"
 of_lesson solution.md "$tmp/answers.md"
-of_lesson solution.c "$tmp/98.c"
 answers_say() {
-    awk -f tests/tools/answers.awk "$tmp/chapter.md" "$tmp/98.c" "$1"
+    awk -f tests/tools/answers.awk "$tmp/chapter.md" "$1"
 }
 rule 'the skeleton of the answers has the form' "$(answers_say "$tmp/answers.md")"
 found() { # found EDIT: nothing if what sed has made of the page is found
@@ -43,9 +39,6 @@ rule 'an answer, a fold or a name that is missing or wrong is found' \
     found 's/>Predictions</>The predictions</'
     found '/^2\. TODO: the same/d'
     found '/^<a id="predictions"/,/^<.details>/d'
-    found '/^<a id="code-98b"/,/^<.details>/d'
-    found 's/Code of slot 98b/Code of slot 98a/'
-    found '/^```c/,/^```$/d'
     found 's/^<a id="predictions".*/The code:\
 \
 &/')"

@@ -1,30 +1,25 @@
 # answers.awk - what is wrong with the form of a file of hints and answers.
 #
-#     awk -f tests/tools/answers.awk lessons/NN_slug.md solutions/NN_slug.c \
-#         solutions/NN_slug.md
+#     awk -f tests/tools/answers.awk lessons/NN_slug.md solutions/NN_slug.md
 #
-# Behind the hints there is a fold for each exercise On paper, in their order, one
-# for the predictions, and one for each slot, with code; before each the line that
-# gives it a name:
+# Behind the hints there is a fold for each exercise On paper, in their order, and one
+# for the predictions; before each the line that gives it a name:
 #
 #     <a id="answer-1"></a>
 #     <details><summary>Answer 1: the exact solution</summary>
 #
-# (predictions: "Predictions"; code-7a: "Code of slot 7a").  No text stands outside
-# a fold, and each question of Predict has its number in the fold of the predictions.
+# (predictions: "Predictions").  No text stands outside a fold, and each question of
+# Predict has its number in the fold of the predictions.
 
 function bad(text) { print text }
 FNR == 1 { part++; section = "" }
 part == 1 && /^## / { section = substr($0, 4) }
 part == 1 && section == "On paper" && /^[0-9]+\. / { exercises++ }
 part == 1 && section == "Predict" && /^[0-9]+\. / { questions++ }
-part == 2 && match($0, /\/\* SLOT [0-9]+[a-z]\(/) {
-    slot[++slots] = substr($0, RSTART + 8, RLENGTH - 9)
-}
-part < 3 { next }
+part < 2 { next }
 FNR == 1 || /^The chapter: / { next }
 /^<!-- labels -->$/ { exit }
-/^ *```/ { if (!fence && /```c/) code = 1; fence = !fence }
+/^ *```/ { fence = !fence }
 fence { next }
 /^<a id="/ { id = $0; gsub(/^<a id="|"><\/a>$/, "", id); before = FNR; next }
 /^<details>/ {
@@ -38,21 +33,15 @@ fence { next }
         is = "answer-" substr(title, 8) + 0
         if (is != "answer-" last) bad("\"" title "\" is answer " last)
     } else if (title == "Predictions") is = "predictions"
-    else if (title ~ /^Code of slot /) is = "code-" substr(title, 14)
-    else if (title ~ /^(Answer|Code|Prediction)/) bad("\"" title "\" has another name")
+    else if (title ~ /^(Answer|Prediction)/) bad("\"" title "\" has another name")
     if (is != "") {
         seen[is]++
         if (before != FNR - 1 || id != is)
             bad("before \"" title "\" there is no <a id=\"" is "\"></a>")
     }
-    code = 0
     next
 }
-/^<\/details>/ {
-    inside--
-    if (is ~ /^code-/ && !code) bad(is " has no code")
-    next
-}
+/^<\/details>/ { inside--; next }
 !inside && NF && !/^<!--.*-->$/ {
     if (!outside++) bad("outside of a fold: " substr($0, 1, 60))
 }
@@ -64,7 +53,5 @@ END {
     if (!seen["predictions"]) bad("no fold \"Predictions\"")
     else for (i = 1; i <= questions; i++)
         if (!(i in answer)) bad("Predictions have no answer " i ".")
-    for (i = 1; i <= slots; i++)
-        if (!seen["code-" slot[i]]) bad("no \"Code of slot " slot[i] "\"")
     for (i in seen) if (seen[i] > 1) bad(i " is there " seen[i] " times")
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
 # book.sh - the book as HTML, made by pandoc: BUILD/book/index.html and a page
-# for every chapter and for every file of hints and answers.
+# for every chapter and for every file of hints and answers, with the slots' code.
 #
 # Pages lie as the files of the tree do, so that links need a new ending only;
 # what they show or name besides is copied.  It works offline, from a file.
@@ -179,6 +179,9 @@ for file in workbook.md lessons/*.md solutions/*.md figures/*/README.md; do
     [ "$file" != "$table" ] || equations=
     mkdir -p "$(dirname "$new/$page")"
     { awk "$before" "$file" >"$new/page.md" &&
+      case $file in
+      solutions/*) awk -f tests/tools/code.awk "${file%.md}.c" >>"$new/page.md" ;;
+      esac &&
       pandoc -f gfm-emoji+tex_math_dollars -t html5 --mathml --wrap=none \
           --fail-if-warnings "$new/page.md" >"$new/page.html"
     } || { echo "book: $file cannot be converted" >&2; exit 1; }

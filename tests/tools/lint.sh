@@ -202,8 +202,7 @@ for slug in $lessons; do
     rule "lesson $nn is whole" "$missing$(of whole)"
     rule "lesson $nn has its predictions" "$(of predictions)"
     rule "answers of lesson $nn have a fold each, with a name" \
-        "$(awk -f tests/tools/answers.awk "lessons/$slug.md" "solutions/$slug.c" \
-            "solutions/$slug.md")"
+        "$(awk -f tests/tools/answers.awk "lessons/$slug.md" "solutions/$slug.md")"
     rule "hints of lesson $nn name checks or slots that exist" "$(of hints)"
     rule "mistakes of lesson $nn name checks that exist" "$(of mistakes)"
 done

@@ -1,4 +1,4 @@
-# workbook.awk - fill the numbers, tables and code of one file of the book.
+# workbook.awk - fill the numbers and tables of one file of the book.
 #
 #     awk -f tests/tools/workbook.awk -v data=build/data \
 #         -v table=../workbook.md lessons/NN_slug.md
@@ -8,8 +8,6 @@
 # these markers is replaced:
 #
 #   <!-- table SOURCE TABLE; COLUMN FORMAT HEADING; ... -->    a whole table
-#   <!-- end -->
-#   <!-- code FILE WHAT -->      a slot (7a) or a function of that file
 #   <!-- end -->
 #   <!-- n SOURCE TABLE COLUMN ROW FORMAT -->85375<!-- /n -->   in a line;
 #       rows count from 0, -1 is the last
@@ -121,29 +119,6 @@ function print_table(spec,    part, n, i, word, k, row, head, rule, line, number
     }
 }
 
-function print_code(file, what,    line, inside, found, indent, comment) {
-    print "```c"
-    while ((getline line < file) > 0) {
-        if (what ~ /^[0-9]+[a-z]$/) {
-            if (line ~ "/\\* END " what " \\*/") inside = 0
-            if (inside && !comment) {
-                if (!found) { match(line, /^ */); indent = RLENGTH }
-                found = 1
-                print substr(line, 1, indent) ~ /^ *$/ ? substr(line, indent + 1) : line
-            }
-            if (line ~ "/\\* SLOT " what "\\(") { inside = 1; comment = 1 }
-            if (comment && line ~ /\*\//) comment = 0
-        } else {
-            if (line ~ "^[A-Za-z_].*[ *]" what "\\(" && line !~ /;$/) inside = 1
-            if (inside) { found = 1; print line }
-            if (line == "}") inside = 0
-        }
-    }
-    close(file)
-    print "```"
-    if (!found) stop("no " what " in " file)
-}
-
 # Remember the labels that a line of text cites.
 function cite(text,    label) {
     while (match(text, /\[(eq|alg):[A-Za-z0-9-]+\]/)) {
@@ -207,12 +182,6 @@ only == "lead" || only == "led" { print; next }
     print
     gsub(/^<!-- table +| *-->$/, "")
     print_table($0)
-    skipping = 1
-    next
-}
-/^<!-- code .* -->$/ {
-    print
-    print_code($3, $4)
     skipping = 1
     next
 }
