@@ -243,8 +243,8 @@ function readProgram(text, path, lesson) {
         }
         struct += "\n" + rest;
         if (!/^struct +[A-Za-z_0-9]+[ \n]*(\{|$)/.test(struct)) struct = "";
-        else if (struct.includes("}")) {
-            changed(struct.slice(0, struct.indexOf("}") + 1));
+        else if (struct.includes("}") && struct.split("}").length >= struct.split("{").length) {
+            changed(struct.slice(0, struct.lastIndexOf("}") + 1));
             struct = "";
         }
     }

@@ -1,6 +1,7 @@
 /* claims.c - inside a check: what it may say and run; see judge.h. */
 #include "judging.h"
 
+#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -14,12 +15,20 @@ const char *work_file(const char *name, char path[PATH_SIZE])
     return path;
 }
 
-void wrong(const char *format, ...)
+/* Who takes the folder or the descriptors away is no trouble of the judge. */
+static FILE *open_work(const char *name, const char *mode)
 {
     char path[PATH_SIZE];
-    va_list arguments;
-    FILE *file = fopen(work_file("judge.message", path), "w");
+    FILE *file = fopen(work_file(name, path), mode);
+    if (!file && errno != ENOSPC) before_quit = NULL;
     if (!file) quit("cannot write %s", path);
+    return file;
+}
+
+void wrong(const char *format, ...)
+{
+    va_list arguments;
+    FILE *file = open_work("judge.message", "w");
     if (judging.again)
         fprintf(file, "slot %s: %s passes in a process of its own, and fails "
                 "where other checks have called the program before: something "
@@ -34,9 +43,7 @@ void wrong(const char *format, ...)
 
 void keep_figures(const struct figures *figures)
 {
-    char path[PATH_SIZE];
-    FILE *file = fopen(work_file("judge.figures", path), "w");
-    if (!file) quit("cannot write %s", path);
+    FILE *file = open_work("judge.figures", "w");
     fprintf(file, "%s\n%s\n%s\n", figures->got, figures->want,
             figures->allowed);
     fclose(file);
@@ -155,9 +162,7 @@ void expect_refusal(const char *options, int status, const char *text)
 
 void measured(const char *key, double value)
 {
-    char path[PATH_SIZE];
-    FILE *file = fopen(work_file("judge.measured", path), "a");
-    if (!file) quit("cannot write %s", path);
+    FILE *file = open_work("judge.measured", "a");
     fprintf(file, "%s %.17g\n", key, value);
     fclose(file);
 }

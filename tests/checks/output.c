@@ -12,9 +12,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+void (*before_quit)(void);
+
 void quit(const char *format, ...)
 {
     va_list arguments;
+    if (before_quit) before_quit();
     va_start(arguments, format);
     fputs("judge: ", stderr);
     vfprintf(stderr, format, arguments);

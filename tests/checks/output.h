@@ -17,6 +17,9 @@ enum {
 _Noreturn void quit(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
+/* What quit() calls first, or NULL. */
+extern void (*before_quit)(void);
+
 /* A path in the folder of a judge, or the judge's own. */
 enum { PATH_SIZE = 4096 };
 

@@ -91,8 +91,6 @@ static void explain_end(struct ending ending, struct finding *finding)
         finding->verdict = UNFINISHED;
         snprintf(finding->slot, sizeof finding->slot, "%s", slot);
         snprintf(text, size, "slot %s is not written yet", slot);
-    } else if (ending.status == 2 && starts(line, "judge: ")) {
-        quit("%s", line + 7);
     } else {
         snprintf(text, size,
                  "the program ended in the middle of its work, with exit(%d)"
@@ -112,17 +110,33 @@ static uint64_t any_number(void)
 }
 
 /* While the check runs, the number is nowhere, but two others that give it. */
+static uint64_t mine, other;
+
+/* The number goes back, or one more where the judge itself cannot go on. */
+static void say(uint64_t more)
+{
+    mine = (mine ^ other) + more;
+    if (write(CHILD_DESCRIPTOR, &mine, sizeof mine) < 0) _exit(2);
+}
+
+/* In the subject of a judge it is the program that has left no memory, no
+ * descriptors or no processes, but not the one that has filled the disk. */
+static void say_trouble(void)
+{
+    if (judging.reference || errno == ENOSPC) say(1);
+}
+
 void run_claim(const struct claim *claim)
 {
-    static uint64_t number, other;
-    if (read(CHILD_DESCRIPTOR, &number, sizeof number) != sizeof number)
+    if (read(CHILD_DESCRIPTOR, &mine, sizeof mine) != sizeof mine)
         quit("no number for the end of a check");
     other = any_number();
-    number ^= other;
+    mine ^= other;
+    before_quit = say_trouble;
     claim->check();
     guards_hold();
-    number ^= other;
-    if (write(CHILD_DESCRIPTOR, &number, sizeof number) < 0) _exit(2);
+    before_quit = NULL;
+    say(0);
 }
 
 /* The checks of the slots, the last first: what a slot keeps from call to call
@@ -167,6 +181,7 @@ static void begin_claim(void *context)
                         (char *)"--work", judging.work, NULL};
         child_become(judging.subject, argv);
         fprintf(stderr, "judge: cannot run %s\n", judging.subject);
+        if (read(CHILD_DESCRIPTOR, &mine, sizeof mine) > 0) say(1);
         _exit(2);
     }
 }
@@ -175,30 +190,29 @@ void examine(int index, struct finding *finding)
 {
     const struct claim claim = claim_at(judging.lesson, index);
     char out[PATH_SIZE], err[PATH_SIZE], path[PATH_SIZE];
-    const uint64_t number = any_number();
-    uint64_t back = ~number;
+    const uint64_t given = any_number();
+    uint64_t back = ~given;
     int both_ways[2];
 
     chmod(judging.work, 0700);
     remove(work_file("judge.message", path));
     remove(work_file("judge.figures", path));
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, both_ways) < 0 ||
-        write(both_ways[0], &number, sizeof number) < 0)
+        write(both_ways[0], &given, sizeof given) < 0)
         quit("cannot make a socket: %s", strerror(errno));
     child_hand_over(both_ways[1]);
     const struct ending ending =
         child_run(begin_claim, &index, work_file("judge.stdout", out),
                   work_file("judge.stderr", err));
     child_hand_over(0);
-    const int finished =
-        recv(both_ways[0], &back, sizeof back, MSG_DONTWAIT) == sizeof back &&
-        back == number;
+    if (recv(both_ways[0], &back, sizeof back, MSG_DONTWAIT) < 0) back = ~given;
     close(both_ways[0]);
     close(both_ways[1]);
     snprintf(finding->slot, sizeof finding->slot, "%s",
              claim.slot ? claim.slot : "");
     finding->verdict = PASS;
-    if (ending.limit == NO_LIMIT && ending.status == 0 && finished) return;
+    if (ending.limit == NO_LIMIT && ending.status == 0 && back == given)
+        return;
     /* limits are those of a single check, and 2 is the judge's own trouble: it
      * may have no files left in a process that the program has changed */
     finding->verdict = NOT_RUN;
@@ -214,6 +228,10 @@ void examine(int index, struct finding *finding)
         if (index > judging.lesson->n_claim)
             sscanf(finding->text, "slot %15[0-9a-z]", finding->slot);
     } else {
+        if (ending.status == 2 && back == given + 1) {
+            last_line(err, sizeof finding->text, finding->text);
+            quit("%s", finding->text + strlen("judge: "));
+        }
         explain_end(ending, finding);
     }
 }

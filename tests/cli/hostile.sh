@@ -101,6 +101,9 @@ a malloc() of its own | file | void *malloc(size_t size) { return size ? NULL : 
 an _exit() of its own | file | extern char **environ; @@ _Noreturn void _exit(int status) { *environ = NULL; for (;;) status++; } | OK
 a function of the library's | file | enum status matrix_factor(struct matrix *A) { return A ? OK : NOT_SPD; } | WRONG (refused)
 shared memory | slot | shmget(IPC_PRIVATE, 1 << 20, 0600); | OK
+says that the judge is in trouble | slot | fprintf(stderr, "judge: usage"); _exit(2); | CRASHED
+the program as the judge | slot | execve("/proc/self/exe", (char *[]){"judge", NULL}, (char *[]){NULL}); _exit(2); | CRASHED
+neither files nor a right slot | empty slot | setrlimit(RLIMIT_NOFILE, &(struct rlimit){0, 0}); return; | CRASHED
 exit(0) in main | main | exit(0); | WRONG
 another program | slot | execl("/bin/true", "true", (char *)NULL); | OK
 loop at exit | main | static void again(void) { for (volatile int spin = 0;; spin = 1) {} } ## atexit(again); | TIMEOUT

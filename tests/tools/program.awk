@@ -1,6 +1,6 @@
 # program.awk - a preprocessed program, with what its checks call behind it.
 #
-#     awk -v program=FILE -v own=HEADER -f tests/tools/program.awk CONTRACT CALLS
+#     awk -v program=FILE -v into=HEADER -f tests/tools/program.awk CONTRACT CALLS
 #         PREPROCESSED
 #
 # CONTRACT and CALLS are those of contract.awk.  The last line of the program is
@@ -56,7 +56,8 @@ struct == "" && match($0, /struct[ ]+[A-Za-z_0-9]+[ ]*(\{.*)?$/) {
 struct != "" {
     struct = struct "\n" $0
     if (struct !~ /^struct +[A-Za-z_0-9]+[ \n]*(\{|$)/) struct = ""
-    else if (match(struct, /\}/)) changed(word[2], substr(struct, 1, RSTART))
+    else if ((closed = gsub(/\}/, "}", struct)) && closed >= gsub(/\{/, "{", struct))
+        changed(word[2], substr(struct, 1, match(struct, /\}[^}]*$/)))
 }
 # Only of what is neither the library's nor the system's.
 function is_link(path) {
@@ -95,5 +96,5 @@ END {
     }
     for (f in missing) print "missing: " f > "/dev/stderr"
     for (f in missing) exit 1
-    if (other) printf "%s", contract > own
+    if (other) printf "%s", contract > into
 }

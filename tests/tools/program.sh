@@ -36,7 +36,7 @@ if [ $status != 0 ]; then
     exit 1
 fi
 [ ! -f "$into.o" ] || rm -f "$into.o"
-awk -v program="$program" -v own="$part.h" -f tests/tools/program.awk "$checks.h" \
+awk -v program="$program" -v into="$part.h" -f tests/tools/program.awk "$checks.h" \
     "$checks.calls" "$part" >"$part.i" || exit 1
 [ ! -f "$part.h" ] || $COMPILER -w -I. -Itests/checks -DPROGRAM="\"$part.h\"" -c \
     "tests/checks/$2.c" -o "$into.o" || {
