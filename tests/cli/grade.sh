@@ -69,7 +69,7 @@ cp "solutions/$slug.c" "class/$(printf 'a\nb')"
 mkdir "class/w\\t(log)" class/=1+1 class/..dots
 cp "class/eve/$slug-2.c" "class/w\\t(log)/$slug.c"
 hostile='fprintf(stderr, "\033[2J%s\n", getenv("SECRET") ? "known" : "hidden");
-    if (getenv("NEVER")) matrix_zero(NULL); else exit(2);'
+    if (getenv("NEVER")) matrix_zero(NULL); else exit(getenv("NO") ? MIDPOINT.n : 2);'
 spoil stdio stdlib >"class/=1+1/$slug.c"
 printf 'int main(void) { return x; }\n' >"class/..dots/$slug.c"
 
@@ -121,7 +121,7 @@ done
 for text in "known mistake (lift_sign)" "== two twice, $slug" 'is in UTF-16' \
     'not judged: it includes what is no header' \
     'Headers that no lesson needs: signal.h, unistd.h' \
-    'the library that the solution does without: matrix_zero' \
+    'the library that the solution does without: matrix_zero, MIDPOINT' \
     "aside: gil/$slug.c, two twice/$slug.c, solutions/$slug.c"; do
     grep -qF "$text" build/grade/verdicts.txt
     result $? "grade keeps what was said: $text" "$(cat build/grade/verdicts.txt)"

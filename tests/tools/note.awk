@@ -2,13 +2,13 @@
 #
 #     nm -gP libworkbook.a | awk -f tests/tools/note.awk - SOLUTION.s PROGRAM.s PROGRAM.d
 #
-# names the functions of the library that the program refers to and the solution does
-# not (one may be what a slot teaches), and headers that no lesson needs.
+# names the functions and data of the library that the program refers to and the
+# solution does not (one may be what a slot teaches), and headers that no lesson needs.
 
 FNR == 1 { file = FILENAME == "-" ? "names" : file == "solution" ? "program" : \
                FILENAME ~ /\.s$/ ? "solution" : "headers" }
 file == "names" {
-    if ($2 == "T" && $1 !~ /^(todo|die|allocate|cell_|options_|status_|table_)/)
+    if ($2 ~ /^[TDRB]$/ && $1 !~ /^(todo|die|allocate|cell_|options_|status_|table_)/)
         library[$1]
     next
 }
@@ -30,5 +30,5 @@ file == "headers" {
 }
 END {
     if (headers) print "Headers that no lesson needs: " substr(headers, 3)
-    if (calls) print "Functions of the library that the solution does without: " substr(calls, 3)
+    if (calls) print "Names of the library that the solution does without: " substr(calls, 3)
 }
