@@ -108,7 +108,8 @@ static struct point measure(const struct matrix *A, const double b[],
     /* SLOT 8d(A, b, repeats, u, &point, BACKWARD_EPS): given A and b, factor a
      * copy and solve, `repeats` times, with the clock around these two calls
      * only; keep the shortest time; free the copies.  Then judge by
-     * matrix_backward_error(): not valid, no time (NaN included). */
+     * matrix_backward_error(): what is not valid (NaN included) has no time and
+     * no error, both are 0. */
     todo("8d", A, b, repeats, u, &point, BACKWARD_EPS);
     /* END 8d */
     return point;

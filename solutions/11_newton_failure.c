@@ -69,8 +69,8 @@ struct limits {
     double load;     /* p at or below which the first step from F inverts */
     double step;     /* largest drop of the load from the equilibrium at F */
     double start;    /* F0 at or above which it inverts for p = 0 */
-    double push;     /* dg / h at or above which the start is inverted */
-    double pull;     /* dg / h at or below which the first step inverts */
+    double push;     /* dg / h from rest at or above which F0 is inverted */
+    double pull;     /* dg / h from rest at or below which the first step is */
     double collapse; /* p at which the cubic law has F = 0 */
 };
 static struct limits predict(double mu, double lambda, double F)

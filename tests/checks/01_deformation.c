@@ -67,6 +67,9 @@ static void collapsed_element_has_F_zero(void)
     expect_close(F, 0.0, ROUND_OFF, 1.0, "F of an element of length 0");
     expect(sign == 0, "both ends at one place: sign is %d, not 0", sign);
 
+    sign = bar_gradient(0.25, 0.5, 0.0, 16.0 * DBL_EPSILON, 1.0, &F);
+    expect(sign == 0, "x1 - x0 = 16 eps size, the limit: sign is %d, not 0",
+           sign);
     for (int k = -1; k <= 1; k += 2) {
         sign = bar_gradient(0.137, 0.385, k < 0 ? near : place,
                             k < 0 ? place : near, 1.0, &F);

@@ -54,7 +54,8 @@ static const double full_g[] = {0.613, -1.247, 0.0, 2.385};
 
 static double full_entry(int i, int j)
 {
-    return i == j ? 6.0 + 0.371 * i : sin(2.385 * (i + j) + 0.613 * i * j);
+    return i == j ? (i == 3 ? -1.0 : 1.0) * (6.0 + 0.371 * i)
+                  : sin(2.385 * (i + j) + 0.613 * i * j);
 }
 
 static double *full_matrix(void)
@@ -109,11 +110,12 @@ static void equations_are_replaced(void)
     for (int c = 0; c < 2 * COUNT(full_node); c++) {
         const int n_fixed = c / 2 + 1;
         double *A = full_matrix(), *b = full_load();
-        const double *b0 = full_load();
+        const double *b0 = full_load(), *g = guarded_copy(n_fixed, full_g);
         replace_equations(full, A, b, n_fixed,
-                          guarded_indices(n_fixed, full_node),
-                          guarded_copy(n_fixed, full_g),
+                          guarded_indices(n_fixed, full_node), g,
                           c % 2 ? UNIT_DIAGONAL : KEEP_DIAGONAL);
+        for (int k = 0; k < n_fixed; k++)
+            expect(g[k] == full_g[k], "g[%d] is const and has changed", k);
         for (int i = 0; i < full; i++) {
             const int at = place_of(i, n_fixed);
             const double d = c % 2 ? 1.0 : full_entry(i, i);

@@ -188,6 +188,9 @@ static void defect_is_the_sum_of_b(void)
             judge_defect(sign * 184.0, ldexp(1.0, k));
         }
     }
+    const double two[] = {1.0, -1.0 + 8.0 * DBL_EPSILON};
+    expect(compatibility(2, guarded_copy(2, two), &defect) == INCOMPATIBLE,
+           "N = 2, sum |b| = 2, sum b = 8 eps: N eps sum |b| is 4 eps");
     for (int i = 0; i < N_node; i++) b[i] = 0.0;
     expect(compatibility(N_node, b, &defect) == OK && defect == 0.0,
            "without any load the sum of b is 0: that is compatible");

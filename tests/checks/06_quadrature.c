@@ -203,6 +203,20 @@ static void load_is_the_oracles(void)
                      "b[%d] of exercise (5), N = 4, midpoint rule", i);
 }
 
+/* Of one element each vertex has a neighbour on one side only. */
+static void one_element_has_both_ends(void)
+{
+    const double mean[] = {NAN, 2.385}, x[] = {0.25, 0.75};
+    for (int j = 0; j < 2; j++) {
+        double *row = guarded_alloc(3);
+        stiffness_row(j, 1, guarded_copy(2, x), guarded_copy(2, mean), row);
+        for (int k = 0; k < 3; k++)
+            expect_close(row[k], k == 1 ? 4.77 : k == 2 - 2 * j ? -4.77 : 0.0,
+                         ROUND_OFF, 4.77, "one element, row[%d] of vertex %d",
+                         k, j);
+    }
+}
+
 /* The hats add up to 1, so sum_j b_j is the rule applied to f, plus q. */
 static void loads_add_up_to_force_and_fluxes(void)
 {
@@ -222,6 +236,11 @@ static void loads_add_up_to_force_and_fluxes(void)
                      "fluxes",
                      rule_name[r]);
     }
+    for (int end = 0; end <= 1; end++)
+        expect_close(load_entry(end, 1, grid, field_zero, &MIDPOINT, flux_a,
+                                flux_b),
+                     end ? flux_b : flux_a, ROUND_OFF, 1.0,
+                     "one element, b[%d] without f: the flux at that end", end);
     for (int end = 0; end <= n_elem; end += n_elem)
         expect_close(load_entry(end, n_elem, grid, field_zero, &MIDPOINT,
                                 flux_a, flux_b),
@@ -496,6 +515,7 @@ static const struct claim claims[] = {
     {"rows_of_A_add_up_to_zero", rows_of_A_add_up_to_zero, "6c"},
     {"linear_beta_gives_the_oracles_matrix",
      linear_beta_gives_the_oracles_matrix, "6c"},
+    {"one_element_has_both_ends", one_element_has_both_ends, "6c"},
     {"load_is_the_oracles", load_is_the_oracles, "6d"},
     {"loads_add_up_to_force_and_fluxes", loads_add_up_to_force_and_fluxes,
      "6d"},

@@ -247,6 +247,10 @@ static void order_and_constant_are_recovered(void)
                               {h[0], e[0], h[1], 1e-13},
                               {h[0], 1e-12, h[1], e[1]},
                               {h[0], e[0], h[1], 1e-12},
+                              {NAN, e[0], h[1], e[1]},
+                              {h[0], e[0], NAN, e[1]},
+                              {h[0], NAN, h[1], e[1]},
+                              {h[0], e[0], h[1], NAN},
                               {h[0], e[0], h[0], e[0]}};
 
     for (int grows = 0; grows < 2; grows++)

@@ -161,8 +161,9 @@ static void end_loads_push_their_own_way(void)
 {
     for (int end = 0; end <= 1; end++) {
         double b[n_elem + 1];
-        const struct bar_scene s = pulled_at(end);
+        struct bar_scene s = pulled_at(end);
         const int node = end ? n_elem : 0;
+        s.pull[!end] = 37.14; /* of no force: the end is held */
         matrix_free(assembled(&s, 1346.1538461538462, b));
         expect_close(b[node], 100.0, PRODUCTS, 100.0,
                      "b at the %s end, whose traction t = P n is +100",

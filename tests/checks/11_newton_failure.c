@@ -18,6 +18,7 @@
 #include "figures/11_newton_failure/element.c"
 
 #include <float.h>
+#include <stdlib.h>
 
 #define ROUND_OFF 1e-12   /* closed forms */
 #define CONVERGED 1e-9    /* quadratic: beyond the tolerance 1e-10 */
@@ -56,6 +57,8 @@ static void reason(enum law law, double p, double F, double increment,
     const enum status got = newton_step(&m, p, F, increment, 1e-10, &step);
     expect(got == want, "p = %g, F = %g, last increment %g: got %s, want %s "
            "(%s)", p, F, increment, status_name(got), status_name(want), why);
+    expect(want == MAX_ITERATIONS || step == 0.0, "F = %g, %s: the step is %g; "
+           "there is none, so it is 0", F, status_name(got), step);
     if (want == MAX_ITERATIONS)
         expect_close(step, (p - material1_pk1(&m, F)) / material1_dpk1(&m, F),
                      ROUND_OFF, fabs(F), "step from F = %g", F);
@@ -114,6 +117,9 @@ static void newton_step_names_the_reason(void)
            "the increment is twice DBL_EPSILON");
     reason(LOG, 0.0, 1e-12, 1e-12, MAX_ITERATIONS,
            "the increment is small, the residual 1e16");
+    reason(LOG, at_rest + 0.5 * small, 0.6137, NAN, MAX_ITERATIONS,
+           "the residual is half of tolerance times modulus, the increment "
+           "NaN");
     reason(LOG, 0.0, 0.6137, 1e-17, STALLED,
            "the increment cannot change F, the residual is large");
 }
@@ -190,6 +196,9 @@ static void line_search_refuses_to_climb(void)
     expect(status == NOT_SPD,
            "nu = 0.02, F = 3: P' < 0 and the step leads uphill: NOT_SPD, not "
            "%s", status_name(status));
+    const enum status flat = line_search(&m, 0.0, 3.0, 0.0, &length);
+    expect(flat == NOT_SPD, "a step of length 0 does not lead downhill: "
+           "NOT_SPD, not %s", status_name(flat));
 }
 
 static void expect_length(const struct material *m, double p, double F,
@@ -229,6 +238,9 @@ static void line_search_goes_down_to_its_limit(void)
                   "2^-39 = 1.8e-12 is tried");
     expect_length(&m, -1e5, 1.0, -0.9 * ldexp(1.0, 40), 0.0,
                   "2^-40 = 0.9e-12 is not");
+    const struct material c = of(CUBIC, 0.3);
+    expect_length(&c, 0.0, 0.5, 1e200, 0.0,
+                  "F^6 overflows: no energy there is a number");
 }
 
 /* From one side of the minimum to twice as far on the other: the energy w grows
@@ -311,6 +323,21 @@ static void load_stepping_arrives(void)
     }
 }
 
+/* Attempts that fail beyond the limit load take 25 each; from rest to 37140 the
+ * way ends in a step that is cut to what is left. */
+static void load_stepping_counts_every_iteration(void)
+{
+    for (int c = 0; c < 2; c++) {
+        const struct material m = c ? of(LOG, 0.02) : of(CUBIC, 0.0);
+        const double p = c ? -37140.0 : 613.7;
+        const int got = load_stepping(&m, p, 0.0, &plain).iterations;
+        const int want = element_stepping(&m, p, 0.0, &plain).iterations;
+        expect(abs(got - want) <= SHIFT, "%s law, p = %g: %d iterations in "
+               "all, the studies' element.h needs %d", material_law(m.law), p,
+               got, want);
+    }
+}
+
 /* The cubic law at nu = 0 carries no more than mu = E / 2. */
 static void load_stepping_stops_at_the_limit_load(void)
 {
@@ -330,6 +357,7 @@ static void load_stepping_stops_at_the_limit_load(void)
                  p * 853.0 / 1024.0, 1e-6, 500.0,
                  "nu = 0, p = %g, the limit load 500 at 853.7 / 1024 of it: "
                  "load of the last equilibrium when steps end at 2^-10", p);
+    load_stepping_counts_every_iteration();
 }
 
 static void runs_are_the_oracles(void)

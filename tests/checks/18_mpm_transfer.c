@@ -10,8 +10,8 @@
  *   18b  p         p2g_keeps_mass_and_momentum (B or not, 2000),
  *                  p2g_does_every_node_and_no_other (two, equal masses)
  *        grid      the same (order, used before, full, h = 1), table `filter`
- *                  (a bar, periodic), leaving_the_grid_is_named
- *   18c  grid      with_all (order, next is not v), leaving_the_grid_is_named
+ *                  (a bar, periodic); expect_left
+ *   18c  grid      with_all (order, next is not v), g2p_names_who_leaves
  *        scheme    with_all
  *        dt        check_places, flip_without_forces_is_the_identity (0)
  *        p         with_all; check_turning (PIC and FLIP with a B),
@@ -231,6 +231,22 @@ static void p2g_keeps_mass_and_momentum(void)
         }
 }
 
+/* `back`: by G2P.  Who has left the grid, or is nowhere, is named. */
+static void expect_left(int back)
+{
+    for (int nan = 0; nan < 2; nan++) {
+        struct pair s = seven(2, 0);
+        const enum status want = nan ? NONFINITE : OUTSIDE;
+        s.p->x[2 * SEVEN - 1] = nan ? NAN : 9.7;
+        const enum status got =
+            back ? g2p(s.grid, PIC, 0.1, s.p) : p2g(s.p, s.grid);
+        expect(got == want, "%s with a particle at y = %g: status %s, must "
+               "be %s", back ? "G2P" : "P2G", s.p->x[2 * SEVEN - 1],
+               status_name(got), status_name(want));
+        pair_free(s);
+    }
+}
+
 /* A grid that two particles fill up to its corners, and numbers behind it that
  * are not its own. */
 static void p2g_does_every_node_and_no_other(void)
@@ -258,6 +274,7 @@ static void p2g_does_every_node_and_no_other(void)
         grid_free(grid);
         particles_free(p);
     }
+    expect_left(0);
 }
 
 /* v = a + G x, B = G D: the nodes get a + G x_i. */
@@ -353,23 +370,9 @@ static void nodes_are_the_oracles(void)
         }
 }
 
-static void leaving_the_grid_is_named(void)
-{
-    for (int back = 0; back < 2; back++)
-        for (int nan = 0; nan < 2; nan++) {
-            struct pair s = seven(2, 0);
-            const enum status want = nan ? NONFINITE : OUTSIDE;
-            s.p->x[2 * SEVEN - 1] = nan ? NAN : 9.7;
-            const enum status got =
-                back ? g2p(s.grid, PIC, 0.1, s.p) : p2g(s.p, s.grid);
-            expect(got == want, "%s with a particle at y = %g: status %s, must "
-                   "be %s", back ? "G2P" : "P2G", s.p->x[2 * SEVEN - 1],
-                   status_name(got), status_name(want));
-            pair_free(s);
-        }
-}
-
 /* ---- 18c ----------------------------------------------------------------- */
+
+static void g2p_names_who_leaves(void) { expect_left(1); }
 
 static void flip_without_forces_is_the_identity(void)
 {
@@ -611,7 +614,7 @@ static const struct claim claims[] = {
     {"p2g_hands_affine_fields_on", p2g_hands_affine_fields_on, "18b"},
     {"p2g_keeps_angular_momentum", p2g_keeps_angular_momentum, "18b"},
     {"nodes_are_the_oracles", nodes_are_the_oracles, "18b"},
-    {"leaving_the_grid_is_named", leaving_the_grid_is_named, NULL},
+    {"g2p_names_who_leaves", g2p_names_who_leaves, "18c"},
     {"flip_without_forces_is_the_identity",
      flip_without_forces_is_the_identity, "18c"},
     {"places_move_with_the_grid", places_move_with_the_grid, "18c"},
