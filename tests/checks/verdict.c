@@ -110,13 +110,13 @@ static uint64_t any_number(void)
 }
 
 /* While the check runs, the number is nowhere, but two others that give it. */
-static uint64_t mine, other;
+static uint64_t masked, mask;
 
 /* The number goes back, or one more where the judge itself cannot go on. */
 static void say(uint64_t more)
 {
-    mine = (mine ^ other) + more;
-    if (write(CHILD_DESCRIPTOR, &mine, sizeof mine) < 0) _exit(2);
+    masked = (masked ^ mask) + more;
+    if (write(CHILD_DESCRIPTOR, &masked, sizeof masked) < 0) _exit(2);
 }
 
 /* In the subject of a judge it is the program that has left no memory, no
@@ -128,10 +128,10 @@ static void say_trouble(void)
 
 void run_claim(const struct claim *claim)
 {
-    if (read(CHILD_DESCRIPTOR, &mine, sizeof mine) != sizeof mine)
+    if (read(CHILD_DESCRIPTOR, &masked, sizeof masked) != sizeof masked)
         quit("no number for the end of a check");
-    other = any_number();
-    mine ^= other;
+    mask = any_number();
+    masked ^= mask;
     before_quit = say_trouble;
     claim->check();
     guards_hold();
@@ -181,7 +181,7 @@ static void begin_claim(void *context)
                         (char *)"--work", judging.work, NULL};
         child_become(judging.subject, argv);
         fprintf(stderr, "judge: cannot run %s\n", judging.subject);
-        if (read(CHILD_DESCRIPTOR, &mine, sizeof mine) > 0) say(1);
+        if (read(CHILD_DESCRIPTOR, &masked, sizeof masked) > 0) say(1);
         _exit(2);
     }
 }
