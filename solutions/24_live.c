@@ -217,7 +217,8 @@ static void print_frame(const struct live *live, int knots, struct cell ms,
                         const struct live_report *report, struct summary *sum)
 {
     const double energy = live_energy(live);
-    table_row(++sum->frames, report->rung, report->first,
+    sum->frames++;
+    table_row(sum->frames, report->rung, report->first,
               status_name(report->status), report->systems, report->part,
               body_min_J(live->body, live->now.u), knots, energy,
               live->hand[0], live->hand[1], ms);
