@@ -14,7 +14,7 @@
 #
 # `make test` runs the solutions and scenes so; `make same`, as .ci/run does, the studies, too.
 
-ANEW := $(filter %/tiles.o %/front.o %/readable.o $(EXACT:%=%/%.o), \
+ANEW := $(filter %/tiles.o %/front.o %/readable.o $(addprefix %/,$(EXACT:=.o)), \
             $(OBJECTS:$(BUILD)/%=%))
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
 # $(call anew_flags,BUILD,name of the file)
