@@ -1,5 +1,4 @@
 /* hand.c - see hand.h. */
-#undef PROGRAM /* where a test compiles it beside a scene */
 #include "motion/hand.h"
 
 #include "base/clock.h"

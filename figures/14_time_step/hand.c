@@ -93,7 +93,7 @@ int main(int argc, char *argv[])
                  saved ? "surviving frame" : "one attempt");
         snprintf(picture.note, sizeof picture.note,
                  "energy: 0.25 m a decade\n%d frames saved by p", rescued);
-        if (status != OK && method != SYMPLECTIC_EULER)
+        if (status != OK && (saved || method != SYMPLECTIC_EULER))
             status = MAX_ITERATIONS; /* round-off says which it is */
         hand_draw(hand, &picture, status,
                   "method parts saved lost energy min_J",

@@ -12,7 +12,7 @@ nn=${slug%%_*} solution=solutions/$slug.c check=tests/checks/$slug.c
 dir=$BUILD/test/names.$nn
 file=$dir/$slug.c
 rm -rf "$dir" && mkdir -p "$dir"
-
+trap 'rm -rf "$dir"' EXIT
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok $2"; else echo "FAIL $2: $3"; fi
 }

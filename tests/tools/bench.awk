@@ -27,7 +27,7 @@ NF == 0 { table = ""; next }
 function is_key(name) {
     return name == "n" && table != "realtime" && table != "swing" ||
         name == "solver" || name == "method" || name == "line" ||
-        name == "unknowns" || table == "swing" && name == "systems" ||
+        table == "swing" && name == "systems" ||
         name == "scene" || name == "factors" || table == "elements" &&
         (name == "error" || name == "element" || name == "m")
 }

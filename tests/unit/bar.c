@@ -1,4 +1,5 @@
-/* bar.c - laws of common/material/material.h, tensor.h and bar.h. */
+/* bar.c - laws of material.h, tensor.h and bar.h of common/, and of lesson 10's
+ * bar_fast.h. */
 #include "bar/bar.h"
 #include "figures/10_neohookean_bar/bar_fast.h"
 

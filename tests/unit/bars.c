@@ -1,5 +1,5 @@
-/* bars.c - laws of common/bar/: bar_scene.h, bar_gsl.h, and when Newton's
- * method of bar.h, bar_fast.h and bar_gsl.h stops and why. */
+/* bars.c - laws of common/bar/bar_scene.h and lesson 10's bar_gsl.h, and when
+ * Newton's method of bar.h, bar_fast.h and bar_gsl.h stops and why. */
 #include "figures/10_neohookean_bar/bar_fast.h"
 #include "figures/10_neohookean_bar/bar_gsl.h"
 #include "bar/bar_scene.h"

@@ -48,6 +48,7 @@ export function native(build, lesson, text) {
 
 const close = (a, b) => a === b || (isFinite(a) && isFinite(b) &&
     Math.abs(a - b) <= 1e-9 + 1e-6 * Math.max(Math.abs(a), Math.abs(b)));
+const behind = word => word.replace(/^[-+]?[\d.]+(e[-+]?\d+)?/, ''); /* a number */
 /* Compilers differ in their words, and in how many errors follow the first. */
 const place = text => /^ {2}lessons\/.*: error: /.test(text)
     ? text.replace(/error: [^]*\n(?=VERDICT)/, 'error\n') : text;
@@ -55,7 +56,7 @@ const place = text => /^ {2}lessons\/.*: error: /.test(text)
 export function differs(a, b) {
     const [x, y] = [a, b].map(text => place(text).trim().split(/\s+/));
     for (let k = 0; k < Math.max(x.length, y.length); k++)
-        if (x[k] !== y[k] && !close(parseFloat(x[k]), parseFloat(y[k])))
+        if (x[k] !== y[k] && !(close(parseFloat(x[k]), parseFloat(y[k])) && behind(x[k]) === behind(y[k])))
             return `"${x.slice(k, k + 8).join(' ')}", natively "${(y.slice(k, k + 8)).join(' ')}"`;
     return null;
 }
