@@ -185,14 +185,15 @@ mkdir tools hide hide/gsl
 echo "$PATH" | tr : '\n' | while IFS= read -r folder; do
     ln -s "$folder"/* tools 2>/dev/null # what is there already stays
 done
-rm -f tools/gnuplot tools/gsl-config tools/cc
+cc=${CC:-cc}
+rm -f tools/gnuplot tools/gsl-config "tools/${cc##*/}"
 for header in math errno linalg; do
     echo '#error not here' >hide/gsl/gsl_$header.h
 done
 # the compiler may be ccache, which looks for another one
-printf '#!/bin/sh\nPATH="%s"; exec %s -Ihide "$@"\n' "$PATH" "${CC:-cc}" >tools/nogsl
-sed 's/ -Ihide//' tools/nogsl >tools/cc
-chmod +x tools/nogsl tools/cc
+printf '#!/bin/sh\nPATH="%s"; exec %s -Ihide "$@"\n' "$PATH" "$cc" >tools/nogsl
+sed 's/ -Ihide//' tools/nogsl >"tools/${cc##*/}"
+chmod +x tools/nogsl "tools/${cc##*/}"
 cp -p build/flags flags.before
 for goal in lesson plot check; do
     said=$(PATH=$PWD/tools "$MAKE" $goal-$nn CC=nogsl 2>&1)
