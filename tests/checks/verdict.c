@@ -230,7 +230,9 @@ void examine(int index, struct finding *finding)
     } else {
         if (ending.status == 2 && back == given + 1) {
             last_line(err, sizeof finding->text, finding->text);
-            quit("%s", finding->text + strlen("judge: "));
+            quit("%s", starts(finding->text, "judge: ")
+                           ? finding->text + strlen("judge: ")
+                           : "a check cannot go on: is the disk full?");
         }
         explain_end(ending, finding);
     }
