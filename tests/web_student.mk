@@ -61,7 +61,7 @@ $(SITE)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)
 	$(Q)$(WHOLE) tar -cf $(PART) --sort=name --owner=0 --group=0 --mtime=@0 \
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
 	    -C $(abspath $(WASI)) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
-	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@; rm -f $(PART)
+	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@
 WASI_SITE := $(addprefix $(SITE)/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
                  llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
 $(SITE)/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
