@@ -249,9 +249,11 @@ native_for = $(if $(filter readable,$1),$(NATIVE)) \
                  -O3,$(LESS_THAN_O3),$(NATIVE))) \
              $(if $(filter $(EXACT),$1),$(call same_digits,$(NATIVE))) \
              $(if $(filter banded,$1),$(if $(NATIVE),$(LESS_THAN_O3)))
+# what a label of seconds says of these
+FAST = $(if $(NATIVE),$(comma) kernels $(filter -O3 -march=native,$(NATIVE)))
 $(OBJECTS): $(BUILD)/%.o: %.c $(RULES)
 	$(call say,cc,$<)
-	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)"' \
+	$(Q)$(HERE) && $(COMPILE) -DBUILD_FLAGS='"$(CFLAGS)$(FAST)"' \
 	    $(BARE) $(call native_for,$(notdir $*)) $< $(OBJECT)
 
 # Compiled and linked by themselves: `make test` links them with other libraries.
