@@ -146,13 +146,6 @@ int main(void)
                 "step start cut row load stretch status systems demand");
     for (int k = 0; k < CUTS; k++) print_cut(k, &ends);
     table_end();
-    table_begin_note("solved",
-                     "cut step_before step_zero rest_before rest_zero",
-                     "of %d loads, by a line search alone", LOADS);
-    for (int k = 0; k < CUTS; k++)
-        table_row(cuts[k], ends.solved[k][1][0], ends.solved[k][1][1],
-                  ends.solved[k][0][0], ends.solved[k][0][1]);
-    table_end();
     table_begin_note("most", "systems", "of all, projected on demand");
     table_row(ends.most);
     table_end();
