@@ -25,6 +25,14 @@ static FILE *open_work(const char *name, const char *mode)
     return file;
 }
 
+/* Close a file of this, or quit where the disk has no room for it. */
+static void close_work(FILE *file)
+{
+    if (fclose(file) == 0) return;
+    if (errno != ENOSPC) before_quit = NULL;
+    quit("cannot write into %s", judging.work);
+}
+
 void wrong(const char *format, ...)
 {
     va_list arguments;
@@ -37,7 +45,7 @@ void wrong(const char *format, ...)
     va_start(arguments, format);
     vfprintf(file, format, arguments);
     va_end(arguments);
-    fclose(file);
+    close_work(file);
     _exit(1);
 }
 
@@ -46,7 +54,7 @@ void keep_figures(const struct figures *figures)
     FILE *file = open_work("judge.figures", "w");
     fprintf(file, "%s\n%s\n%s\n", figures->got, figures->want,
             figures->allowed);
-    fclose(file);
+    close_work(file);
 }
 
 void expect_close(double got, double want, double tolerance, double scale,
@@ -164,5 +172,5 @@ void measured(const char *key, double value)
 {
     FILE *file = open_work("judge.measured", "a");
     fprintf(file, "%s %.17g\n", key, value);
-    fclose(file);
+    close_work(file);
 }
