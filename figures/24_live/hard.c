@@ -59,7 +59,7 @@ int main(void)
           "unfinished (%d)", all[1][PROJECTION].unfinished,
           all[1][TROUBLE].unfinished, all[1][NOTHING].unfinished);
     claim(all[0][NOTHING].energy > 1.9 * all[0][HALVING].energy,
-          "LOG: with halved ways the largest energy is doubled (%g, %g J)",
+          "LOG: with halved moves the largest energy is doubled (%g, %g J)",
           all[0][NOTHING].energy, all[0][HALVING].energy);
     claim(all[1][SEARCH].energy > 1e50, "without a line search the cubic body "
           "explodes (%g J)", all[1][SEARCH].energy);

@@ -12,7 +12,7 @@ const char *without_word(enum without without)
     static const char *const word[] = {
         "nothing", "first rung", "elastic lift", "second rung",
         "projection of lift", "line search", "acceptance if unfinished",
-        "stop if unfinished", "halved ways", "bounded hand", "bound on leaps",
+        "stop if unfinished", "halved moves", "bounded hand", "bound on leaps",
         "memory of trouble"};
     return word[without];
 }

@@ -30,7 +30,7 @@ static int same(struct without_result a, struct without_result b)
 }
 
 /* With nothing taken away it is live_frame(), bit for bit; and without what it
- * does not need, as halved ways under the cubic law. */
+ * does not need, as halved moves under the cubic law. */
 static void nothing_is_the_ladder_of_live(void)
 {
     const struct without_result all = hard(NOTHING, CUBIC);
