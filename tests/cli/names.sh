@@ -106,9 +106,8 @@ judged "with the rest of these, $(tr '\n' ' ' <"$dir/modules" |
     sed 's/#include //g')${macro:+a macro for $slot }and $(count "$dir/spoken") more"
 
 if grep -q '^struct [a-z_0-9]* {$' "$solution"; then
-    ls >"$dir/before"
     sed '/^struct [a-z_0-9]* {$/,/^}/s/^}/    double and_mine[3]; }/' "$solution" >"$file"
     judged 'with one member more in each of its structs'
-    ls | diff "$dir/before" - >"$dir/log"
-    result $? "$nn: which leaves no file" "$(cat "$dir/log")"
+    [ ! -e 0 ] # the name of a file, where awk takes it for a number
+    result $? "$nn: which leaves no file of awk's" 0
 fi
