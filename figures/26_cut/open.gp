@@ -3,7 +3,8 @@
 # Reads   data  tables strip, factor, error, graded
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 760,520
+set terminal svg size 760,520 enhanced font "Helvetica,15" \
+    background rgb "white"
 set output out
 set datafile missing "-"
 set multiplot
@@ -20,11 +21,11 @@ plot data index "strip" using "x":"y":"to_x":"to_y" with vectors nohead \
     lc rgb "#0072B2" lw 0.7
 set size noratio
 set border 3 back ls 9
-set tics nomirror
+set tics nomirror textcolor rgb "black"
 set grid back ls 9
 set lmargin at screen 0.47
 set rmargin at screen 0.97
-set tmargin at screen 0.90
+set tmargin at screen 0.85
 set bmargin at screen 0.60
 set key above left vertical maxrows 3 reverse Left
 set xlabel "length of the cut over the width, a/b"
@@ -39,7 +40,7 @@ plot data index "factor" using "r":"handbook" with lines ls 8 \
      data index "factor" using "r":"extrapolated" with points ls 2 \
          title "extrapolated from n = 20, 40"
 set tmargin at screen 0.46
-set bmargin at screen 0.12
+set bmargin at screen 0.14
 unset key
 set logscale xy
 set ytics (0.01, 0.1)

@@ -21,7 +21,7 @@
 # The line "Previous: ..." of a chapter is replaced by `leading`, if there is one.
 # `minutes` is "01 115 02 140 ...", and sums of lessons are filled in as hours:
 #
-#   <!-- hours 1-2 9 11-13 -->12 1/2<!-- /hours -->
+#   <!-- hours 1-2 9 11-13 -->13<!-- /hours -->
 #
 # FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
 # (a word, or - where there is none) stands as it is, whatever its FORMAT.  Columns
@@ -149,8 +149,8 @@ function aim(name,    up) {
     return up
 }
 
-# The sum of the minutes of lessons, "1-2 9", in hours and halves.
-function hours(lessons,    n, k, i, part, range, each, sum, half) {
+# The sum of the minutes of lessons, "1-2 9", in whole hours.
+function hours(lessons,    n, k, i, part, range, each, sum) {
     n = split(minutes, each, " ")
     k = split(lessons, part, " ")
     for (; k > 0; k--) {
@@ -159,8 +159,7 @@ function hours(lessons,    n, k, i, part, range, each, sum, half) {
             if (each[i] + 0 >= range[1] + 0 && each[i] + 0 <= range[2] + 0)
                 sum += each[i + 1]
     }
-    half = int(sum / 30 + 0.5)
-    return int(half / 2) (half % 2 ? " 1/2" : "")
+    return int(sum / 60 + 0.5)
 }
 
 # the line that leads to the neighbours, and hours; with only=lead the rest stays
