@@ -14,6 +14,25 @@ int program_main(int argc, char *argv[]);
 static const double WIDTH = 0.1, HEIGHT = 0.03; /* m */
 static const double DEPTH = 0.01; /* of which forces and energies are (m) */
 
+struct tissue strip_knife(const struct tissue *section, const double blade[4])
+{
+    const struct mesh *mesh = section->mesh;
+    const size_t corners = 3 * (size_t)mesh->n_triangle;
+    const struct tissue_whole whole = {
+        mesh, mesh_across(mesh), allocate(corners, sizeof(int)), {0.0}, 1.0};
+    int *cut = allocate(corners, sizeof *cut);
+    int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
+    const int length = path(mesh, blade, tissue_nearest(mesh, blade),
+                            tissue_nearest(mesh, &blade[2]), chain);
+    tissue_mark(mesh, length, chain, cut);
+    const struct tissue s = cut_body(&whole, cut, section);
+    free(chain);
+    free(cut);
+    free(whole.pulled);
+    free(whole.across);
+    return s;
+}
+
 struct strip strip_alloc(int n, int cells)
 {
     struct strip s = {.n = n, .rows = 3 * n / 10};
@@ -22,24 +41,12 @@ struct strip strip_alloc(int n, int cells)
     for (int a = 0; a < mesh->n_vertex; a++)
         s.uncut.held[a] = fabs(mesh->X[2 * a]) > 0.499 * WIDTH;
 
-    const size_t corners = 3 * (size_t)mesh->n_triangle;
-    const struct tissue_whole whole = {
-        mesh, mesh_across(mesh), allocate(corners, sizeof(int)), {0.0}, 1.0};
-    int *cut = allocate(corners, sizeof *cut);
-    int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
     const double blade[4] = {0.0, 0.5 * HEIGHT, 0.0,
                              HEIGHT * (0.5 - (double)cells / s.rows)};
-    const int length = path(mesh, blade, tissue_nearest(mesh, blade),
-                            tissue_nearest(mesh, &blade[2]), chain);
-    tissue_mark(mesh, length, chain, cut);
-    s.s = cut_body(&whole, cut, &s.uncut);
+    s.s = strip_knife(&s.uncut, blade);
     s.body = body_alloc(s.s.mesh, material_notes(LOG), 0.0, LUMPED, s.s.held);
     s.g = allocate(2 * (size_t)s.s.mesh->n_vertex, sizeof *s.g);
     s.q = allocate(2 * (size_t)s.s.mesh->n_vertex, sizeof *s.q);
-    free(chain);
-    free(cut);
-    free(whole.pulled);
-    free(whole.across);
     return s;
 }
 

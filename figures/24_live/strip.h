@@ -23,6 +23,10 @@ struct strip {
     double opening;    /* between the lips, at most (m) */
 };
 
+/* Return the section, cut by the knife of lesson 26 from (blade[0], blade[1])
+ * to (blade[2], blade[3]); nothing pulls at it.  The caller frees it. */
+struct tissue strip_knife(const struct tissue *section, const double blade[4]);
+
 /* The cut goes through so many cells; the caller frees it. */
 struct strip strip_alloc(int n, int cells);
 void strip_free(struct strip *s);

@@ -9,17 +9,15 @@
  * and the other's, which is the same but for the mesh; least J; linear
  * systems), strip (what is between two lines of the mesh).
  */
-int program_main(int argc, char *argv[]);
-#define PROGRAM "../../solutions/26_cut.c"
-#define main program_main
-#include PROGRAM
-#undef main
+#include "strip.h"
 
 #include "motion/live.h"
-#include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
-#include "plane/tissue.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <stdlib.h>
 
 /* In cells: the cut goes down column CUT of the vertices to row DEEP. */
 enum { WIDE = 200, HIGH = 60, CUT = 100, DEEP = 34, MUSCLE = 38, FAT = 54 };
@@ -97,22 +95,11 @@ static struct tissue cut_section(void)
 {
     const struct tissue section = tissue_alloc(
         tissue_section(WIDE, HIGH, WIDE * SIZE, HIGH * SIZE));
-    const struct mesh *mesh = section.mesh;
-    const struct tissue_whole whole = tissue_hold(&section, 0.0);
-    for (int a = 0; a < mesh->n_vertex; a++)
+    for (int a = 0; a < section.mesh->n_vertex; a++)
         section.held[a] = a % (HIGH + 1) == HIGH; /* bone */
     const double top = 0.5 * HIGH * SIZE;
     const double blade[4] = {0.0, top, 0.0, DEEP * SIZE - top};
-    int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
-    int *cut = allocate(3 * (size_t)mesh->n_triangle, sizeof *cut);
-    const int length = path(mesh, blade, tissue_nearest(mesh, blade),
-                            tissue_nearest(mesh, &blade[2]), chain);
-    tissue_mark(mesh, length, chain, cut);
-    const struct tissue s = cut_body(&whole, cut, &section);
-    free(chain);
-    free(cut);
-    free(whole.across);
-    free(whole.pulled);
+    const struct tissue s = strip_knife(&section, blade);
     tissue_free(section);
     return s;
 }
