@@ -641,8 +641,8 @@ static void agrees_with_the_fast_solver(void)
         set.reach = 0.3714;
         set.force = 13.71;
         struct scene *s = scene_alloc(&set);
-        const struct step_control control = {1e-12, 50, FROM_LAST, 0, 0, 0,
-                                             NEVER};
+        const struct step_control control = {
+            .tolerance = 1e-12, .max_iterations = 50};
         double u[72];
         scene_hold(s, 1.238);
         step_boundary(s->body, s->g, 1, s->u);

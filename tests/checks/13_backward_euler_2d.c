@@ -394,8 +394,8 @@ static void compare_steps(enum reading reading, enum law law, enum mass mass,
     set.dt = 0.02385;
     set.mass = mass;
     struct scene *mine = scene_alloc(&set), *theirs = scene_alloc(&set);
-    const struct step_control control = {1e-12, 50, FROM_LAST, lift, 0, 0,
-                                         NEVER};
+    const struct step_control control = {
+        .tolerance = 1e-12, .max_iterations = 50, .lift = lift};
     for (int m = 1; m <= 3; m++) {
         scene_hold(mine, m * set.dt);
         const enum status status = step(mine, 1e-10, CAP, lift).status;

@@ -536,11 +536,14 @@ static struct outcome_2d play(struct scene scene, struct step_control control)
     return out;
 }
 
-static const struct step_control notes = {1e-10, 30, FROM_LAST, 0, 0, 0, NEVER};
-static const struct step_control best = {1e-10, 30, EXTRAPOLATED, 1, 1, 0,
-                                         NEVER};
-static const struct step_control careful = {1e-10,     1000, FROM_LAST, 0, 0, 1,
-                                            ON_DEMAND};
+static const struct step_control notes = {
+    .tolerance = 1e-10, .max_iterations = 30};
+static const struct step_control best = {
+    .tolerance = 1e-10, .max_iterations = 30, .guess = EXTRAPOLATED, .lift = 1,
+    .chord = 1};
+static const struct step_control careful = {
+    .tolerance = 1e-10, .max_iterations = 1000, .line_search = 1,
+    .projection = ON_DEMAND};
 
 static void dynamics_equal_the_oracle(void)
 {
@@ -595,7 +598,8 @@ static void a_residual_is_measured_in_metres(void)
         mesh->X[2 * 3 + 1] = 3.0;
         struct body *body = body_of(mesh, CUBIC, LUMPED, 0);
         body->rho = rho;
-        const struct step_control none = {1e-10, 0, FROM_LAST, 0, 0, 0, NEVER};
+        const struct step_control none = {
+            .tolerance = 1e-10, .max_iterations = 0};
         const double dt = sqrt(rho), w[8] = {0.0};
         double f[8], q[8], u[8] = {0.0}, largest = 0.0;
         for (int r = 0; r < 8; r++) f[r] = 100.0 * entropy(r);
@@ -617,8 +621,8 @@ static void a_residual_is_measured_in_metres(void)
 enum { SMALL = 2 * 9 };
 static void let_go(struct body *body, double s, int line_search, double u[])
 {
-    const struct step_control once = {1e-10, 1, FROM_LAST, 0, 0,
-                                      line_search, NEVER};
+    const struct step_control once = {
+        .tolerance = 1e-10, .max_iterations = 1, .line_search = line_search};
     for (int r = 0; r < SMALL; r++)
         u[r] = r % 2 ? 0.0 : s * (body->mesh->X[r] + 1.0);
     ck_assert_int_eq(step_solve(body, &once, at_rest(NULL), u).status,
