@@ -282,19 +282,15 @@ static void fused_sweep_fails_with_a_reason(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"pk1_and_dpk1_are_derivatives_in_1d", pk1_and_dpk1_are_derivatives_in_1d},
-    {"pk1_and_dpk1_are_derivatives_in_2d", pk1_and_dpk1_are_derivatives_in_2d},
-    {"neohookean_is_frame_invariant", neohookean_is_frame_invariant},
-    {"two_dimensions_contain_one", two_dimensions_contain_one},
-    {"energy_of_a_collapsing_element", energy_of_a_collapsing_element},
-    {"oracle_values", oracle_values},
-    {"residual_is_the_gradient_of_the_energy",
-     residual_is_the_gradient_of_the_energy},
-    {"bar_under_its_weight_equals_the_oracle",
-     bar_under_its_weight_equals_the_oracle},
-    {"failure_has_a_reason", failure_has_a_reason},
-    {"fused_sweep_is_newton", fused_sweep_is_newton},
-    {"fused_sweep_fails_with_a_reason", fused_sweep_fails_with_a_reason},
-};
-UNIT_MAIN("bar", laws)
+UNIT_MAIN("bar",
+    LAW(pk1_and_dpk1_are_derivatives_in_1d),
+    LAW(pk1_and_dpk1_are_derivatives_in_2d),
+    LAW(neohookean_is_frame_invariant),
+    LAW(two_dimensions_contain_one),
+    LAW(energy_of_a_collapsing_element),
+    LAW(oracle_values),
+    LAW(residual_is_the_gradient_of_the_energy),
+    LAW(bar_under_its_weight_equals_the_oracle),
+    LAW(failure_has_a_reason),
+    LAW(fused_sweep_is_newton),
+    LAW(fused_sweep_fails_with_a_reason))

@@ -91,11 +91,8 @@ static void the_frame_is_told_in_short_lines(void)
     live_free(live);
 }
 
-#define LAW(name) {#name, name}
-static const struct unit_law laws[] = {
+UNIT_MAIN("caption",
     LAW(each_key_is_named),
     LAW(a_key_changes_its_own_words),
     LAW(each_word_is_that_of_the_setting),
-    LAW(the_frame_is_told_in_short_lines),
-};
-UNIT_MAIN("caption", laws)
+    LAW(the_frame_is_told_in_short_lines))

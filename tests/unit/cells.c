@@ -195,13 +195,10 @@ static void a_quadratic_triangle_is_counted(void)
     ladder_free(s);
 }
 
-#define NAMED(law) {#law, law}
-static const struct unit_law laws[] = {
-    NAMED(prices_go_with_columns),
-    NAMED(a_tenth_of_a_second_is_measured),
-    NAMED(other_triangles_have_the_same_load),
-    NAMED(cells_fit_every_ratio),
-    NAMED(cells_say_what_a_finer_mesh_says),
-    NAMED(a_quadratic_triangle_is_counted),
-};
-UNIT_MAIN("cells", laws)
+UNIT_MAIN("cells",
+    LAW(prices_go_with_columns),
+    LAW(a_tenth_of_a_second_is_measured),
+    LAW(other_triangles_have_the_same_load),
+    LAW(cells_fit_every_ratio),
+    LAW(cells_say_what_a_finer_mesh_says),
+    LAW(a_quadratic_triangle_is_counted))

@@ -355,16 +355,13 @@ static void a_motion_has_its_doubts(void)
     ladder_free(s);
 }
 
-#define NAMED(law) {#law, law}
-static const struct unit_law laws[] = {
-    NAMED(numbers_are_those_of_the_body),
-    NAMED(linear_geometry_errs_as_is_printed),
-    NAMED(a_motion_has_its_numbers),
-    NAMED(a_climb_is_told_step_by_step),
-    NAMED(an_answer_comes_first),
-    NAMED(a_model_is_told_with_its_solver),
-    NAMED(an_error_is_told_in_parts),
-    NAMED(other_quantities_are_estimated_as_if_asked_for),
-    NAMED(a_motion_has_its_doubts),
-};
-UNIT_MAIN("chosen", laws)
+UNIT_MAIN("chosen",
+    LAW(numbers_are_those_of_the_body),
+    LAW(linear_geometry_errs_as_is_printed),
+    LAW(a_motion_has_its_numbers),
+    LAW(a_climb_is_told_step_by_step),
+    LAW(an_answer_comes_first),
+    LAW(a_model_is_told_with_its_solver),
+    LAW(an_error_is_told_in_parts),
+    LAW(other_quantities_are_estimated_as_if_asked_for),
+    LAW(a_motion_has_its_doubts))

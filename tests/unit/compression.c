@@ -172,13 +172,9 @@ static void certificates_are_charged(void)
     ladder_free(s);
 }
 
-static const struct unit_law laws[] = {
-    {"no_column_is_certified_that_buckles",
-     no_column_is_certified_that_buckles},
-    {"the_bound_is_the_formula", the_bound_is_the_formula},
-    {"what_is_pulled_is_certified", what_is_pulled_is_certified},
-    {"parts_of_squares_are_refused", parts_of_squares_are_refused},
-    {"certificates_are_charged", certificates_are_charged},
-};
-
-UNIT_MAIN("compression", laws)
+UNIT_MAIN("compression",
+    LAW(no_column_is_certified_that_buckles),
+    LAW(the_bound_is_the_formula),
+    LAW(what_is_pulled_is_certified),
+    LAW(parts_of_squares_are_refused),
+    LAW(certificates_are_charged))

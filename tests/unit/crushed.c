@@ -409,24 +409,21 @@ static void a_held_square_comes_back(void)
     mesh_free(mesh);
 }
 
-static const struct unit_law laws[] = {
-    {"every_law_has_its_word", every_law_has_its_word},
-    {"stress_and_tangent_are_derivatives", stress_and_tangent_are_derivatives},
-    {"extended_is_log_above_eps", extended_is_log_above_eps},
-    {"extended_is_smooth_at_eps", extended_is_smooth_at_eps},
-    {"stable_is_linear_in_uniaxial_strain",
-     stable_is_linear_in_uniaxial_strain},
-    {"a_body_takes_every_law", a_body_takes_every_law},
-    {"a_triangle_is_a_mesh", a_triangle_is_a_mesh},
-    {"work_tells_a_gradient", work_tells_a_gradient},
-    {"a_search_goes_down_or_stays", a_search_goes_down_or_stays},
-    {"a_search_asks_for_a_decrease", a_search_asks_for_a_decrease},
-    {"a_report_says_what_is", a_report_says_what_is},
-    {"swollen_is_not_recovered", swollen_is_not_recovered},
-    {"a_cap_and_a_nan_are_named", a_cap_and_a_nan_are_named},
-    {"a_shift_is_on_the_diagonal", a_shift_is_on_the_diagonal},
-    {"random_places_are_splitmix64", random_places_are_splitmix64},
-    {"a_winding_is_counted", a_winding_is_counted},
-    {"a_held_square_comes_back", a_held_square_comes_back},
-};
-UNIT_MAIN("crushed", laws)
+UNIT_MAIN("crushed",
+    LAW(every_law_has_its_word),
+    LAW(stress_and_tangent_are_derivatives),
+    LAW(extended_is_log_above_eps),
+    LAW(extended_is_smooth_at_eps),
+    LAW(stable_is_linear_in_uniaxial_strain),
+    LAW(a_body_takes_every_law),
+    LAW(a_triangle_is_a_mesh),
+    LAW(work_tells_a_gradient),
+    LAW(a_search_goes_down_or_stays),
+    LAW(a_search_asks_for_a_decrease),
+    LAW(a_report_says_what_is),
+    LAW(swollen_is_not_recovered),
+    LAW(a_cap_and_a_nan_are_named),
+    LAW(a_shift_is_on_the_diagonal),
+    LAW(random_places_are_splitmix64),
+    LAW(a_winding_is_counted),
+    LAW(a_held_square_comes_back))

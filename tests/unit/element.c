@@ -334,23 +334,20 @@ static void bar_localises_as_the_oracles(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"an_element_is_a_bar_of_one", an_element_is_a_bar_of_one},
-    {"newton_from_a_start_is_the_oracles", newton_from_a_start_is_the_oracles},
-    {"what_is_no_number_ends_with_a_reason",
-     what_is_no_number_ends_with_a_reason},
-    {"cures_arrive", cures_arrive},
-    {"stepping_stops_at_the_limit_load", stepping_stops_at_the_limit_load},
-    {"steps_are_as_short_as_they_may_be", steps_are_as_short_as_they_may_be},
-    {"boundary_step_is_one_stretch", boundary_step_is_one_stretch},
-    {"moving_end_is_the_oracles", moving_end_is_the_oracles},
-    {"steps_grow_again", steps_grow_again},
-    {"line_search_is_armijos", line_search_is_armijos},
-    {"line_search_does_not_go_uphill", line_search_does_not_go_uphill},
-    {"neither_test_is_enough_alone", neither_test_is_enough_alone},
-    {"cures_start_where_they_say", cures_start_where_they_say},
-    {"stepping_counts_all_iterations", stepping_counts_all_iterations},
-    {"limit_loads_are_the_oracles", limit_loads_are_the_oracles},
-    {"bar_localises_as_the_oracles", bar_localises_as_the_oracles},
-};
-UNIT_MAIN("element", laws)
+UNIT_MAIN("element",
+    LAW(an_element_is_a_bar_of_one),
+    LAW(newton_from_a_start_is_the_oracles),
+    LAW(what_is_no_number_ends_with_a_reason),
+    LAW(cures_arrive),
+    LAW(stepping_stops_at_the_limit_load),
+    LAW(steps_are_as_short_as_they_may_be),
+    LAW(boundary_step_is_one_stretch),
+    LAW(moving_end_is_the_oracles),
+    LAW(steps_grow_again),
+    LAW(line_search_is_armijos),
+    LAW(line_search_does_not_go_uphill),
+    LAW(neither_test_is_enough_alone),
+    LAW(cures_start_where_they_say),
+    LAW(stepping_counts_all_iterations),
+    LAW(limit_loads_are_the_oracles),
+    LAW(bar_localises_as_the_oracles))

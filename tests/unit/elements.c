@@ -177,17 +177,11 @@ static void a_square_is_that_of_its_sum(void)
     mesh_free(mesh);
 }
 
-static const struct unit_law laws[] = {
-    {"linear_triangles_are_those_of_the_body",
-     linear_triangles_are_those_of_the_body},
-    {"an_element_goes_where_its_nodes_are",
-     an_element_goes_where_its_nodes_are},
-    {"what_nothing_holds_is_not_solved", what_nothing_holds_is_not_solved},
-    {"the_band_is_as_wide_as_its_elements",
-     the_band_is_as_wide_as_its_elements},
-    {"a_cell_has_its_triangles", a_cell_has_its_triangles},
-    {"a_lattice_is_a_product", a_lattice_is_a_product},
-    {"a_square_is_that_of_its_sum", a_square_is_that_of_its_sum},
-};
-
-UNIT_MAIN("elements", laws)
+UNIT_MAIN("elements",
+    LAW(linear_triangles_are_those_of_the_body),
+    LAW(an_element_goes_where_its_nodes_are),
+    LAW(what_nothing_holds_is_not_solved),
+    LAW(the_band_is_as_wide_as_its_elements),
+    LAW(a_cell_has_its_triangles),
+    LAW(a_lattice_is_a_product),
+    LAW(a_square_is_that_of_its_sum))

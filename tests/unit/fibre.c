@@ -235,16 +235,11 @@ static void a_bent_field_turns_with_the_body(void)
     mesh_free(mesh);
 }
 
-static const struct unit_law laws[] = {
-    {"the_muscle_has_its_limbs", the_muscle_has_its_limbs},
-    {"tension_is_the_slope_of_its_energy", tension_is_the_slope_of_its_energy},
-    {"stress_and_tangent_are_slopes", stress_and_tangent_are_slopes},
-    {"projection_clamps_two_eigenvalues", projection_clamps_two_eigenvalues},
-    {"a_fibre_without_length_does_nothing",
-     a_fibre_without_length_does_nothing},
-    {"a_body_gets_energy_force_and_stiffness",
-     a_body_gets_energy_force_and_stiffness},
-    {"a_bent_field_turns_with_the_body", a_bent_field_turns_with_the_body},
-};
-
-UNIT_MAIN("fibre", laws)
+UNIT_MAIN("fibre",
+    LAW(the_muscle_has_its_limbs),
+    LAW(tension_is_the_slope_of_its_energy),
+    LAW(stress_and_tangent_are_slopes),
+    LAW(projection_clamps_two_eigenvalues),
+    LAW(a_fibre_without_length_does_nothing),
+    LAW(a_body_gets_energy_force_and_stiffness),
+    LAW(a_bent_field_turns_with_the_body))

@@ -406,18 +406,15 @@ static void failures_are_named(void)
     scene_free(&s);
 }
 
-static const struct unit_law laws[] = {
-    {"nodes_are_shaken_as_the_oracles", nodes_are_shaken_as_the_oracles},
-    {"forces_are_the_oracles", forces_are_the_oracles},
-    {"forces_balance", forces_balance},
-    {"slopes_agree", slopes_agree},
-    {"three_forms_are_one_force", three_forms_are_one_force},
-    {"taylor_tells_right_from_wrong", taylor_tells_right_from_wrong},
-    {"a_stretched_bar_is_the_oracles", a_stretched_bar_is_the_oracles},
-    {"the_matrix_is_the_product", the_matrix_is_the_product},
-    {"a_tangent_of_ones_own_is_used", a_tangent_of_ones_own_is_used},
-    {"a_bar_has_the_elements_forces", a_bar_has_the_elements_forces},
-    {"failures_are_named", failures_are_named},
-};
-
-UNIT_MAIN("forces", laws)
+UNIT_MAIN("forces",
+    LAW(nodes_are_shaken_as_the_oracles),
+    LAW(forces_are_the_oracles),
+    LAW(forces_balance),
+    LAW(slopes_agree),
+    LAW(three_forms_are_one_force),
+    LAW(taylor_tells_right_from_wrong),
+    LAW(a_stretched_bar_is_the_oracles),
+    LAW(the_matrix_is_the_product),
+    LAW(a_tangent_of_ones_own_is_used),
+    LAW(a_bar_has_the_elements_forces),
+    LAW(failures_are_named))

@@ -89,11 +89,7 @@ static void a_film_shows_the_triangles_of_its_frames(void)
                               "\n\n");
 }
 
-static const struct unit_law laws[] = {
-    {"a_history_ends_with_its_reason", a_history_ends_with_its_reason},
-    {"vertices_are_printed_with_what_belongs_to_them",
-     vertices_are_printed_with_what_belongs_to_them},
-    {"a_film_shows_the_triangles_of_its_frames",
-     a_film_shows_the_triangles_of_its_frames},
-};
-UNIT_MAIN("history", laws)
+UNIT_MAIN("history",
+    LAW(a_history_ends_with_its_reason),
+    LAW(vertices_are_printed_with_what_belongs_to_them),
+    LAW(a_film_shows_the_triangles_of_its_frames))

@@ -541,23 +541,17 @@ static void a_judge_that_was_frozen_ends_nothing(void)
     ck_assert_int_eq(ending.status, 0);
 }
 
-static const struct unit_law laws[] = {
-    {"a_judge_that_was_frozen_ends_nothing",
-     a_judge_that_was_frozen_ends_nothing},
-    {"suspects_are_caught_by_what_failed_first",
-     suspects_are_caught_by_what_failed_first},
-    {"what_gives_up_at_once_explains_nothing",
-     what_gives_up_at_once_explains_nothing},
-    {"messages_agree_but_for_round_off", messages_agree_but_for_round_off},
-    {"cells_are_numbers_or_words", cells_are_numbers_or_words},
-    {"every_row_keeps_its_cells", every_row_keeps_its_cells},
-    {"unreadable_output_is_named", unreadable_output_is_named},
-    {"words_must_be_the_reference_s", words_must_be_the_reference_s},
-    {"an_order_is_as_good_as_its_errors", an_order_is_as_good_as_its_errors},
-    {"known_mistakes_tell_by_words_and_histories",
-     known_mistakes_tell_by_words_and_histories},
-    {"unsolved_runs_keep_their_tables", unsolved_runs_keep_their_tables},
-    {"a_word_is_no_number", a_word_is_no_number},
-    {"every_end_has_its_verdict", every_end_has_its_verdict},
-};
-UNIT_MAIN("judge", laws)
+UNIT_MAIN("judge",
+    LAW(a_judge_that_was_frozen_ends_nothing),
+    LAW(suspects_are_caught_by_what_failed_first),
+    LAW(what_gives_up_at_once_explains_nothing),
+    LAW(messages_agree_but_for_round_off),
+    LAW(cells_are_numbers_or_words),
+    LAW(every_row_keeps_its_cells),
+    LAW(unreadable_output_is_named),
+    LAW(words_must_be_the_reference_s),
+    LAW(an_order_is_as_good_as_its_errors),
+    LAW(known_mistakes_tell_by_words_and_histories),
+    LAW(unsolved_runs_keep_their_tables),
+    LAW(a_word_is_no_number),
+    LAW(every_end_has_its_verdict))

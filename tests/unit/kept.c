@@ -399,25 +399,16 @@ static void the_guess_knows_whose_velocities_they_were(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"the_guess_is_as_good_as_the_parabola_or_better",
-     the_guess_is_as_good_as_the_parabola_or_better},
-    {"the_guess_knows_whose_velocities_they_were",
-     the_guess_knows_whose_velocities_they_were},
-    {"old_factors_find_the_same_step", old_factors_find_the_same_step},
-    {"a_long_way_ends_where_new_factors_do",
-     a_long_way_ends_where_new_factors_do},
-    {"factors_are_new_when_the_last_step_was_long",
-     factors_are_new_when_the_last_step_was_long},
-    {"an_increment_that_does_not_fall_has_new_factors",
-     an_increment_that_does_not_fall_has_new_factors},
-    {"a_body_knows_how_far_it_is_turned", a_body_knows_how_far_it_is_turned},
-    {"old_factors_turn_with_the_body", old_factors_turn_with_the_body},
-    {"factors_are_forgotten", factors_are_forgotten},
-    {"a_scene_at_rest_has_no_factors", a_scene_at_rest_has_no_factors},
-    {"what_old_factors_spoil_is_done_again",
-     what_old_factors_spoil_is_done_again},
-    {"an_infinite_increment_is_not_taken", an_infinite_increment_is_not_taken},
-};
-
-UNIT_MAIN("kept", laws)
+UNIT_MAIN("kept",
+    LAW(the_guess_is_as_good_as_the_parabola_or_better),
+    LAW(the_guess_knows_whose_velocities_they_were),
+    LAW(old_factors_find_the_same_step),
+    LAW(a_long_way_ends_where_new_factors_do),
+    LAW(factors_are_new_when_the_last_step_was_long),
+    LAW(an_increment_that_does_not_fall_has_new_factors),
+    LAW(a_body_knows_how_far_it_is_turned),
+    LAW(old_factors_turn_with_the_body),
+    LAW(factors_are_forgotten),
+    LAW(a_scene_at_rest_has_no_factors),
+    LAW(what_old_factors_spoil_is_done_again),
+    LAW(an_infinite_increment_is_not_taken))

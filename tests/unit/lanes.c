@@ -156,12 +156,8 @@ static void groups_cover_the_triangles(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"forces_and_tangents_have_the_same_digits",
-     forces_and_tangents_have_the_same_digits},
-    {"the_energy_has_the_same_digits", the_energy_has_the_same_digits},
-    {"what_is_not_defined_is_said", what_is_not_defined_is_said},
-    {"groups_cover_the_triangles", groups_cover_the_triangles},
-};
-
-UNIT_MAIN("lanes", laws)
+UNIT_MAIN("lanes",
+    LAW(forces_and_tangents_have_the_same_digits),
+    LAW(the_energy_has_the_same_digits),
+    LAW(what_is_not_defined_is_said),
+    LAW(groups_cover_the_triangles))

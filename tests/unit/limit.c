@@ -46,8 +46,5 @@ static void limits_are_those_of_a_scan(void)
     ck_assert_int_lt(limits, 34);
 }
 
-static const struct unit_law laws[] = {
-    {"limits_are_those_of_a_scan", limits_are_those_of_a_scan},
-};
-
-UNIT_MAIN("limit", laws)
+UNIT_MAIN("limit",
+    LAW(limits_are_those_of_a_scan))

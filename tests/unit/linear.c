@@ -114,11 +114,9 @@ static void linear_law_is_wrong_by_the_oracles(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"exact_solution_solves_the_problem", exact_solution_solves_the_problem},
-    {"a_free_bar_starts_at_zero", a_free_bar_starts_at_zero},
-    {"nodal_values_are_exact", nodal_values_are_exact},
-    {"hanging_bar_is_the_oracles", hanging_bar_is_the_oracles},
-    {"linear_law_is_wrong_by_the_oracles", linear_law_is_wrong_by_the_oracles},
-};
-UNIT_MAIN("linear", laws)
+UNIT_MAIN("linear",
+    LAW(exact_solution_solves_the_problem),
+    LAW(a_free_bar_starts_at_zero),
+    LAW(nodal_values_are_exact),
+    LAW(hanging_bar_is_the_oracles),
+    LAW(linear_law_is_wrong_by_the_oracles))

@@ -869,8 +869,7 @@ static void what_cannot_be_written_is_said(void)
     }
 }
 
-#define LAW(name) {#name, name}
-static const struct unit_law laws[] = {
+UNIT_MAIN("live",
     LAW(a_hand_is_bounded),
     LAW(a_hand_takes_what_is_near),
     LAW(a_hand_takes_a_side),
@@ -895,6 +894,4 @@ static const struct unit_law laws[] = {
     LAW(bad_lines_are_named),
     LAW(what_cannot_be_written_is_said),
     LAW(only_a_file_is_replaced),
-    LAW(a_record_beyond_a_limit_leaves_nothing),
-};
-UNIT_MAIN("live", laws)
+    LAW(a_record_beyond_a_limit_leaves_nothing))

@@ -360,23 +360,18 @@ static void a_column_walks_on(void)
     scene_free(scene);
 }
 
-static const struct unit_law laws[] = {
-    {"every_matrix_has_a_signed_svd", every_matrix_has_a_signed_svd},
-    {"modes_are_the_eigenvectors", modes_are_the_eigenvectors},
-    {"modes_have_the_numbers_of_the_book", modes_have_the_numbers_of_the_book},
-    {"projected_stress_clamps_the_eigenvalues",
-     projected_stress_clamps_the_eigenvalues},
-    {"a_rectangle_fills_its_box", a_rectangle_fills_its_box},
-    {"a_column_is_numbered_across", a_column_is_numbered_across},
-    {"the_lift_goes_through_a_column", the_lift_goes_through_a_column},
-    {"a_column_is_pressed_and_pushed", a_column_is_pressed_and_pushed},
-    {"traction_pulls_a_column_by_its_end", traction_pulls_a_column_by_its_end},
-    {"a_search_goes_down_the_line", a_search_goes_down_the_line},
-    {"a_step_that_hardly_falls_is_halved",
-     a_step_that_hardly_falls_is_halved},
-    {"what_is_straight_is_pushed", what_is_straight_is_pushed},
-    {"converged_is_not_stable", converged_is_not_stable},
-    {"a_column_walks_on", a_column_walks_on},
-};
-
-UNIT_MAIN("modes", laws)
+UNIT_MAIN("modes",
+    LAW(every_matrix_has_a_signed_svd),
+    LAW(modes_are_the_eigenvectors),
+    LAW(modes_have_the_numbers_of_the_book),
+    LAW(projected_stress_clamps_the_eigenvalues),
+    LAW(a_rectangle_fills_its_box),
+    LAW(a_column_is_numbered_across),
+    LAW(the_lift_goes_through_a_column),
+    LAW(a_column_is_pressed_and_pushed),
+    LAW(traction_pulls_a_column_by_its_end),
+    LAW(a_search_goes_down_the_line),
+    LAW(a_step_that_hardly_falls_is_halved),
+    LAW(what_is_straight_is_pushed),
+    LAW(converged_is_not_stable),
+    LAW(a_column_walks_on))

@@ -247,18 +247,12 @@ static void log_protects_the_points_alone(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"the_fastest_mode_is_that_of_the_matrices",
-     the_fastest_mode_is_that_of_the_matrices},
-    {"acceleration_is_the_force_over_the_mass",
-     acceleration_is_the_force_over_the_mass},
-    {"one_percent_decides", one_percent_decides},
-    {"implicit_orders_are_due", implicit_orders_are_due},
-    {"e_changes_the_element", e_changes_the_element},
-    {"log_does_not_take_over_what_is_inverted",
-     log_does_not_take_over_what_is_inverted},
-    {"no_frame_is_lost", no_frame_is_lost},
-    {"log_protects_the_points_alone", log_protects_the_points_alone},
-};
-
-UNIT_MAIN("motion", laws)
+UNIT_MAIN("motion",
+    LAW(the_fastest_mode_is_that_of_the_matrices),
+    LAW(acceleration_is_the_force_over_the_mass),
+    LAW(one_percent_decides),
+    LAW(implicit_orders_are_due),
+    LAW(e_changes_the_element),
+    LAW(log_does_not_take_over_what_is_inverted),
+    LAW(no_frame_is_lost),
+    LAW(log_protects_the_points_alone))

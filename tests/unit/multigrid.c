@@ -304,25 +304,15 @@ static void iterations_do_not_depend_on_the_mesh(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"cg_takes_as_many_steps_as_eigenvalues",
-     cg_takes_as_many_steps_as_eigenvalues},
-    {"cg_names_its_end", cg_names_its_end},
-    {"cg_reports_the_residual_of_x", cg_reports_the_residual_of_x},
-    {"incomplete_factor_has_the_entries_of_K",
-     incomplete_factor_has_the_entries_of_K},
-    {"a_vertex_has_the_mean_of_those_around_it",
-     a_vertex_has_the_mean_of_those_around_it},
-    {"restriction_is_the_transpose", restriction_is_the_transpose},
-    {"coarse_matrix_is_that_of_the_product",
-     coarse_matrix_is_that_of_the_product},
-    {"grids_are_halved_down_to_four", grids_are_halved_down_to_four},
-    {"a_sweep_takes_the_equations_in_turn",
-     a_sweep_takes_the_equations_in_turn},
-    {"a_cycle_is_symmetric_and_exact_on_the_coarsest_grid",
-     a_cycle_is_symmetric_and_exact_on_the_coarsest_grid},
-    {"iterations_do_not_depend_on_the_mesh",
-     iterations_do_not_depend_on_the_mesh},
-};
-
-UNIT_MAIN("multigrid", laws)
+UNIT_MAIN("multigrid",
+    LAW(cg_takes_as_many_steps_as_eigenvalues),
+    LAW(cg_names_its_end),
+    LAW(cg_reports_the_residual_of_x),
+    LAW(incomplete_factor_has_the_entries_of_K),
+    LAW(a_vertex_has_the_mean_of_those_around_it),
+    LAW(restriction_is_the_transpose),
+    LAW(coarse_matrix_is_that_of_the_product),
+    LAW(grids_are_halved_down_to_four),
+    LAW(a_sweep_takes_the_equations_in_turn),
+    LAW(a_cycle_is_symmetric_and_exact_on_the_coarsest_grid),
+    LAW(iterations_do_not_depend_on_the_mesh))

@@ -184,11 +184,8 @@ static void random_squares_are_as_said(void)
     gsl_rng_free(random);
 }
 
-#define NAMED(law) {#law, law}
-static const struct unit_law laws[] = {
-    NAMED(a_force_is_measured_by_what_buckles),
-    NAMED(numbers_are_those_of_the_linear_answer),
-    NAMED(random_scenes_are_as_said),
-    NAMED(random_squares_are_as_said),
-};
-UNIT_MAIN("numbers", laws)
+UNIT_MAIN("numbers",
+    LAW(a_force_is_measured_by_what_buckles),
+    LAW(numbers_are_those_of_the_linear_answer),
+    LAW(random_scenes_are_as_said),
+    LAW(random_squares_are_as_said))

@@ -212,16 +212,13 @@ static void clock_moves_and_machine_has_a_name(void)
     ck_assert(strlen(machine) > 8 && !strchr(machine, '\n'));
 }
 
-static const struct unit_law laws[] = {
-    {"values_are_set", values_are_set},
-    {"bad_input_is_one_line_and_status_2", bad_input_is_one_line_and_status_2},
-    {"message_names_option_value_and_range",
-     message_names_option_value_and_range},
-    {"help_lists_the_options", help_lists_the_options},
-    {"todo_names_its_slot", todo_names_its_slot},
-    {"death_is_one_line_and_status_1", death_is_one_line_and_status_1},
-    {"no_memory_is_said", no_memory_is_said},
-    {"statuses_have_names", statuses_have_names},
-    {"clock_moves_and_machine_has_a_name", clock_moves_and_machine_has_a_name},
-};
-UNIT_MAIN("options", laws)
+UNIT_MAIN("options",
+    LAW(values_are_set),
+    LAW(bad_input_is_one_line_and_status_2),
+    LAW(message_names_option_value_and_range),
+    LAW(help_lists_the_options),
+    LAW(todo_names_its_slot),
+    LAW(death_is_one_line_and_status_1),
+    LAW(no_memory_is_said),
+    LAW(statuses_have_names),
+    LAW(clock_moves_and_machine_has_a_name))

@@ -501,26 +501,21 @@ static void a_cloud_is_ready_to_go(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"weights_reproduce_one_and_x", weights_reproduce_one_and_x},
-    {"weights_are_the_oracles", weights_are_the_oracles},
-    {"a_support_reproduces_affine_fields", a_support_reproduces_affine_fields},
-    {"gradients_are_slopes_of_the_weights",
-     gradients_are_slopes_of_the_weights},
-    {"outside_is_named", outside_is_named},
-    {"a_cell_has_four_nodes", a_cell_has_four_nodes},
-    {"a_period_leads_around", a_period_leads_around},
-    {"a_bar_is_a_grid_of_one_row", a_bar_is_a_grid_of_one_row},
-    {"seven_are_the_oracles", seven_are_the_oracles},
-    {"nodes_are_the_oracles", nodes_are_the_oracles},
-    {"transfers_are_the_oracles", transfers_are_the_oracles},
-    {"F_follows_the_grid", F_follows_the_grid},
-    {"a_particle_outside_stops_a_transfer",
-     a_particle_outside_stops_a_transfer},
-    {"a_box_is_filled", a_box_is_filled},
-    {"a_wave_is_filtered_as_predicted", a_wave_is_filtered_as_predicted},
-    {"the_disc_is_the_oracles", the_disc_is_the_oracles},
-    {"a_cloud_is_ready_to_go", a_cloud_is_ready_to_go},
-};
-
-UNIT_MAIN("particles", laws)
+UNIT_MAIN("particles",
+    LAW(weights_reproduce_one_and_x),
+    LAW(weights_are_the_oracles),
+    LAW(a_support_reproduces_affine_fields),
+    LAW(gradients_are_slopes_of_the_weights),
+    LAW(outside_is_named),
+    LAW(a_cell_has_four_nodes),
+    LAW(a_period_leads_around),
+    LAW(a_bar_is_a_grid_of_one_row),
+    LAW(seven_are_the_oracles),
+    LAW(nodes_are_the_oracles),
+    LAW(transfers_are_the_oracles),
+    LAW(F_follows_the_grid),
+    LAW(a_particle_outside_stops_a_transfer),
+    LAW(a_box_is_filled),
+    LAW(a_wave_is_filtered_as_predicted),
+    LAW(the_disc_is_the_oracles),
+    LAW(a_cloud_is_ready_to_go))

@@ -275,24 +275,17 @@ static void the_fitted_system_is_exact_at_the_nodes(void)
     matrix_free(A);
 }
 
-static const struct unit_law laws[] = {
-    {"grid_is_geometric_and_meets_its_ends",
-     grid_is_geometric_and_meets_its_ends},
-    {"rules_have_their_degree", rules_have_their_degree},
-    {"exercise_5_equals_the_oracle", exercise_5_equals_the_oracle},
-    {"errors_equal_the_oracles", errors_equal_the_oracles},
-    {"second_order_in_L2_on_an_unequal_grid",
-     second_order_in_L2_on_an_unequal_grid},
-    {"energy_is_weighted_with_beta", energy_is_weighted_with_beta},
-    {"element_load_converges_to_gsl", element_load_converges_to_gsl},
-    {"rows_sum_to_zero_and_loads_to_the_integral",
-     rows_sum_to_zero_and_loads_to_the_integral},
-    {"loads_in_closed_form_equal_gsl", loads_in_closed_form_equal_gsl},
-    {"the_fitted_system_is_exact_at_the_nodes",
-     the_fitted_system_is_exact_at_the_nodes},
-    {"given_problems_solve_their_equation",
-     given_problems_solve_their_equation},
-    {"assembly_starts_from_zero", assembly_starts_from_zero},
-    {"a_nan_is_not_swallowed", a_nan_is_not_swallowed},
-};
-UNIT_MAIN("poisson", laws)
+UNIT_MAIN("poisson",
+    LAW(grid_is_geometric_and_meets_its_ends),
+    LAW(rules_have_their_degree),
+    LAW(exercise_5_equals_the_oracle),
+    LAW(errors_equal_the_oracles),
+    LAW(second_order_in_L2_on_an_unequal_grid),
+    LAW(energy_is_weighted_with_beta),
+    LAW(element_load_converges_to_gsl),
+    LAW(rows_sum_to_zero_and_loads_to_the_integral),
+    LAW(loads_in_closed_form_equal_gsl),
+    LAW(the_fitted_system_is_exact_at_the_nodes),
+    LAW(given_problems_solve_their_equation),
+    LAW(assembly_starts_from_zero),
+    LAW(a_nan_is_not_swallowed))

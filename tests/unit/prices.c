@@ -105,10 +105,7 @@ static void prices_are_those_of_each_model(void)
     ladder_free(truth);
 }
 
-#define NAMED(law) {#law, law}
-static const struct unit_law laws[] = {
-    NAMED(the_cheapest_meets_the_tolerance),
-    NAMED(a_climb_pays_for_each_rung),
-    NAMED(prices_are_those_of_each_model),
-};
-UNIT_MAIN("prices", laws)
+UNIT_MAIN("prices",
+    LAW(the_cheapest_meets_the_tolerance),
+    LAW(a_climb_pays_for_each_rung),
+    LAW(prices_are_those_of_each_model))

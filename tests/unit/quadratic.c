@@ -463,29 +463,20 @@ static void graded_sides_and_no_others(void)
     mesh_free(mesh);
 }
 
-static const struct unit_law laws[] = {
-    {"a_function_is_1_at_its_node_and_0_at_the_others",
-     a_function_is_1_at_its_node_and_0_at_the_others},
-    {"functions_add_up_to_1_and_gradients_to_0",
-     functions_add_up_to_1_and_gradients_to_0},
-    {"gradients_are_derivatives", gradients_are_derivatives},
-    {"affine_maps_leave_the_interior_in_balance",
-     affine_maps_leave_the_interior_in_balance},
-    {"quadratic_maps_balance_their_body_force",
-     quadratic_maps_balance_their_body_force},
-    {"the_load_is_in_the_middles", the_load_is_in_the_middles},
-    {"taylor_slopes_are_those_of_derivatives",
-     taylor_slopes_are_those_of_derivatives},
-    {"three_motions_cost_nothing", three_motions_cost_nothing},
-    {"the_mass_is_scaled", the_mass_is_scaled},
-    {"all_doors_have_the_same_mass", all_doors_have_the_same_mass},
-    {"projection_clamps_at_each_point", projection_clamps_at_each_point},
-    {"every_storage_gives_the_same_increment",
-     every_storage_gives_the_same_increment},
-    {"a_column_is_numbered_across", a_column_is_numbered_across},
-    {"states_outside_are_reported", states_outside_are_reported},
-    {"the_sag_is_that_of_another_program", the_sag_is_that_of_another_program},
-    {"graded_sides_and_no_others", graded_sides_and_no_others},
-};
-
-UNIT_MAIN("quadratic", laws)
+UNIT_MAIN("quadratic",
+    LAW(a_function_is_1_at_its_node_and_0_at_the_others),
+    LAW(functions_add_up_to_1_and_gradients_to_0),
+    LAW(gradients_are_derivatives),
+    LAW(affine_maps_leave_the_interior_in_balance),
+    LAW(quadratic_maps_balance_their_body_force),
+    LAW(the_load_is_in_the_middles),
+    LAW(taylor_slopes_are_those_of_derivatives),
+    LAW(three_motions_cost_nothing),
+    LAW(the_mass_is_scaled),
+    LAW(all_doors_have_the_same_mass),
+    LAW(projection_clamps_at_each_point),
+    LAW(every_storage_gives_the_same_increment),
+    LAW(a_column_is_numbered_across),
+    LAW(states_outside_are_reported),
+    LAW(the_sag_is_that_of_another_program),
+    LAW(graded_sides_and_no_others))

@@ -205,14 +205,10 @@ static void what_cancels_is_not_added_up(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"the_hand_has_a_force", the_hand_has_a_force},
-    {"a_corner_hardly_moves_a_body", a_corner_hardly_moves_a_body},
-    {"laws_are_not_compared_beyond_their_series",
-     laws_are_not_compared_beyond_their_series},
-    {"a_bar_knows_how_a_beam_bends", a_bar_knows_how_a_beam_bends},
-    {"a_weight_moves_the_hand", a_weight_moves_the_hand},
-    {"what_cancels_is_not_added_up", what_cancels_is_not_added_up},
-};
-
-UNIT_MAIN("relax", laws)
+UNIT_MAIN("relax",
+    LAW(the_hand_has_a_force),
+    LAW(a_corner_hardly_moves_a_body),
+    LAW(laws_are_not_compared_beyond_their_series),
+    LAW(a_bar_knows_how_a_beam_bends),
+    LAW(a_weight_moves_the_hand),
+    LAW(what_cancels_is_not_added_up))

@@ -114,14 +114,11 @@ static void runs_that_fail_have_a_reason(void)
     ck_assert(work_distance(&leaps, NULL) == INFINITY);
 }
 
-static const struct unit_law laws[] = {
-    {"looks_are_those_of_a_triangle", looks_are_those_of_a_triangle},
-    {"bars_end_where_they_should", bars_end_where_they_should},
-    {"work_of_particles_is_counted", work_of_particles_is_counted},
-    {"work_of_elements_is_counted", work_of_elements_is_counted},
-    {"blocks_fall_as_elements_do", blocks_fall_as_elements_do},
-    {"loads_are_put_on_in_steps", loads_are_put_on_in_steps},
-    {"runs_that_fail_have_a_reason", runs_that_fail_have_a_reason},
-};
-
-UNIT_MAIN("rivals", laws)
+UNIT_MAIN("rivals",
+    LAW(looks_are_those_of_a_triangle),
+    LAW(bars_end_where_they_should),
+    LAW(work_of_particles_is_counted),
+    LAW(work_of_elements_is_counted),
+    LAW(blocks_fall_as_elements_do),
+    LAW(loads_are_put_on_in_steps),
+    LAW(runs_that_fail_have_a_reason))

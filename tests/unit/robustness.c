@@ -356,25 +356,19 @@ static void reasons_are_words(void)
     ck_assert_str_eq(step_reason(&search, NOT_SPD), "NOT_SPD");
 }
 
-static const struct unit_law laws[] = {
-    {"first_steps_end_as_the_oracle_says", first_steps_end_as_the_oracle_says},
-    {"refinement_alone_makes_the_step_fail",
-     refinement_alone_makes_the_step_fail},
-    {"limit_is_a_jump_of_one_triangle", limit_is_a_jump_of_one_triangle},
-    {"compression_ends_where_the_oracle_says",
-     compression_ends_where_the_oracle_says},
-    {"projecting_on_demand_is_several_times_cheaper",
-     projecting_on_demand_is_several_times_cheaper},
-    {"log_law_is_never_inverted", log_law_is_never_inverted},
-    {"extrapolation_saves_iterations", extrapolation_saves_iterations},
-    {"first_increment_is_linear_elasticity",
-     first_increment_is_linear_elasticity},
-    {"any_scramble_comes_to_rest", any_scramble_comes_to_rest},
-    {"rest_is_not_the_only_answer", rest_is_not_the_only_answer},
-    {"a_report_counts_its_systems", a_report_counts_its_systems},
-    {"a_line_search_knows_the_forces", a_line_search_knows_the_forces},
-    {"methods_are_what_their_names_say", methods_are_what_their_names_say},
-    {"an_unknown_method_is_an_error", an_unknown_method_is_an_error},
-    {"reasons_are_words", reasons_are_words},
-};
-UNIT_MAIN("robustness", laws)
+UNIT_MAIN("robustness",
+    LAW(first_steps_end_as_the_oracle_says),
+    LAW(refinement_alone_makes_the_step_fail),
+    LAW(limit_is_a_jump_of_one_triangle),
+    LAW(compression_ends_where_the_oracle_says),
+    LAW(projecting_on_demand_is_several_times_cheaper),
+    LAW(log_law_is_never_inverted),
+    LAW(extrapolation_saves_iterations),
+    LAW(first_increment_is_linear_elasticity),
+    LAW(any_scramble_comes_to_rest),
+    LAW(rest_is_not_the_only_answer),
+    LAW(a_report_counts_its_systems),
+    LAW(a_line_search_knows_the_forces),
+    LAW(methods_are_what_their_names_say),
+    LAW(an_unknown_method_is_an_error),
+    LAW(reasons_are_words))

@@ -248,15 +248,12 @@ static void a_long_line_is_refused(void)
     unlink(path);
 }
 
-static const struct unit_law laws[] = {
-    {"a_file_is_scaled", a_file_is_scaled},
-    {"units_do_not_matter", units_do_not_matter},
-    {"what_is_wrong_is_named", what_is_wrong_is_named},
-    {"only_a_text_is_read", only_a_text_is_read},
-    {"a_line_is_what_it_says", a_line_is_what_it_says},
-    {"a_name_is_one_word", a_name_is_one_word},
-    {"a_step_is_a_part_of_a_swing", a_step_is_a_part_of_a_swing},
-    {"a_long_line_is_refused", a_long_line_is_refused},
-};
-
-UNIT_MAIN("scenes", laws)
+UNIT_MAIN("scenes",
+    LAW(a_file_is_scaled),
+    LAW(units_do_not_matter),
+    LAW(what_is_wrong_is_named),
+    LAW(only_a_text_is_read),
+    LAW(a_line_is_what_it_says),
+    LAW(a_name_is_one_word),
+    LAW(a_step_is_a_part_of_a_swing),
+    LAW(a_long_line_is_refused))

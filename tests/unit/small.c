@@ -137,18 +137,13 @@ static void without_a_window_the_input_is_followed(void)
     pointers_free(&hard);
 }
 
-static const struct unit_law laws[] = {
-    {"a_norm_is_the_root_of_the_squares", a_norm_is_the_root_of_the_squares},
-    {"seconds_are_those_of_the_system", seconds_are_those_of_the_system},
-    {"a_machine_has_its_processors_name", a_machine_has_its_processors_name},
-    {"energies_count_from_rest", energies_count_from_rest},
-    {"every_clockwise_triangle_is_found", every_clockwise_triangle_is_found},
-    {"the_notes_scenes_have_the_notes_numbers",
-     the_notes_scenes_have_the_notes_numbers},
-    {"corners_are_williams", corners_are_williams},
-    {"a_tolerance_has_the_size_of_the_answer",
-     a_tolerance_has_the_size_of_the_answer},
-    {"without_a_window_the_input_is_followed",
-     without_a_window_the_input_is_followed},
-};
-UNIT_MAIN("small", laws)
+UNIT_MAIN("small",
+    LAW(a_norm_is_the_root_of_the_squares),
+    LAW(seconds_are_those_of_the_system),
+    LAW(a_machine_has_its_processors_name),
+    LAW(energies_count_from_rest),
+    LAW(every_clockwise_triangle_is_found),
+    LAW(the_notes_scenes_have_the_notes_numbers),
+    LAW(corners_are_williams),
+    LAW(a_tolerance_has_the_size_of_the_answer),
+    LAW(without_a_window_the_input_is_followed))

@@ -478,24 +478,18 @@ static void both_components_are_printed(void)
     cloud_free(printed);
 }
 
-static const struct unit_law laws[] = {
-    {"a_map_begins_with_no_unknowns", a_map_begins_with_no_unknowns},
-    {"steps_are_the_oracles", steps_are_the_oracles},
-    {"hanging_bars_are_the_oracles", hanging_bars_are_the_oracles},
-    {"critical_steps_are_the_oracles", critical_steps_are_the_oracles},
-    {"the_residual_is_the_slope_of_the_potential",
-     the_residual_is_the_slope_of_the_potential},
-    {"round_off_is_allowed", round_off_is_allowed},
-    {"unknowns_and_masses_agree", unknowns_and_masses_agree},
-    {"small_steps_are_explicit", small_steps_are_explicit},
-    {"bodies_are_what_they_say", bodies_are_what_they_say},
-    {"failures_are_named", failures_are_named},
-    {"halving_keeps_particles_from_inverting",
-     halving_keeps_particles_from_inverting},
-    {"projection_goes_on_where_A_is_indefinite",
-     projection_goes_on_where_A_is_indefinite},
-    {"tables_have_their_names", tables_have_their_names},
-    {"both_components_are_printed", both_components_are_printed},
-};
-
-UNIT_MAIN("steps", laws)
+UNIT_MAIN("steps",
+    LAW(a_map_begins_with_no_unknowns),
+    LAW(steps_are_the_oracles),
+    LAW(hanging_bars_are_the_oracles),
+    LAW(critical_steps_are_the_oracles),
+    LAW(the_residual_is_the_slope_of_the_potential),
+    LAW(round_off_is_allowed),
+    LAW(unknowns_and_masses_agree),
+    LAW(small_steps_are_explicit),
+    LAW(bodies_are_what_they_say),
+    LAW(failures_are_named),
+    LAW(halving_keeps_particles_from_inverting),
+    LAW(projection_goes_on_where_A_is_indefinite),
+    LAW(tables_have_their_names),
+    LAW(both_components_are_printed))

@@ -107,10 +107,7 @@ static void a_cut_gives_way(void)
     strip_free(&whole);
 }
 
-#define LAW(name) {#name, name}
-static const struct unit_law laws[] = {
+UNIT_MAIN("strip",
     LAW(the_mesh_is_the_strip),
     LAW(the_force_is_the_slope_of_the_energy),
-    LAW(a_cut_gives_way),
-};
-UNIT_MAIN("strip", laws)
+    LAW(a_cut_gives_way))

@@ -154,15 +154,11 @@ static void a_machine_is_a_note(void)
     ck_assert_str_eq(outcome_of(study_machine).out, want);
 }
 
-static const struct unit_law laws[] = {
-    {"a_root_is_found_to_the_last_digit", a_root_is_found_to_the_last_digit},
-    {"no_root_is_an_error", no_root_is_an_error},
-    {"orders_are_the_exponents", orders_are_the_exponents},
-    {"a_false_claim_ends_the_study", a_false_claim_ends_the_study},
-    {"seconds_are_sorted_and_need_a_valid_answer",
-     seconds_are_sorted_and_need_a_valid_answer},
-    {"a_rate_is_as_sure_as_its_runs", a_rate_is_as_sure_as_its_runs},
-    {"a_machine_is_a_note", a_machine_is_a_note},
-};
-
-UNIT_MAIN("study", laws)
+UNIT_MAIN("study",
+    LAW(a_root_is_found_to_the_last_digit),
+    LAW(no_root_is_an_error),
+    LAW(orders_are_the_exponents),
+    LAW(a_false_claim_ends_the_study),
+    LAW(seconds_are_sorted_and_need_a_valid_answer),
+    LAW(a_rate_is_as_sure_as_its_runs),
+    LAW(a_machine_is_a_note))

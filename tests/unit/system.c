@@ -181,13 +181,9 @@ static void a_pressed_body_has_the_K_of_its_place(void)
     }
 }
 
-static const struct unit_law laws[] = {
-    {"rows_multiply", rows_multiply},
-    {"factor_solves_with_both_triangles", factor_solves_with_both_triangles},
-    {"matrix_is_K_in_any_order", matrix_is_K_in_any_order},
-    {"system_is_that_of_a_step", system_is_that_of_a_step},
-    {"a_pressed_body_has_the_K_of_its_place",
-     a_pressed_body_has_the_K_of_its_place},
-};
-
-UNIT_MAIN("system", laws)
+UNIT_MAIN("system",
+    LAW(rows_multiply),
+    LAW(factor_solves_with_both_triangles),
+    LAW(matrix_is_K_in_any_order),
+    LAW(system_is_that_of_a_step),
+    LAW(a_pressed_body_has_the_K_of_its_place))

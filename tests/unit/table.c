@@ -255,18 +255,15 @@ static void an_error_is_not_forgotten(void)
     ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
 }
 
-static const struct unit_law laws[] = {
-    {"tables_have_their_format", tables_have_their_format},
-    {"numbers_come_back_exactly", numbers_come_back_exactly},
-    {"words_and_missing_print_as_they_are",
-     words_and_missing_print_as_they_are},
-    {"a_nan_is_not_missing", a_nan_is_not_missing},
-    {"a_word_fits_into_its_cell", a_word_fits_into_its_cell},
-    {"arrays_make_the_same_rows", arrays_make_the_same_rows},
-    {"a_row_may_have_24_cells", a_row_may_have_24_cells},
-    {"a_row_is_as_long_as_its_header", a_row_is_as_long_as_its_header},
-    {"a_matrix_prints_its_band", a_matrix_prints_its_band},
-    {"a_full_disk_is_an_error", a_full_disk_is_an_error},
-    {"an_error_is_not_forgotten", an_error_is_not_forgotten},
-};
-UNIT_MAIN("table", laws)
+UNIT_MAIN("table",
+    LAW(tables_have_their_format),
+    LAW(numbers_come_back_exactly),
+    LAW(words_and_missing_print_as_they_are),
+    LAW(a_nan_is_not_missing),
+    LAW(a_word_fits_into_its_cell),
+    LAW(arrays_make_the_same_rows),
+    LAW(a_row_may_have_24_cells),
+    LAW(a_row_is_as_long_as_its_header),
+    LAW(a_matrix_prints_its_band),
+    LAW(a_full_disk_is_an_error),
+    LAW(an_error_is_not_forgotten))

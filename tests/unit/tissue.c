@@ -169,12 +169,9 @@ static void a_border_is_the_cut_body(void)
     tissue_free(s);
 }
 
-static const struct unit_law laws[] = {
-    {"parts_hang_together_and_are_held_by_two",
-     parts_hang_together_and_are_held_by_two},
-    {"lips_open", lips_open},
-    {"a_square_is_held_pulled_and_marked", a_square_is_held_pulled_and_marked},
-    {"a_strip_lies_on_bone", a_strip_lies_on_bone},
-    {"a_border_is_the_cut_body", a_border_is_the_cut_body},
-};
-UNIT_MAIN("tissue", laws)
+UNIT_MAIN("tissue",
+    LAW(parts_hang_together_and_are_held_by_two),
+    LAW(lips_open),
+    LAW(a_square_is_held_pulled_and_marked),
+    LAW(a_strip_lies_on_bone),
+    LAW(a_border_is_the_cut_body))

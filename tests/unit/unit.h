@@ -1,10 +1,11 @@
 /*
  * unit.h - laws of common/, run under Check, each in a child of its own.
  *
- * A unit file lists its laws and ends with UNIT_MAIN(module, laws); the
- * program prints "ok module: law" or "FAIL module: law: why" per law and exits
- * with 1 if any failed.  Arguments name the laws to run, or those to leave out,
- * as -law; it exits with 2 if it has not all of them.
+ * A unit file ends with UNIT_MAIN("module", LAW(a), LAW(b) ...), which names
+ * its laws, functions without arguments; the program prints "ok module: law" or
+ * "FAIL module: law: why" per law and exits with 1 if any failed.  Arguments
+ * name the laws to run, or those to leave out, as -law; it exits with 2 if it
+ * has not all of them.
  */
 #ifndef TESTS_UNIT_UNIT_H
 #define TESTS_UNIT_UNIT_H
@@ -21,9 +22,11 @@ struct unit_law {
 int unit_run(const char *module, const struct unit_law laws[], int n, int argc,
              char *argv[]);
 
-#define UNIT_MAIN(module, laws)                                                \
+#define LAW(name) {#name, name}
+#define UNIT_MAIN(module, ...)                                                 \
     int main(int argc, char *argv[])                                           \
     {                                                                          \
+        const struct unit_law laws[] = {__VA_ARGS__};                          \
         return unit_run(module, laws, COUNT(laws), argc, argv);                \
     }
 

@@ -158,13 +158,10 @@ static void rungs_have_words(void)
     ck_assert_str_eq(without_word(TROUBLE), "memory of trouble");
 }
 
-#define LAW(name) {#name, name}
-static const struct unit_law laws[] = {
+UNIT_MAIN("without",
     LAW(nothing_is_the_ladder_of_live),
     LAW(a_rung_is_missed),
     LAW(a_rung_is_missed_rarely),
     LAW(a_play_repeats_itself),
     LAW(accepting_is_for_what_is_unfinished),
-    LAW(rungs_have_words),
-};
-UNIT_MAIN("without", laws)
+    LAW(rungs_have_words))

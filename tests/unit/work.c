@@ -365,21 +365,17 @@ static void sweeps_know_the_cheapest(void)
     trials_free(s);
 }
 
-static const struct unit_law laws[] = {
-    {"scenes_end_where_they_say", scenes_end_where_they_say},
-    {"a_hump_is_plucked", a_hump_is_plucked},
-    {"linear_answers_scale", linear_answers_scale},
-    {"linear_answers_need_one_system", linear_answers_need_one_system},
-    {"slow_is_static", slow_is_static},
-    {"methods_have_their_orders", methods_have_their_orders},
-    {"work_is_counted", work_is_counted},
-    {"other_elements_are_counted", other_elements_are_counted},
-    {"what_is_lost_is_lost_on_each_side",
-     what_is_lost_is_lost_on_each_side},
-    {"failures_have_no_answer", failures_have_no_answer},
-    {"corrections_add_up", corrections_add_up},
-    {"limits_are_limits", limits_are_limits},
-    {"sweeps_know_the_cheapest", sweeps_know_the_cheapest},
-};
-
-UNIT_MAIN("work", laws)
+UNIT_MAIN("work",
+    LAW(scenes_end_where_they_say),
+    LAW(a_hump_is_plucked),
+    LAW(linear_answers_scale),
+    LAW(linear_answers_need_one_system),
+    LAW(slow_is_static),
+    LAW(methods_have_their_orders),
+    LAW(work_is_counted),
+    LAW(other_elements_are_counted),
+    LAW(what_is_lost_is_lost_on_each_side),
+    LAW(failures_have_no_answer),
+    LAW(corrections_add_up),
+    LAW(limits_are_limits),
+    LAW(sweeps_know_the_cheapest))
