@@ -104,7 +104,7 @@ $(T)/unit.%.result: $(BUILD)/unit/%
 # Of each file those in it are compiled at once, and of the unit programs the laws
 # alone are run that must catch them.
 UNIT_MISTAKES := $(sort $(shell awk '$$1 == "file:" { file = $$2 } \
-    $$1 == "unit:" { print file "," $$2 }' tests/unit/mistakes.txt))
+    $$1 == "caught-by:" { sub(/:/, "", $$2); print file "," $$2 }' tests/unit/mistakes.txt))
 MISTAKEN := $(sort $(foreach m,$(UNIT_MISTAKES),$(firstword $(subst $(comma), ,$m))))
 units_of = $(patsubst $1$(comma)%,%,$(filter $1$(comma)%,$(UNIT_MISTAKES)))
 UNIT_RESULTS := $(MISTAKEN:%.c=$(T)/mistakes/%.result)

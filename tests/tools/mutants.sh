@@ -168,7 +168,7 @@ common)
         units=$(for unit in $UNITS; do
             far=$(awk -v file="$file" -v unit="$unit" -v name="$name" '
                 $1 == "file:" { known = $2 == file }
-                $1 == "unit:" && known && $2 == unit { near += 100 }
+                known && $1 == "caught-by:" && $2 == unit ":" { near += 100 }
                 $0 ~ "#include \"(.*/)?" name "[.]h\"" { near += 50 }
                 END { print 1000 - near - 500 * (unit == name) }' \
                 tests/unit/mistakes.txt "tests/unit/$unit.c")

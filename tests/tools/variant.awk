@@ -40,6 +40,8 @@
 #
 # Several from/to pairs in an entry are applied one after another.  Those of a
 # lesson change functions, between the { and the } that begin a line, alone.
+# Entries of tests/unit/mistakes.txt stand below the file that they change, a
+# line "file: common/bar/bar.c", and are caught-by: UNIT-PROGRAM: LAW.
 
 function wrong(e, what) { if (!(e in problem)) problem[e] = what }
 
@@ -55,8 +57,10 @@ FILENAME == ARGV[1] && match($0, /^(mistake|equivalent): /) {
     entry[title[n]] = n
     open = 1
     part = field = ""
+    value[n, "file"] = of
     next
 }
+FILENAME == ARGV[1] && !open && /^file: / { of = $2 "\n"; next }
 FILENAME == ARGV[1] {
     if ($0 == "from:") {
         if (!open && n) wrong(n, "is followed by lines of no entry")
@@ -147,9 +151,8 @@ function merge(    e, m, rest, text, own, its, part, parts, at, number) {
         number = e
         if (bodies(text, its) != rest) number = "alone"
         if (e in problem) number = "-"
-        at = file == "" ? slot_of(program, text) : \
-             value[e, "unit"] value[e, "caught-by"]
-        gsub(/\n/, " ", at)
+        at = file == "" ? slot_of(program, text) : value[e, "caught-by"]
+        gsub(/:? |\n/, " ", at)
         print number, kind[e], title[e], at
         if (number != e) continue
         if (file == "") put(e, all "/" title[e])
