@@ -121,15 +121,6 @@ void bvp_boundary(int n, struct matrix *A, double b[])
     matrix_dirichlet(A, b, 1, left, value, KEEP_DIAGONAL);
 }
 
-struct matrix *bvp_system(enum storage storage, int n, double x[], double b[])
-{
-    struct matrix *A = matrix_alloc(storage, n + 1, 1);
-    poisson_grid(0.0, 1.0, n, 1.0, x);
-    poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);
-    bvp_boundary(n, A, b);
-    return A;
-}
-
 /* With t = 1 + x the load of the right node is (ln(t1/t0) - h/t1)/h: two
  * numbers that agree in all but O(h^2), so the difference is taken by a
  * function made for it, y -> ln(1+y) - y. */
@@ -140,24 +131,6 @@ void bvp_exact_load(int n, const double x[], double b[])
         const double h = x[e + 1] - x[e];
         b[e] -= gsl_sf_log_1plusx_mx(h / (1.0 + x[e])) / h;
         b[e + 1] -= gsl_sf_log_1plusx_mx(-h / (1.0 + x[e + 1])) / h;
-    }
-}
-
-/* On an element phi_1 = ln(t/t0) / ln(t1/t0), phi_0 = 1 - phi_1, and its
- * stiffness is 1 / int dx/beta. */
-void bvp_fitted_assemble(int n, const double x[], struct matrix *A, double b[])
-{
-    matrix_zero(A);
-    for (int i = 0; i <= n; i++) b[i] = 0.0;
-    for (int e = 0; e < n; e++) {
-        const double t0 = 1.0 + x[e], t1 = 1.0 + x[e + 1], h = t1 - t0;
-        const double L = log1p(h / t0);
-        matrix_add(A, e, e, 1.0 / L);
-        matrix_add(A, e, e + 1, -1.0 / L);
-        matrix_add(A, e + 1, e, -1.0 / L);
-        matrix_add(A, e + 1, e + 1, 1.0 / L);
-        b[e] -= gsl_sf_log_1plusx_mx(-h / t1) / (t0 * L);
-        b[e + 1] -= gsl_sf_log_1plusx_mx(h / t0) / (t1 * L);
     }
 }
 

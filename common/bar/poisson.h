@@ -73,22 +73,8 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
  * flux at x = 1, then u(0) = 1 [eq:dirichlet-correction]. */
 void bvp_boundary(int n, struct matrix *A, double b[]);
 
-/* Set its nodes x[0..n], n equal elements, b[0..n] by the midpoint rule, and A,
- * for the caller to free; with the boundary conditions. */
-struct matrix *bvp_system(enum storage storage, int n, double x[], double b[]);
-
 /* Integrate f of [eq:poisson-bvp] in closed form: b_i := int f e_i dx. */
 void bvp_exact_load(int n, const double x[], double b[]);
-
-/*
- * The same with test functions phi_i, which have the values of e_i at the nodes
- * and constant flux beta phi_i' on each element:
- *
- *     A_ij = int beta e_i' phi_j' dx,   b_i = int f phi_i dx.
- *
- * The nodal values are then exact.
- */
-void bvp_fitted_assemble(int n, const double x[], struct matrix *A, double b[]);
 
 /* Errors of u_h = sum_j u[j] e_j, by five-point Gauss on each element. */
 struct poisson_error {

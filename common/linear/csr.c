@@ -45,25 +45,6 @@ double csr_residual(const struct csr *A, const double x[], const double b[])
     return sqrt(r / size);
 }
 
-double csr_backward_error(const struct csr *A, const double x[],
-                          const double b[])
-{
-    double r = 0.0, norm_A = 0.0, norm_x = 0.0, norm_b = 0.0;
-    for (int i = 0; i < A->n; i++) {
-        double rest = b[i], row = 0.0;
-        for (int k = A->start[i]; k < A->start[i + 1]; k++) {
-            rest -= A->value[k] * x[A->index[k]];
-            row += fabs(A->value[k]);
-        }
-        if (!(fabs(rest) <= r)) r = fabs(rest); /* NaN stays */
-        norm_A = fmax(norm_A, row);
-        norm_x = fmax(norm_x, fabs(x[i]));
-        norm_b = fmax(norm_b, fabs(b[i]));
-        if (isnan(r)) return r;
-    }
-    return r / (norm_A * norm_x + norm_b);
-}
-
 struct factor *csr_factor_alloc(int n, const int count[])
 {
     struct factor *L = allocate(1, sizeof *L);

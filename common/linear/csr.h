@@ -30,12 +30,6 @@ void csr_multiply(const struct csr *A, const double x[], double y[]);
 /* Return |b - A x| / |b|, Euclidean norms; NaN if an entry is one. */
 double csr_residual(const struct csr *A, const double x[], const double b[]);
 
-/* Return max|b - A x| / (|A| max|x| + max|b|), |A| the largest sum of a row:
- * how far the system is that x solves, as matrix_backward_error(), not in
- * eps. */
-double csr_backward_error(const struct csr *A, const double x[],
-                          const double b[]);
-
 /* L of K = L L^T by compressed columns: column j is row[p] and value[p],
  * start[j] <= p < end[j]; rows ascend, the diagonal entry is first. */
 struct factor {

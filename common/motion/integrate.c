@@ -1,7 +1,6 @@
 /* integrate.c - see integrate.h. */
 #include "motion/integrate.h"
 
-#include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,18 +37,6 @@ struct state state_ripple(const struct model *model)
     for (int i = 0; i < s.n; i++)
         if (!model->body || model->body->equation[i] >= 0)
             s.u[i] = 1e-7 * sin(2.385 * (i + 1) + 0.02 * i * i);
-    return s;
-}
-
-struct state state_swing(const struct body *body, double size)
-{
-    struct state s = state_make(2 * body->mesh->n_vertex);
-    for (int a = 0; a < body->mesh->n_vertex; a++) {
-        const double X = body->mesh->X[2 * a];
-        if (body->equation[2 * a] < 0) continue;
-        s.u[2 * a] = 0.4 * size * sin(M_PI * X);
-        s.u[2 * a + 1] = size * cos(M_PI_2 * X);
-    }
     return s;
 }
 

@@ -43,10 +43,6 @@ struct state state_make(int n);
  * linear (1e-7 m); 0 where prescribed. */
 struct state state_ripple(const struct model *model);
 
-/* Return, at rest, a large smooth swing of the square, 0 at both ends and at
- * what is prescribed: u = size (0.4 sin(pi X1), cos(pi X1 / 2)). */
-struct state state_swing(const struct body *body, double size);
-
 void state_copy(const struct state *from, struct state *to);
 void state_free(struct state *s);
 

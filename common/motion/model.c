@@ -81,15 +81,6 @@ void model_mass(const struct model *model, const double v[], double out[])
         matrix_multiply(model->M, v, out);
 }
 
-double model_norm(const struct model *model, const double v[])
-{
-    double *out = allocate((size_t)model->n_dof, sizeof *out), sum = 0.0;
-    model_mass(model, v, out);
-    for (int i = 0; i < model->n_dof; i++) sum += v[i] * out[i];
-    free(out);
-    return sqrt(sum);
-}
-
 enum status model_force(const struct model *model, const double u[],
                         double out[])
 {

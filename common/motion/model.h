@@ -41,9 +41,6 @@ void model_free(struct model *model);
 /* out := M v */
 void model_mass(const struct model *model, const double v[], double out[]);
 
-/* Return (v.M v)^(1/2) */
-double model_norm(const struct model *model, const double v[]);
-
 /* out := dPsi/du, without f; statuses as body_energy(), out is then
  * incomplete. */
 enum status model_force(const struct model *model, const double u[],

@@ -5,21 +5,14 @@
 
 #include <math.h>
 
-/* A bar from `first` to first + 1 and a grid of -2 h to `room`. */
-static struct cloud bar(int order, double h, double first, int count,
-                        double room)
-{
-    const double low[2] = {-2.0 * h, -0.5};
-    const double ends[2][2] = {{first, -0.5}, {first + 1.0, 0.5}};
-    const int nodes[2] = {(int)lround(room / h) + 3, 1};
-    return (struct cloud){
-        grid_alloc(order, low, h, nodes),
-        particles_box(ends[0], ends[1], (int[]){count, 1}, 1.0)};
-}
-
 struct cloud cloud_hanging(int order, int cells, int ppc)
 {
-    return bar(order, 1.0 / cells, 0.0, cells * ppc, 1.75);
+    const double h = 1.0 / cells, low[2] = {-2.0 * h, -0.5};
+    const double ends[2][2] = {{0.0, -0.5}, {1.0, 0.5}};
+    const int nodes[2] = {(int)lround(1.75 / h) + 3, 1};
+    return (struct cloud){
+        grid_alloc(order, low, h, nodes),
+        particles_box(ends[0], ends[1], (int[]){cells * ppc, 1}, 1.0)};
 }
 
 /* Return F with P(F) = p >= 0: P is monotone there, and Newton's method
@@ -100,29 +93,6 @@ struct cloud cloud_stepping(enum stepping which, int order, double g[2])
     g[1] = 0.0;
     if (which == HANGING) return cloud_hanging(order, 8, 2);
     return which == STRAINED ? cloud_strained(order) : cloud_block(order);
-}
-
-struct cloud cloud_ringing(int order, int cells, double a,
-                           enum transfer transfer)
-{
-    const double first = 0.5003;
-    struct cloud c = bar(order, 1.0 / cells, first, 2 * cells, 2.0);
-    const double pi = acos(-1.0);
-    for (int q = 0; q < c.p->n; q++) {
-        const double X = c.p->x[2 * q] - first;
-        c.p->v[2 * q] = a * cos(pi * X);
-        if (transfer == APIC)
-            c.p->B[q].m[0][0] = -a * pi * sin(pi * X) *
-                                kernel_inertia(order, 1.0 / cells, first + X);
-    }
-    return c;
-}
-
-struct cloud cloud_outlying(int order, double eps)
-{
-    const double h = 0.125, last = ((order == 2 ? 9.5 : 9.0) + eps) * h;
-    /* all places are multiples of the last digit of `last`, none is rounded */
-    return bar(order, h, last - 1.0 + 0.25 * h, 16, 1.5);
 }
 
 double particles_elastic(const struct particles *p,

@@ -4,8 +4,6 @@
  *     hanging    the bar 0 < X < 1 at rest, held at 0, pulled along its axis
  *     strained   a free bar of ten particles, irregular, strained and moving
  *     block      4 x 4 particles in the plane, strained and turning
- *     ringing    a free bar in its first mode, v = a cos(pi X)
- *     outlying   a free bar whose last particle has just reached a node
  *
  * All of them have density 1 (or nearly) and a grid with room for their motion.
  *
@@ -45,16 +43,6 @@ struct cloud cloud_block(int order);    /* h = 1/4 */
 enum stepping { HANGING, STRAINED, BLOCK };
 #define STEPPING "bar strained block" /* as words, in this order */
 struct cloud cloud_stepping(enum stepping which, int order, double g[2]);
-
-/* Make, from x = 0.5003 on, two particles per cell; a: velocity.  B is set for
- * APIC. */
-struct cloud cloud_ringing(int order, int cells, double a,
-                           enum transfer transfer);
-
-/* Make a bar of length 1, 8 cells, two particles per cell, the last one eps h
- * beyond the place from which it reaches a further node: 9 h, or 9.5 h if order
- * is 2. */
-struct cloud cloud_outlying(int order, double eps);
 
 /* Return sum_p V_p psi(F_p) */
 double particles_elastic(const struct particles *p,

@@ -146,22 +146,6 @@ struct balance grid_balance(const struct grid *grid, const double u[],
     return sum;
 }
 
-enum status particle_product(const struct particle_body *body, const double u[],
-                             const double w[], double out[])
-{
-    const int n_dof = 2 * body->grid->n_node;
-    memset(out, 0, (size_t)n_dof * sizeof *out);
-    for (int p = 0; p < body->particles->n; p++) {
-        struct support s;
-        mat2 F;
-        const enum status status = at_particle(body, p, u, &s, &F);
-        if (status != OK) return status;
-        add_to_nodes(&s, body->particles->volume[p],
-                     dpk1(body, F, support_gradient(&s, w)), out);
-    }
-    return all_finite(out, n_dof);
-}
-
 enum status particle_taylor(const struct particle_body *body, const double u[],
                             const double w[], double t, const double f[],
                             const double Kw[], struct taylor *error)

@@ -72,10 +72,6 @@ struct balance {
 struct balance grid_balance(const struct grid *grid, const double u[],
                             const double f[]);
 
-/* out := K(u) w, without a matrix; K is symmetric. */
-enum status particle_product(const struct particle_body *body, const double u[],
-                             const double w[], double out[]);
-
 /*
  * Is f the force at u, and Kw its tangent times w?  Then the errors of Taylor's
  * series at u + t w fall like t^2: |Psi(u + t w) - Psi(u) + t f.w| and

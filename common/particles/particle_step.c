@@ -185,35 +185,6 @@ enum status particle_potential(const struct particle_body *body,
     return status;
 }
 
-/* omega^2 is the largest eigenvalue of M^-1/2 K M^-1/2. */
-double particle_frequency(const struct particle_body *body)
-{
-    struct unknowns *map = unknowns_alloc(body->grid);
-    const size_t n_dof = (size_t)map->n_dof;
-    double *u = allocate(n_dof, sizeof *u), *m = allocate(n_dof, sizeof *m);
-    double *value = allocate(n_dof, sizeof *value), omega = NAN;
-    unknowns_number(body->grid, NO_WALL, map);
-    struct matrix *K = matrix_alloc(BANDED, map->n, map->n);
-    struct matrix *A = matrix_alloc(DENSE, map->n, 0);
-    for (int r = 0; r < map->n_dof; r++)
-        if (map->equation[r] >= 0)
-            m[map->equation[r]] = body->grid->mass[r / 2];
-    if (particle_stiffness(body, u, map->equation, map->sign, K) == OK) {
-        for (int i = 0; i < map->n; i++)
-            for (int j = 0; j < map->n; j++)
-                matrix_add(A, i, j, matrix_get(K, i, j) / sqrt(m[i] * m[j]));
-        if (matrix_eigenvalues(A, value) == OK)
-            omega = sqrt(value[map->n - 1]);
-    }
-    matrix_free(K);
-    matrix_free(A);
-    unknowns_free(map);
-    free(u);
-    free(m);
-    free(value);
-    return omega;
-}
-
 /* ---- Newton -------------------------------------------------------------- */
 
 struct room {

@@ -85,10 +85,6 @@ enum status particle_potential(const struct particle_body *body,
                                const double u[], struct potential *E,
                                double r[]);
 
-/* Return the largest frequency omega of the nodes with mass (1/s), lumped, at u
- * = 0 [eq:critical-step]; NAN where the tangent is not defined. */
-double particle_frequency(const struct particle_body *body);
-
 /* How a step went: the linear systems solved (particle_newton() does not count
  * one that stalled), and those factored again because A had to be projected;
  * max|r| of the unknowns (N) before iteration k, max|du| (m) of it, and the

@@ -1,7 +1,6 @@
 /* elements.c - see elements.h. */
 #include "plane/elements.h"
 
-#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -51,16 +50,6 @@ void elements_add(struct elements *elements, int count, const int node[],
                 for (int j = 0; j < 2; j++)
                     matrix_add(elements->K, 2 * node[a] + i, 2 * node[b] + j,
                                *E++);
-}
-
-void elements_square(struct elements *elements, int count, const int node[],
-                     double factor, const double D[])
-{
-    double E[144], *entry = E;
-    assert(count <= 6);
-    for (int r = 0; r < 2 * count; r++)
-        for (int c = 0; c < 2 * count; c++) *entry++ = factor * D[r] * D[c];
-    elements_add(elements, count, node, E);
 }
 
 double elements_linear(struct elements *elements, const int vertex[3],

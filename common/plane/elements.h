@@ -36,11 +36,6 @@ void elements_lattice(struct mesh *mesh, const double x[], const double y[]);
 void elements_add(struct elements *elements, int count, const int node[],
                   const double E[]);
 
-/* K += factor D D^T, D[2a + i] of component i of node[a], count <= 6: what
- * factor / 2 (D . u)^2 gives. */
-void elements_square(struct elements *elements, int count, const int node[],
-                     double factor, const double D[]);
-
 /* K += that of a linear triangle at rest, linear elasticity
  * [eq:element-tangent].  Returns its area (m^2). */
 double elements_linear(struct elements *elements, const int vertex[3],

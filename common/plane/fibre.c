@@ -36,12 +36,6 @@ static double stretch(const double g[2], mat2 F, double n[2])
     return l;
 }
 
-double fibre_psi(const struct fibre *fibre, const double g[2], mat2 F)
-{
-    double n[2];
-    return fibre_tension(fibre, stretch(g, F, n)).W;
-}
-
 mat2 fibre_pk1(const struct fibre *fibre, const double g[2], mat2 F)
 {
     double n[2];

@@ -44,9 +44,8 @@ struct tension {
 };
 struct tension fibre_tension(const struct fibre *fibre, double l);
 
-/* Return energy, stress and tangent for the direction g, |g| = 1.  A fibre of
- * length 0 points nowhere: its P is 0, and so is its dP. */
-double fibre_psi(const struct fibre *fibre, const double g[2], mat2 F);
+/* Return stress and tangent for the direction g, |g| = 1.  A fibre of length 0
+ * points nowhere: its P is 0, and so is its dP. */
 mat2 fibre_pk1(const struct fibre *fibre, const double g[2], mat2 F);
 mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
                 enum tangent tangent); /* EXACT or PROJECTED */

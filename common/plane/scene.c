@@ -5,7 +5,6 @@
 
 #include <assert.h>
 #include <gsl/gsl_math.h>
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -211,17 +210,6 @@ struct step_report scene_step(struct scene *scene,
                             scene->u, scene->v, scene->v_before);
     scene->steps += report.status == OK;
     return report;
-}
-
-void scene_scatter(struct scene *scene, int seed, double reach)
-{
-    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(rng, (unsigned long)seed);
-    for (int r = 0; r < scene->n_dof; r++)
-        scene->u[r] = scene->held[r / 2]
-                          ? 0.0
-                          : reach * (2.0 * gsl_rng_uniform(rng) - 1.0);
-    gsl_rng_free(rng);
 }
 
 struct scene_measures scene_measure(const struct scene *scene)

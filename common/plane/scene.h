@@ -100,10 +100,6 @@ double scene_energy(const struct scene *scene);
 struct step_report scene_step(struct scene *scene,
                               const struct step_control *control);
 
-/* u := 0 at held vertices; elsewhere both components anywhere within reach of
- * 0, by GSL's Mersenne twister. */
-void scene_scatter(struct scene *scene, int seed, double reach);
-
 struct scene_measures {
     double kinetic, elastic, external; /* energies (J); external: -f.u */
     double momentum[2], angular;       /* sum M v, sum x cross M v */

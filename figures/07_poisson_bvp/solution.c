@@ -2,9 +2,10 @@
  * solution.c - where is the error, at the nodes or between them?
  *
  * The exercise on four elements: u_h and u - u_h at 32 points per element, the
- * load by the midpoint rule, or fitted (poisson.h), which is exact at the nodes
+ * load by the midpoint rule, or fitted (fitted.h), which is exact at the nodes
  * and not between them.
  */
+#include "fitted.h"
 #include "bar/poisson.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -17,7 +18,7 @@ static void solve(int fitted, const double x[], double u[])
 {
     struct matrix *A = matrix_alloc(BANDED, N + 1, 1);
     if (fitted)
-        bvp_fitted_assemble(N, x, A, u);
+        fitted_assemble(N, x, A, u);
     else
         poisson_assemble(N, x, bvp_beta, bvp_f, &MIDPOINT, A, u);
     bvp_boundary(N, A, u);

@@ -5,8 +5,9 @@
  * is 1 + ln(1+x) - x: the nodal error is that of the quadrature of the load
  * [eq:quadrature-b] and of nothing else, order 2, order 4 or none, while the L2
  * error has order 2 whatever one does.  `fitted` tests with functions of
- * constant flux (poisson.h) and makes the exercise exact at its nodes, too.
+ * constant flux (fitted.h) and makes the exercise exact at its nodes, too.
  */
+#include "fitted.h"
 #include "bar/poisson.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -37,7 +38,7 @@ static struct poisson_error errors_of(int companion, enum load load, int n)
     poisson_assemble(n, x, beta, bvp_f,
                      load == GAUSS2_RULE ? &GAUSS2 : &MIDPOINT, A, u);
     if (load == EXACT_LOAD) bvp_exact_load(n, x, u);
-    if (load == FITTED) bvp_fitted_assemble(n, x, A, u);
+    if (load == FITTED) fitted_assemble(n, x, A, u);
     bvp_boundary(n, A, u);
     if (matrix_factor(A) != OK) die("A is not positive definite");
     matrix_solve(A, u);

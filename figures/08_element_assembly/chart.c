@@ -7,6 +7,7 @@
  * time; one problem and one knob (n) per curve; work is counted beside the
  * seconds; machine and flags are named; the best of several repeats counts.
  */
+#include "exercise.h"
 #include "base/clock.h"
 #include "bar/poisson.h"
 #include "linear/residual.h"
@@ -33,7 +34,7 @@ static struct point measured(enum storage storage, int n)
     double *x = allocate((size_t)n + 1, sizeof *x);
     double *b = allocate((size_t)n + 1, sizeof *b);
     double *u = allocate((size_t)n + 1, sizeof *u);
-    struct matrix *A = bvp_system(storage, n, x, b);
+    struct matrix *A = exercise_system(storage, n, x, b);
     struct point point = {(double)NAN, (double)NAN, (double)NAN, 1};
     static struct times t;
 

@@ -5,6 +5,7 @@
  * a system that differs from A u = b by at most 20 eps, whatever the status of
  * the factorisation says.
  */
+#include "exercise.h"
 #include "bar/poisson.h"
 #include "linear/residual.h"
 #include "base/study.h"
@@ -20,7 +21,7 @@ enum { n = 64 };
 /* Of trial `t`: A, b and the nodes. */
 static struct matrix *system_of(enum trial t, double x[], double b[])
 {
-    struct matrix *A = bvp_system(DENSE, n, x, b);
+    struct matrix *A = exercise_system(DENSE, n, x, b);
     if (t == NAN_IN_LOAD) b[n / 2] = (double)NAN;
     if (t == NOTHING_HELD || t == ROW_ONLY) {
         poisson_assemble(n, x, bvp_beta, bvp_f, &MIDPOINT, A, b);

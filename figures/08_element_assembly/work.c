@@ -5,6 +5,7 @@
  * [eq:cholesky-flops], numbers that are kept, and the L2 error [eq:norm-L2].
  * No machine changes this part of the chart.
  */
+#include "exercise.h"
 #include "bar/poisson.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -22,7 +23,7 @@ int main(void)
         for (int storage = DENSE; storage <= BANDED; storage++) {
             double *x = allocate((size_t)n + 1, sizeof *x);
             double *u = allocate((size_t)n + 1, sizeof *u);
-            struct matrix *A = bvp_system((enum storage)storage, n, x, u);
+            struct matrix *A = exercise_system((enum storage)storage, n, x, u);
             const struct matrix_cost cost =
                 matrix_cost(A->storage, n + 1, A->p);
             flops[storage] = cost.flops + cost.solve;

@@ -7,8 +7,8 @@
  * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
  * distance from the extrapolation one level below bounds that error.
  */
+#include "swing.h"
 #include "base/clock.h"
-#include "motion/integrate.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -30,7 +30,7 @@ static struct run run_swing(struct model *model, const double g[],
                             enum method method, int per_frame)
 {
     const int due = FRAMES * per_frame;
-    struct run run = {.end = state_swing(model->body, SWING)};
+    struct run run = {.end = swing_start(model->body, SWING)};
     struct state *s = &run.end;
     const double E = model_energy(model, s->u, s->v), start = clock_seconds();
     while (run.steps < due && run.total.status == OK) {
@@ -54,11 +54,11 @@ static struct run run_swing(struct model *model, const double g[],
 /* (u - w).M(u - w) to the 1/2, over the same of the start; u is overwritten. */
 static double distance(const struct model *model, double u[], const double w[])
 {
-    struct state start = state_swing(model->body, SWING);
-    const double scale = model_norm(model, start.u);
+    struct state start = swing_start(model->body, SWING);
+    const double scale = swing_norm(model, start.u);
     for (int i = 0; i < start.n; i++) u[i] -= w[i];
     state_free(&start);
-    return model_norm(model, u) / scale;
+    return swing_norm(model, u) / scale;
 }
 
 struct result {

@@ -7,7 +7,7 @@
  * And how many steps survive in a swing, with half of the step that is critical
  * at rest?  A swing of 0.3 m is chaotic, so that their number is not printed.
  */
-#include "motion/integrate.h"
+#include "swing.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -117,7 +117,7 @@ static int lifetime(double size, int most)
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
     const double dt = 1.0 / model_frequency(model);
-    struct state s = state_swing(model->body, size);
+    struct state s = swing_start(model->body, size);
     enum status status = OK;
     int steps = 0;
     while (steps < most && status == OK) {

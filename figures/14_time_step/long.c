@@ -7,7 +7,7 @@
  * not chaotic; one of 0.3 m is, so that only bounds of it are claimed, and
  * critical.c shows what becomes of symplectic Euler.
  */
-#include "motion/integrate.h"
+#include "swing.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -29,7 +29,7 @@ static double six_digits(double x) { return round(1e6 * x) / 1e6; }
 static void swing(struct model *model, enum method method, double dt,
                   double size, struct range block[BLOCKS])
 {
-    struct state s = state_swing(model->body, size);
+    struct state s = swing_start(model->body, size);
     const double start = model_energy(model, s.u, s.v);
     int k = 0;
     for (int n = 0; n < BLOCKS; n++) {

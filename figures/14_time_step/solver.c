@@ -9,7 +9,7 @@
  * start, in the norm of M; the reference is the midpoint rule with 128 and 256
  * steps per frame and Richardson's extrapolation.  Symplectic Euler needs 8.
  */
-#include "motion/integrate.h"
+#include "swing.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -60,7 +60,7 @@ struct run {
 static struct run run_swing(struct model *model, const double g[],
                             enum method method, int per_frame)
 {
-    struct run run = {.status = OK, .end = state_swing(model->body, SWING)};
+    struct run run = {.status = OK, .end = swing_start(model->body, SWING)};
     while (run.steps < FRAMES * per_frame && run.status == OK) {
         const struct step_report report = integrate_step(
             model, method, 1.0 / 30.0 / per_frame, g, &run.end);
@@ -83,14 +83,14 @@ static void measure(struct model *model, const double g[], int n,
         "all get through", "all get through"};
     struct step_control control = control_of(setting);
     model->context = &control;
-    struct state start = state_swing(model->body, SWING);
+    struct state start = swing_start(model->body, SWING);
     struct run run = run_swing(model, g, method, 1);
     const int ok = run.status == OK;
     const double energy = model_energy(model, run.end.u, run.end.v) /
                           model_energy(model, start.u, start.v);
     for (int i = 0; i < start.n; i++) run.end.u[i] -= reference[i];
-    const double error = model_norm(model, run.end.u) /
-                         model_norm(model, start.u);
+    const double error = swing_norm(model, run.end.u) /
+                         swing_norm(model, start.u);
     const char *name = method_name(method);
     table_row(n, NAME[setting], name, status_name(run.status), run.steps,
               cell_if(ok, run.systems), cell_if(ok, error),

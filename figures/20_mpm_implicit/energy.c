@@ -7,6 +7,7 @@
  * better).  Implicit is backward Euler, to 1e-10 h, or to 1e-2 h (loose);
  * midpoint_times: FLIP by the midpoint rule (loose) over the explicit steps.
  */
+#include "free_bar.h"
 #include "ringing.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -90,7 +91,7 @@ static void claim_swing(void)
 {
     const struct material m = material_notes(CUBIC);
     const double c = sqrt(material_modulus(&m));
-    struct cloud bar = cloud_ringing(2, RINGING_CELLS, 0.02 * c, FLIP);
+    struct cloud bar = free_bar_ringing(2, RINGING_CELLS, 0.02 * c, FLIP);
     const struct particle_step step = {.rate = 20.0 * c, .transfer = FLIP};
     const double start = particles_moments(bar.p).kinetic;
     double elastic[43], all[43];

@@ -1,6 +1,7 @@
 /* ringing.c - see ringing.h. */
 #include "ringing.h"
 
+#include "free_bar.h"
 #include "motion/integrate.h"
 #include "step_flops.h"
 #include "base/study.h"
@@ -25,11 +26,11 @@ double ringing_energy(struct cloud bar, struct material material)
            particles_elastic(bar.p, &material);
 }
 
-/* cloud_ringing(), shifted; APIC's B is that of the new place. */
+/* free_bar_ringing(), shifted; APIC's B is that of the new place. */
 static struct cloud shifted(struct ringing_bar of, double a,
                             enum transfer transfer)
 {
-    struct cloud bar = cloud_ringing(of.order, of.cells, a, transfer);
+    struct cloud bar = free_bar_ringing(of.order, of.cells, a, transfer);
     const double h = bar.grid->h;
     for (int q = 0; q < bar.p->n; q++) {
         double *x = &bar.p->x[2 * q], *B = &bar.p->B[q].m[0][0];

@@ -10,6 +10,7 @@
  * the light node moves far); flops: of either; times: implicit over explicit,
  * with these systems and (times_one) with one; explicit_times: of 1/30 s.
  */
+#include "free_bar.h"
 #include "ringing.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
@@ -30,10 +31,10 @@ struct outlying {
 static double grid_limit(struct outlying at)
 {
     const struct material material = material_notes(CUBIC);
-    struct cloud c = cloud_outlying(at.order, at.eps);
+    struct cloud c = free_bar_outlying(at.order, at.eps);
     const struct particle_body body = {c.grid, c.p, material, NULL};
     claim(grid_p2g(c.grid, c.p) == OK, "the bar is on its grid");
-    const double dt = 2.0 / particle_frequency(&body) / H;
+    const double dt = 2.0 / free_bar_frequency(&body) / H;
     cloud_free(c);
     return dt * sqrt(material_modulus(&material));
 }
@@ -41,7 +42,7 @@ static double grid_limit(struct outlying at)
 /* One explicit FLIP step of the state z from rest. */
 static void flip_step(struct outlying at, double dt, double z[STATE])
 {
-    struct cloud c = cloud_outlying(at.order, at.eps);
+    struct cloud c = free_bar_outlying(at.order, at.eps);
     const struct particle_step step = {.rate = 1.0 / dt, .transfer = FLIP};
     for (int p = 0; p < P; p++) {
         c.p->v[2 * p] = z[p];
@@ -92,7 +93,7 @@ static int systems(struct outlying at, double flops[3],
                    struct particle_report *own)
 {
     const struct material material = material_notes(CUBIC);
-    struct cloud c = cloud_outlying(at.order, at.eps);
+    struct cloud c = free_bar_outlying(at.order, at.eps);
     const struct particle_step step = {.rate = 30.0, .transfer = FLIP};
     ringing_start(c, 0.02 * sqrt(material_modulus(&material)));
     flops[0] = step_flops_explicit(c);

@@ -59,7 +59,10 @@ static void solve_averaged(const struct mesh *mesh, struct material material,
                 for (int k = 0; k < 2; k++)
                     D[2 * at[a] + k] += part * g[2 * a + k];
         }
-        elements_square(s, 4, corner, material.lambda / area, D);
+        const double factor = material.lambda / area;
+        double E[64]; /* factor D D^T */
+        for (int r = 0; r < 64; r++) E[r] = factor * D[r / 8] * D[r % 8];
+        elements_add(s, 4, corner, E);
     }
     memcpy(s->held, held, (size_t)mesh->n_vertex * sizeof *held);
     if (elements_solve(s, u) != OK) die("averaged, n = %d", mesh->n);

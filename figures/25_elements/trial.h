@@ -18,7 +18,7 @@
 #ifndef FIGURES_TRIAL_H
 #define FIGURES_TRIAL_H
 
-#include "motion/work.h"
+#include "../work_precision/work.h"
 
 enum trial_scene {
     TRIAL_WEIGHT, TRIAL_PULL, TRIAL_COLUMN, TRIAL_SHAKE, TRIAL_SWING,

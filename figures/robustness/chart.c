@@ -8,6 +8,7 @@
  *     scrambled_held  its inner vertices at random: 25 ways; standard error
  *     scrambled_free  all of them; error: of the stress at a stretch of 1.1
  */
+#include "first_step.h"
 #include "base/clock.h"
 #include "plane/release.h"
 #include "plane/scene.h"
@@ -50,7 +51,7 @@ static int move(int which, int k, enum law law, struct step_control control,
 
     if (which == PRESSED) {
         control.lift = 1;
-        scene_scatter(s, 1, 1e-3);
+        first_scatter(s, 1, 1e-3);
     }
     while (ok && s->steps < scene[which].steps) {
         const struct step_report report = scene_step(s, &control);

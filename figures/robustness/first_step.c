@@ -1,6 +1,7 @@
 /* first_step.c - the first step from rest, and the jumps that it can take. */
 #include "first_step.h"
 
+#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,16 @@ struct scene *first_scene(enum reading reading, enum element element,
     struct scene_setting set = scene_notes(reading, law, n);
     set.element = element;
     return scene_alloc(&set);
+}
+
+void first_scatter(struct scene *s, int seed, double reach)
+{
+    gsl_rng *rng = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(rng, (unsigned long)seed);
+    for (int r = 0; r < s->n_dof; r++)
+        s->u[r] = s->held[r / 2] ? 0.0
+                                 : reach * (2.0 * gsl_rng_uniform(rng) - 1.0);
+    gsl_rng_free(rng);
 }
 
 struct step_report first_step(struct scene *s, const char *method, double dt)

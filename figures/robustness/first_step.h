@@ -9,6 +9,10 @@
 struct scene *first_scene(enum reading reading, enum element element,
                           enum law law, int n);
 
+/* u := 0 at held vertices; elsewhere both components anywhere within reach of
+ * 0, by GSL's Mersenne twister. */
+void first_scatter(struct scene *s, int seed, double reach);
+
 /* The first step, of length dt, by step_method(method). */
 struct step_report first_step(struct scene *s, const char *method, double dt);
 

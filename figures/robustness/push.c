@@ -7,6 +7,7 @@
  * in turn, or of all free vertices at random by up to 1e-2 m, 10 times.  Table:
  * how many of these solves end at a minimum.
  */
+#include "first_step.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -47,7 +48,7 @@ static void push(struct scene *s, struct incremental Phi, int hits[2])
         hits[0] += descends(s->body, Phi, u);
     }
     for (int seed = 1; seed <= RANDOM; seed++) {
-        scene_scatter(s, seed, 1e-2);
+        first_scatter(s, seed, 1e-2);
         for (int r = 0; r < s->n_dof; r++) u[r] = saddle[r] + s->u[r];
         hits[1] += descends(s->body, Phi, u);
     }

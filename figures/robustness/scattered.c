@@ -7,6 +7,7 @@
  * the other minima have a knot, and systems solved by those that find an
  * equilibrium; one that is not at rest, and its knots.
  */
+#include "first_step.h"
 #include "motion/live.h"
 #include "plane/scene.h"
 #include "base/study.h"
@@ -36,7 +37,7 @@ static enum end settle(struct scene *s, int start, int seed, const char *name,
                        struct times *systems)
 {
     const struct step_control control = step_method(name);
-    scene_scatter(s, seed, amplitude[start] * 2.0 / s->set.n);
+    first_scatter(s, seed, amplitude[start] * 2.0 / s->set.n);
     memcpy(s->v, s->u, (size_t)s->n_dof * sizeof *s->u); /* is kept */
     const struct step_report to =
         step_solve(s->body, &control, at_rest(NULL), s->u);

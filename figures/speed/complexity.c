@@ -14,6 +14,7 @@
 #include "linear/cg.h"
 #include "base/clock.h"
 #include "machine.h"
+#include "solved.h"
 #include "linear/multigrid.h"
 #include "linear/sparse.h"
 #include "base/study.h"
@@ -84,7 +85,7 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
                                       10.0 * K->n);
     m->numbers = K->start[K->n] + 4.0 * K->n + numbers;
     times_record(&m->seconds, seconds,
-                 r.status == OK && csr_backward_error(K, x, b) <= 1e-12);
+                 r.status == OK && solved_error(K, x, b) <= 1e-12);
     csr_factor_free(L);
     multigrid_free(grids);
 }
@@ -123,7 +124,7 @@ static void by_factors(int rung, struct system *s, const struct csr *K,
     m->flops = cost.flops + cost.solve;
     m->numbers = cost.numbers;
     times_record(&m->seconds, seconds,
-                 status == OK && csr_backward_error(K, x, b) <= 1e-12);
+                 status == OK && solved_error(K, x, b) <= 1e-12);
     matrix_free(full);
     free(y);
 }

@@ -10,6 +10,7 @@
  */
 #include "machine.h"
 #include "rival.h"
+#include "solved.h"
 #include "linear/refine.h"
 #include "linear/sparse.h"
 #include "base/study.h"
@@ -87,7 +88,7 @@ static void measure_system(struct system *s, int k, struct measured *m)
         for (int i = 0; i < 2; i++)
             by_rows[2 * v + i] = x[body->equation[2 * s->vertex[v] + i]];
     system_right_side(s, NULL, b);
-    const int valid = fine && csr_backward_error(K, by_rows, b) <= 1e-12;
+    const int valid = fine && solved_error(K, by_rows, b) <= 1e-12;
     times_record(&m->analysis, analysis, valid);
     times_record(&m->factor, t[2] - t[1], valid);
     times_record(&m->solve, t[3] - t[2], valid);

@@ -9,9 +9,9 @@
  * and what the log law changes in the static answer.  Half of h and the log law
  * once more in the motion with tiny steps, whose waves the static answer lacks.
  */
+#include "work.h"
 #include "base/study.h"
 #include "base/table.h"
-#include "motion/work.h"
 
 /* away[k] := how far the soft pull in 30 2^k steps is from the static answer */
 static void soft_start(double away[7])

@@ -13,9 +13,9 @@
  * the linear one, n = 64 to 256, twice the power of r that u has at the corner
  * between a held and a free side [eq:corner].
  */
+#include "work.h"
 #include "base/study.h"
 #include "base/table.h"
-#include "motion/work.h"
 
 #include <math.h>
 

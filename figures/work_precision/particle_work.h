@@ -12,8 +12,8 @@
 #ifndef FIGURES_PARTICLE_WORK_H
 #define FIGURES_PARTICLE_WORK_H
 
+#include "work.h"
 #include "particles/particle_bodies.h"
-#include "motion/work.h"
 
 enum particle_body_name { HUNG, LET_GO };
 struct particle_setting {

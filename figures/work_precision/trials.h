@@ -16,7 +16,7 @@
 #ifndef FIGURES_TRIALS_H
 #define FIGURES_TRIALS_H
 
-#include "motion/work.h"
+#include "work.h"
 
 enum { TRIALS_MOST = 500 };
 struct trials {

@@ -6,7 +6,8 @@
 # prints PROGRAM=OBJECT,OBJECT,... for each of the SOURCES that is a program's
 # file, one on a line; or for those of the FILES alone.  A header is named from
 # common/ (linear/matrix.h), from the top of the tree, or from the folder of the
-# file that includes it; its object is that of the C file beside it.
+# file that includes it (../ is the one above); its object is that of the C file
+# beside it.
 
 BEGIN { FS = "\"" }
 {
@@ -17,6 +18,7 @@ BEGIN { FS = "\"" }
 
 function resolved(file, used) {
     sub(/[^\/]*$/, "", file)
+    while (sub(/^\.\.\//, "", used)) sub(/[^\/]*\/$/, "", file)
     if ((file used) in is_header) return file used
     if (("common/" used) in is_header) return "common/" used
     return used

@@ -153,35 +153,10 @@ static void a_lattice_is_a_product(void)
     mesh_free(mesh);
 }
 
-/* u.Ku = factor (D.u)^2. */
-static void a_square_is_that_of_its_sum(void)
-{
-    struct mesh *mesh = mesh_square(N);
-    const double factor = 0.613;
-    for (int count = 4; count <= 6; count += 2) {
-        struct elements *elements = elements_alloc(mesh, 2);
-        double u[2 * N_VERTEX], Ku[2 * N_VERTEX], D[12], sum = 0.0, dot = 0.0;
-        int node[6];
-        quadratic_nodes(mesh, 5, node);
-        for (int r = 0; r < 2 * N_VERTEX; r++) u[r] = entropy(r);
-        for (int r = 0; r < 2 * count; r++) {
-            D[r] = entropy(100 + r);
-            sum += D[r] * u[2 * node[r / 2] + r % 2];
-        }
-        elements_square(elements, count, node, factor, D);
-        matrix_multiply(elements->K, u, Ku);
-        for (int r = 0; r < 2 * N_VERTEX; r++) dot += u[r] * Ku[r];
-        close_to(dot, factor * sum * sum, 1e-13);
-        elements_free(elements);
-    }
-    mesh_free(mesh);
-}
-
 UNIT_MAIN("elements",
     LAW(linear_triangles_are_those_of_the_body),
     LAW(an_element_goes_where_its_nodes_are),
     LAW(what_nothing_holds_is_not_solved),
     LAW(the_band_is_as_wide_as_its_elements),
     LAW(a_cell_has_its_triangles),
-    LAW(a_lattice_is_a_product),
-    LAW(a_square_is_that_of_its_sum))
+    LAW(a_lattice_is_a_product))

@@ -1,4 +1,5 @@
 /* integrate.c - laws of common/motion/model.h, integrate.h and user.h. */
+#include "figures/14_time_step/swing.h"
 #include "motion/integrate.h"
 #include "motion/user.h"
 
@@ -119,7 +120,7 @@ static void forces_are_the_slope_of_the_energy(void)
         memset(model->f, 0, (size_t)s.n * sizeof *model->f);
         memset(s.u, 0, (size_t)s.n * sizeof *s.u);
         close_to(model_energy(model, s.u, s.v),
-                 0.5 * pow(model_norm(model, s.v), 2.0), 1e-12);
+                 0.5 * pow(swing_norm(model, s.v), 2.0), 1e-12);
         state_free(&s);
         forget(model);
     }
@@ -411,7 +412,7 @@ static void starts_are_at_rest_where_it_is_held(void)
 {
     struct model *model = square(4, CUBIC, LUMPED, 2);
     struct body *body = model->body;
-    struct state start[] = {state_ripple(model), state_swing(body, 0.3)};
+    struct state start[] = {state_ripple(model), swing_start(body, 0.3)};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < start[k].n; i++) {
             ck_assert(start[k].v[i] == 0.0);

@@ -1,5 +1,6 @@
 /* motion.c - quadratic triangles in motion: laws of model.h, integrate.h and
  * live.h. */
+#include "figures/14_time_step/swing.h"
 #include "motion/live.h"
 
 #include "unit.h"
@@ -102,7 +103,7 @@ static void one_percent_decides(void)
 /* u at t = 0.05 of a swing by so many steps. */
 static double *end_of(struct model *model, enum method method, int steps)
 {
-    struct state s = state_swing(model->body, 0.05);
+    struct state s = swing_start(model->body, 0.05);
     double *g = allocate((size_t)s.n, sizeof *g);
     double *u = allocate((size_t)s.n, sizeof *u);
     for (int k = 0; k < steps; k++)

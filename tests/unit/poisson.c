@@ -1,4 +1,7 @@
-/* poisson.c - laws of common/bar/poisson.h; GSL's quadrature is the judge. */
+/* poisson.c - laws of common/bar/poisson.h and of what lessons 07 and 08 make
+ * of it; GSL's quadrature is the judge. */
+#include "figures/07_poisson_bvp/fitted.h"
+#include "figures/08_element_assembly/exercise.h"
 #include "bar/poisson.h"
 
 #include "unit.h"
@@ -74,7 +77,7 @@ static void exercise_5_equals_the_oracle(void)
     for (int i = 0; i < 5; i++)
         close_to(b[i], oracle_bvp_u4_midpoint[i], 1e-14);
     matrix_free(A);
-    A = bvp_system(BANDED, 4, x, b); /* all of it at once */
+    A = exercise_system(BANDED, 4, x, b); /* all of it at once */
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, b);
     for (int i = 0; i < 5; i++)
@@ -200,7 +203,7 @@ static void assembly_starts_from_zero(void)
         double b[2][3];
         for (int k = 0; k < 2; k++) {
             if (fitted)
-                bvp_fitted_assemble(2, x, A, b[k]);
+                fitted_assemble(2, x, A, b[k]);
             else
                 poisson_assemble(2, x, smooth, bvp_f, &GAUSS2, A, b[k]);
             if (!first) first = matrix_copy(A);
@@ -242,7 +245,7 @@ static void loads_in_closed_form_equal_gsl(void)
             const double x[] = {0.3714, 0.3714 + h};
             double b[2];
             bvp_exact_load(1, x, b);
-            if (fitted) bvp_fitted_assemble(1, x, A, b);
+            if (fitted) fitted_assemble(1, x, A, b);
             for (int a = 0; a < 2; a++) {
                 struct tested t = {x[0], x[1], a, fitted};
                 gsl_function function = {tested_load, &t};
@@ -267,7 +270,7 @@ static void the_fitted_system_is_exact_at_the_nodes(void)
     double x[n + 1], u[n + 1];
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     poisson_grid(0.0, 1.0, n, 2.385, x);
-    bvp_fitted_assemble(n, x, A, u);
+    fitted_assemble(n, x, A, u);
     bvp_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, u);

@@ -1,5 +1,6 @@
 /* robustness.c - laws of failure: where the step of step.h fails, and what
  * cures it. */
+#include "figures/robustness/first_step.h"
 #include "plane/scene.h"
 
 #include "../oracle/robustness.h"
@@ -192,7 +193,7 @@ static struct rest unscramble(const char *method, enum law law,
     struct scene_setting set = scene_notes(reading, law, 4);
     set.rho = set.force = 0.0;
     struct scene *s = scene_alloc(&set);
-    scene_scatter(s, seed, 4.0 * 0.5);
+    first_scatter(s, seed, 4.0 * 0.5);
     const struct step_report report =
         step_solve(s->body, &control, at_rest(NULL), s->u);
     struct rest end = {.status = report.status,
@@ -274,7 +275,7 @@ static void a_report_counts_its_systems(void)
     for (int seed = 1; seed <= 20; seed++) {
         const struct scene_setting set = scene_notes(RIGID, CUBIC, 4);
         struct scene *s = scene_alloc(&set);
-        scene_scatter(s, seed, 0.1 * seed);
+        first_scatter(s, seed, 0.1 * seed);
         const struct incremental Phi = {1.0, s->v, NULL};
         body_assemble(s->body, Phi, s->u, EXACT, s->g);
         const int due = matrix_factor(s->body->K) != OK;
@@ -356,7 +357,30 @@ static void reasons_are_words(void)
     ck_assert_str_eq(step_reason(&search, NOT_SPD), "NOT_SPD");
 }
 
+/* Within reach, both ways, and the same again; the held vertices stay. */
+static void scattered_vertices_stay_within_reach(void)
+{
+    const struct scene_setting set = scene_notes(GRAVITY, CUBIC, 6);
+    struct scene *s = scene_alloc(&set);
+    double first[2 * 7 * 7], least = 0.0, most = 0.0;
+    first_scatter(s, 3, 0.25);
+    memcpy(first, s->u, sizeof first);
+    for (int r = 0; r < s->n_dof; r++) {
+        if (s->held[r / 2]) ck_assert_double_eq(first[r], 0.0);
+        least = fmin(least, first[r]);
+        most = fmax(most, first[r]);
+    }
+    ck_assert(least > -0.25 && least < -0.2 && most > 0.2 && most < 0.25);
+    first_scatter(s, 4, 0.25);
+    ck_assert(s->u[s->n_dof - 1] != first[s->n_dof - 1]);
+    first_scatter(s, 3, 0.25);
+    for (int r = 0; r < s->n_dof; r++)
+        ck_assert_double_eq(s->u[r], first[r]);
+    scene_free(s);
+}
+
 UNIT_MAIN("robustness",
+    LAW(scattered_vertices_stay_within_reach),
     LAW(first_steps_end_as_the_oracle_says),
     LAW(refinement_alone_makes_the_step_fail),
     LAW(limit_is_a_jump_of_one_triangle),

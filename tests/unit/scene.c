@@ -229,28 +229,6 @@ static void a_step_that_fails_is_not_counted(void)
     scene_free(scene);
 }
 
-/* Within reach, both ways, and the same again; the held vertices stay. */
-static void scattered_vertices_stay_within_reach(void)
-{
-    struct scene *scene = scene_of(GRAVITY, CUBIC, 6);
-    double *first = vector(scene, 0.0), least = 0.0, most = 0.0;
-    scene_scatter(scene, 3, 0.25);
-    memcpy(first, scene->u, (size_t)scene->n_dof * sizeof *first);
-    for (int r = 0; r < scene->n_dof; r++) {
-        if (scene->held[r / 2]) ck_assert_double_eq(first[r], 0.0);
-        least = fmin(least, first[r]);
-        most = fmax(most, first[r]);
-    }
-    ck_assert(least > -0.25 && least < -0.2 && most > 0.2 && most < 0.25);
-    scene_scatter(scene, 4, 0.25);
-    ck_assert(scene->u[scene->n_dof - 1] != first[scene->n_dof - 1]);
-    scene_scatter(scene, 3, 0.25);
-    for (int r = 0; r < scene->n_dof; r++)
-        ck_assert_double_eq(scene->u[r], first[r]);
-    free(first);
-    scene_free(scene);
-}
-
 /* An affine map: the same J everywhere, and corners where the map puts them. */
 static void triangles_are_where_the_map_puts_them(void)
 {
@@ -525,7 +503,6 @@ UNIT_MAIN("scene",
     LAW(measures_are_the_integrals),
     LAW(gravity_pulls_downwards),
     LAW(a_step_that_fails_is_not_counted),
-    LAW(scattered_vertices_stay_within_reach),
     LAW(triangles_are_where_the_map_puts_them),
     LAW(every_scene_has_its_word),
     LAW(force_and_stiffness_are_derivatives),

@@ -1,5 +1,6 @@
 /* sparse.c - laws of dissection.h, sparse.h and the sparse storage of matrix.h,
  * body.h and step.h; dense storage and the band are the judges. */
+#include "figures/robustness/first_step.h"
 #include "linear/front.h"
 #include "linear/matrix.h"
 #include "linear/refine.h"
@@ -784,7 +785,7 @@ static void an_indefinite_step_is_the_same_too(void)
         body_store(s[1]->body, SPARSE);
         for (int k = 0; k < 2; k++) {
             double w[98] = {0.0};
-            scene_scatter(s[k], 3, 0.3);
+            first_scatter(s[k], 3, 0.3);
             control.max_iterations = 3;
             const struct incremental Phi = {1.0, w, s[k]->f};
             report[k] = step_solve(s[k]->body, &control, Phi, s[k]->u);

@@ -1,4 +1,6 @@
-/* steps.c - laws of particle_step.h and particle_bodies.h. */
+/* steps.c - laws of particle_step.h and particle_bodies.h, and of lesson 20's
+ * free_bar.h. */
+#include "figures/20_mpm_implicit/free_bar.h"
 #include "particles/particle_bodies.h"
 
 #include "../oracle/particle_step.h"
@@ -91,11 +93,11 @@ static void critical_steps_are_the_oracles(void)
     const struct material material = material_notes(CUBIC);
     const double c = sqrt(material_modulus(&material));
     for (int k = 0; k < COUNT(oracle_critical); k++) {
-        struct cloud bar =
-            cloud_outlying(oracle_critical[k].order, oracle_critical[k].eps);
+        struct cloud bar = free_bar_outlying(oracle_critical[k].order,
+                                             oracle_critical[k].eps);
         const struct particle_body body = {bar.grid, bar.p, material, NULL};
         ck_assert_int_eq(grid_p2g(bar.grid, bar.p), OK);
-        close_to(2.0 / particle_frequency(&body) * c / 0.125 /
+        close_to(2.0 / free_bar_frequency(&body) * c / 0.125 /
                      oracle_critical[k].grid, 1.0, 1e-8);
         cloud_free(bar);
     }
@@ -278,8 +280,8 @@ static void small_steps_are_explicit(void)
 static void bodies_are_what_they_say(void)
 {
     const double pi = acos(-1.0), h = 0.125, e = 1e-6;
-    struct cloud ring = cloud_ringing(2, 8, 3.85, APIC);
-    struct cloud flip = cloud_ringing(2, 8, 3.85, FLIP);
+    struct cloud ring = free_bar_ringing(2, 8, 3.85, APIC);
+    struct cloud flip = free_bar_ringing(2, 8, 3.85, FLIP);
     const double X = ring.p->x[6] - 0.5003;
     close_to(ring.p->x[0], 0.5003 + h / 4.0, 1e-14);
     close_to(ring.grid->origin[0], -2.0 * h, 1e-15);
@@ -295,7 +297,7 @@ static void bodies_are_what_they_say(void)
     for (double eps = 0.9; eps > 1e-14; eps *= 0.0613) /* to the last digit */
         for (int order = 1; order <= 3; order++) {
             const double last = (order == 2 ? 9.5 : 9.0) + eps;
-            struct cloud out = cloud_outlying(order, eps);
+            struct cloud out = free_bar_outlying(order, eps);
             for (int q = 0; q < 16; q++)
                 close_to(out.p->x[2 * q] / h, last - 0.5 * (15 - q), 0x1p-60);
             cloud_free(out);

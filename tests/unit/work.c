@@ -1,5 +1,4 @@
-/* work.c - laws of common/motion/work.h, and of trials.h of
- * figures/work_precision/. */
+/* work.c - laws of work.h and trials.h of figures/work_precision/. */
 #include "base/study.h"
 #include "base/table.h"
 #include "figures/work_precision/trials.h"

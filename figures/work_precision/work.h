@@ -20,8 +20,8 @@
  * end at the vertices that all meshes share, and settings are compared by
  * them [eq:error-parts].
  */
-#ifndef COMMON_WORK_H
-#define COMMON_WORK_H
+#ifndef FIGURES_WORK_H
+#define FIGURES_WORK_H
 
 #include "motion/integrate.h"
 #include "plane/scene.h"

@@ -1,5 +1,5 @@
 /* work.c - see work.h. */
-#include "motion/work.h"
+#include "work.h"
 
 #include "base/clock.h"
 #include "plane/triangles.h"

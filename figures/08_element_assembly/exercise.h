@@ -1,0 +1,14 @@
+/*
+ * exercise.h - the system of the exercise of poisson.h on n equal elements.
+ */
+#ifndef FIGURES_EXERCISE_H
+#define FIGURES_EXERCISE_H
+
+#include "linear/matrix.h"
+
+/* Set the nodes x[0..n], b[0..n] by the midpoint rule, and A, for the caller to
+ * free; with the boundary conditions. */
+struct matrix *exercise_system(enum storage storage, int n, double x[],
+                               double b[]);
+
+#endif
