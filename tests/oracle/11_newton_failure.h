@@ -88,9 +88,6 @@ static const struct {
                      {0.0713, 0.0, 0.0, 0.0},
                      {0.1, 0.0, 0.0, 0.0},
                      {0.3, 0.0, 0.0, 0.0}};
-static const double oracle_cubic_tangent = 0.07122204419107983; /* nu */
-static const double oracle_cubic_rest = 0.02839464212815832;
-static const double oracle_log_tangent = 0.4884056190985674;
 /* p = 0, cubic, small nu: start -> the rest state that Newton finds */
 static const struct {
     double nu, start, F;

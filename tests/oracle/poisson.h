@@ -59,17 +59,11 @@ static const struct oracle_bvp oracle_bvp_exact_load[] = {
 static const double oracle_bvp_u4_midpoint[] = {
     1.0, 0.9770627787514604, 0.9283175732611818, 0.869617325448508,
     0.8076913995225821};
-static const double oracle_bvp_u4_exact_load[] = {
-    1.0, 0.9761276011681864, 0.9269069152001534, 0.8679227181707739,
-    0.8058061275705194};
 static const double oracle_bvp_A4[] = { /* before any correction */
     4.5, -4.5, 0, 0, 0, -4.5, 10, -5.5, 0, 0, 0, -5.5, 12, -6.5, 0,
     0, 0, -6.5, 14, -7.5, 0, 0, 0, -7.5, 7.5};
 static const double oracle_bvp_b4_midpoint[] = {
     0.09876543209876543, 0.16488113457810427, 0.11345298058584771,
     0.08289283366206443, -0.46444444444444444};
-static const double oracle_bvp_b4_exact_load[] = {
-    0.10742579474316098, 0.16328797808102052, 0.11268350786678528,
-    0.08247714881094273, -0.4658744295019095};
 
 #endif

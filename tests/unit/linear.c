@@ -1,6 +1,5 @@
-/* linear.c - laws of bar_scene.h for the linear bar, and how wrong it is. */
+/* linear.c - laws of bar_scene.h for the linear bar, and of the hanging one. */
 #include "bar/bar_scene.h"
-#include "figures/11_newton_failure/element.h"
 
 #include "unit.h"
 
@@ -63,22 +62,6 @@ static void a_free_bar_starts_at_zero(void)
     close_to(u, (s.pull[1] + s.c / 2) / material_modulus(&s.material), 1e-12);
 }
 
-/* Constant modulus and midpoint loads of a constant force: nodally exact. */
-static void nodal_values_are_exact(void)
-{
-    for (int k = 0; k < 3; k++) {
-        const struct bar_scene s = scene_of(UNIFORM, k != 1, k != 0);
-        struct bar_state *state = bar_scene_solve(&s, NULL);
-        ck_assert_int_eq(state->report.status, OK);
-        for (int i = 0; i <= s.n; i++) {
-            double P;
-            close_to(state->u[i], bar_scene_exact(&s, (double)i / s.n, &P),
-                     1e-14);
-        }
-        bar_state_free(state);
-    }
-}
-
 static void hanging_bar_is_the_oracles(void)
 {
     for (int k = 0; k < COUNT(oracle_hanging); k++)
@@ -94,29 +77,7 @@ static void hanging_bar_is_the_oracles(void)
         }
 }
 
-/* The relative error of linear elasticity at the oracle's strains and loads. */
-static void linear_law_is_wrong_by_the_oracles(void)
-{
-    const struct newton_control control = {1e-13, 60, 0, 0};
-    for (int k = 0; k < 6; k++) {
-        const struct material m = material_notes(k / 3 ? CUBIC : LOG);
-        const double modulus = material_modulus(&m);
-        const double percent = oracle_model_error[k / 3][k % 3].percent;
-        const double *number = &oracle_model_error[k / 3][k % 3].strain_t;
-        for (int c = 0; c < 4; c++) {
-            const double e =
-                c < 2 ? number[c]
-                      : element_newton(&m, number[c], 1.0, &control).F - 1.0;
-            const double P = material1_pk1(&m, 1.0 + e);
-            const double ratio = c < 2 ? modulus * e / P : P / (modulus * e);
-            close_to(100.0 * fabs(ratio - 1.0), percent, 1e-8);
-        }
-    }
-}
-
 UNIT_MAIN("linear",
     LAW(exact_solution_solves_the_problem),
     LAW(a_free_bar_starts_at_zero),
-    LAW(nodal_values_are_exact),
-    LAW(hanging_bar_is_the_oracles),
-    LAW(linear_law_is_wrong_by_the_oracles))
+    LAW(hanging_bar_is_the_oracles))

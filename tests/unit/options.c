@@ -1,7 +1,6 @@
-/* options.c - laws of common/base/options.h, status.h and clock.h. */
+/* options.c - laws of common/base/options.h and status.h. */
 #include "base/options.h"
 
-#include "base/clock.h"
 #include "base/status.h"
 #include "unit.h"
 
@@ -146,28 +145,6 @@ static void help_lists_the_options(void)
     ck_assert_ptr_nonnull(strstr(outcome_of(parse_given_line).out, "[7]"));
 }
 
-static void call_todo(void)
-{
-    todo("7a", 3, 2.385);
-}
-
-static void todo_names_its_slot(void)
-{
-    const struct outcome end = outcome_of(call_todo);
-    ck_assert_int_eq(end.status, 3);
-    ck_assert_str_eq(end.err, "unfinished: slot 7a is not written yet\n");
-}
-
-static void call_die(void) { die("%d is not %s", 7, "eight"); }
-
-static void death_is_one_line_and_status_1(void)
-{
-    const struct outcome end = outcome_of(call_die);
-    ck_assert_int_eq(end.status, 1);
-    ck_assert_str_eq(end.out, "");
-    ck_assert_str_eq(end.err, "error: 7 is not eight\n");
-}
-
 static void ask_for_too_much(void)
 {
     volatile size_t n = SIZE_MAX / 8;
@@ -202,23 +179,10 @@ static void statuses_have_names(void)
     ck_assert_str_eq(status_name(OUTSIDE), "OUTSIDE");
 }
 
-static void clock_moves_and_machine_has_a_name(void)
-{
-    char machine[256] = "";
-    const double start = clock_seconds();
-    while (clock_seconds() == start) continue;
-    ck_assert(clock_seconds() > start);
-    clock_machine(sizeof machine, machine);
-    ck_assert(strlen(machine) > 8 && !strchr(machine, '\n'));
-}
-
 UNIT_MAIN("options",
     LAW(values_are_set),
     LAW(bad_input_is_one_line_and_status_2),
     LAW(message_names_option_value_and_range),
     LAW(help_lists_the_options),
-    LAW(todo_names_its_slot),
-    LAW(death_is_one_line_and_status_1),
     LAW(no_memory_is_said),
-    LAW(statuses_have_names),
-    LAW(clock_moves_and_machine_has_a_name))
+    LAW(statuses_have_names))
