@@ -100,20 +100,6 @@ static void errors_equal_the_oracles(void)
     }
 }
 
-static void second_order_in_L2_on_an_unequal_grid(void)
-{
-    double error[2];
-    for (int k = 0; k < 2; k++) {
-        const int n = 40 << k;
-        double x[81], u[81];
-        poisson_grid(0.0, 1.0, n, 2.385, x);
-        solve_exercise(n, x, &GAUSS2, u);
-        error[k] =
-            poisson_errors(n, x, u, bvp_beta, bvp_exact, bvp_exact_dx).L2;
-    }
-    close_to(log2(error[0] / error[1]), 2.0, 0.02);
-}
-
 /* u = x, u_h = 0: the energy error is (int beta)^(1/2) exactly. */
 static double identity(double x)
 {
@@ -147,24 +133,6 @@ static void element_load_converges_to_gsl(void)
     close_to(r[1], want, 1e-8); /* h^5 / 4320 (f e_1)'''' is 5e-9 */
     close_to(K[0][0], 1.325 / 0.03, 1e-12);
     ck_assert(K[0][0] == -K[0][1] && K[0][1] == K[1][0]);
-}
-
-static void rows_sum_to_zero_and_loads_to_the_integral(void)
-{
-    double x[8], b[8], sum = 0.0, total = 0.0;
-    struct matrix *A = matrix_alloc(BANDED, 8, 1);
-    poisson_grid(0.0, 1.0, 7, 3.714, x);
-    poisson_assemble(7, x, smooth, bvp_f, &MIDPOINT, A, b);
-    for (int i = 0; i < 8; i++) {
-        double row = 0.0;
-        for (int j = 0; j < 8; j++) row += matrix_get(A, i, j);
-        close_to(row, 0.0, 1e-13);
-        sum += b[i];
-    }
-    for (int j = 0; j < 7; j++)
-        total += (x[j + 1] - x[j]) * bvp_f(0.5 * (x[j] + x[j + 1]));
-    close_to(sum, total, 1e-15);
-    matrix_free(A);
 }
 
 /* u' is the derivative of u and -(beta u')' is f, by central differences. */
@@ -283,10 +251,8 @@ UNIT_MAIN("poisson",
     LAW(rules_have_their_degree),
     LAW(exercise_5_equals_the_oracle),
     LAW(errors_equal_the_oracles),
-    LAW(second_order_in_L2_on_an_unequal_grid),
     LAW(energy_is_weighted_with_beta),
     LAW(element_load_converges_to_gsl),
-    LAW(rows_sum_to_zero_and_loads_to_the_integral),
     LAW(loads_in_closed_form_equal_gsl),
     LAW(the_fitted_system_is_exact_at_the_nodes),
     LAW(given_problems_solve_their_equation),
