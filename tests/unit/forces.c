@@ -69,18 +69,6 @@ static int node_at(const int cell[2])
     return (cell[1] + 2) * 11 + cell[0] + 2;
 }
 
-/* The oracle's places of the node (2, 2), and no node goes far. */
-static void nodes_are_shaken_as_the_oracles(void)
-{
-    struct scene s = seven(2, CUBIC);
-    const int a = node_at((int[]){2, 2});
-    close_to(2 * H + s.u[2 * a], 0.7117062685827552, 1e-15);
-    close_to(2 * H + s.u[2 * a + 1], 0.7273313924677899, 1e-15);
-    for (int r = 0; r < DOF; r++)
-        ck_assert_double_le(fabs(s.u[r]), 0.5 * 0.35 * H);
-    scene_free(&s);
-}
-
 /* Relative to forces of size 50 and entries of K of size 500; the oracle has 16
  * digits, and sums of ten terms lose two of them. */
 static void forces_are_the_oracles(void)
@@ -319,44 +307,6 @@ static void a_tangent_of_ones_own_is_used(void)
     scene_free(&s);
 }
 
-/* Particles at the middles of linear cells are linear elements with one Gauss
- * point: f = P(F) across the cell, and K its slope over h. */
-static void a_bar_has_the_elements_forces(void)
-{
-    const double low[2] = {0.0, -0.5}, high[2] = {8 * H, 0.5};
-    const int nodes[2] = {9, 1}, count[2] = {8, 1};
-    for (enum law law = LINEAR; law <= CUBIC; law++) {
-        const struct material m = material_notes(law);
-        struct grid *grid = grid_alloc(1, low, H, nodes);
-        struct particles *p = particles_box(low, high, count, 1.0);
-        const struct particle_body body = {
-            .grid = grid, .particles = p, .material = m};
-        double u[18], w[18], f[18], Kw[18];
-        grid_shake(grid, 0.8 * H, u);
-        for (int r = 0; r < 18; r++) u[r] = r % 2 ? 0.0 : u[r];
-        for (int r = 0; r < 18; r++) w[r] = r % 2 ? 0.0 : u[(5 * r + 4) % 18];
-        ck_assert(particle_force(&body, u, f) == OK);
-        ck_assert(times(&body, u, w, Kw) == OK);
-        double before = 0.0, change = 0.0;
-        for (int a = 0; a <= 8; a++) {
-            double after = 0.0, turn = 0.0;
-            if (a < 8) {
-                const double F = 1.0 + (u[2 * a + 2] - u[2 * a]) / H;
-                after = material1_pk1(&m, F);
-                turn = material1_dpk1(&m, F) * (w[2 * a + 2] - w[2 * a]) / H;
-            }
-            close_to(f[2 * a], after - before, 1e-11);
-            close_to(Kw[2 * a], change - turn, 1e-10);
-            close_to(f[2 * a + 1], 0.0, 1e-300);
-            close_to(Kw[2 * a + 1], 0.0, 1e-300);
-            before = after;
-            change = turn;
-        }
-        grid_free(grid);
-        particles_free(p);
-    }
-}
-
 static void failures_are_named(void)
 {
     struct scene s = seven(2, LOG);
@@ -409,7 +359,6 @@ static void failures_are_named(void)
 }
 
 UNIT_MAIN("forces",
-    LAW(nodes_are_shaken_as_the_oracles),
     LAW(forces_are_the_oracles),
     LAW(forces_balance),
     LAW(slopes_agree),
@@ -418,5 +367,4 @@ UNIT_MAIN("forces",
     LAW(a_stretched_bar_is_the_oracles),
     LAW(the_matrix_is_folded),
     LAW(a_tangent_of_ones_own_is_used),
-    LAW(a_bar_has_the_elements_forces),
     LAW(failures_are_named))

@@ -40,22 +40,6 @@ static void weights_reproduce_one_and_x(void)
         }
 }
 
-static void weights_are_the_oracles(void)
-{
-    const double h = 0.125; /* a power of 2: x / h is the oracle's place */
-    for (int k = 0; k < COUNT(oracle_weights); k++) {
-        double w[ORDER_MAX + 1], dw[ORDER_MAX + 1];
-        const int order = oracle_weights[k].order;
-        ck_assert_int_eq(
-            kernel_weights(order, h, h * oracle_weights[k].s, w, dw),
-            oracle_weights[k].first);
-        for (int q = 0; q <= order; q++) {
-            close_to(w[q], oracle_weights[k].w[q], 1e-15);
-            close_to(h * dw[q], oracle_weights[k].dw[q], 1e-15);
-        }
-    }
-}
-
 /* Seven particles, or the same on a bar, and a grid that has room for them. */
 struct scene {
     struct grid *grid;
@@ -120,29 +104,6 @@ static void a_support_reproduces_affine_fields(void)
     }
 }
 
-/* Every single gradient, not only sums: central differences of h 1e-5, whose
- * error is 1e-10 times the third derivative, and round-off 1e-11. */
-static void gradients_are_slopes_of_the_weights(void)
-{
-    for (int order = 1; order <= ORDER_MAX; order++) {
-        struct scene scene = seven(order, 10, 0);
-        for (int k = 0; k < 2; k++) {
-            struct support s, plus, minus;
-            const double step = 1e-5 * oracle_h;
-            double x[2] = {oracle_x[3][0], oracle_x[3][1]};
-            ck_assert(grid_support(scene.grid, x, &s) == OK);
-            x[k] += step;
-            ck_assert(grid_support(scene.grid, x, &plus) == OK);
-            x[k] -= 2.0 * step;
-            ck_assert(grid_support(scene.grid, x, &minus) == OK);
-            for (int i = 0; i < s.n; i++)
-                close_to(s.gradient[i][k],
-                         (plus.w[i] - minus.w[i]) / (2.0 * step), 1e-8);
-        }
-        scene_free(scene);
-    }
-}
-
 /* Beyond the nodes of any side by the smallest step, and not before. */
 static void outside_is_named(void)
 {
@@ -170,22 +131,6 @@ static void outside_is_named(void)
     }
 }
 
-/* One cell: the smallest grid of the linear kernel. */
-static void a_cell_has_four_nodes(void)
-{
-    const double origin[2] = {0.0, 0.0}, x[2] = {0.25, 0.375};
-    const int nodes[2] = {2, 2};
-    struct grid *grid = grid_alloc(1, origin, 1.0, nodes);
-    struct support s;
-    ck_assert(grid_support(grid, x, &s) == OK);
-    ck_assert_int_eq(s.n, 4);
-    close_to(s.w[0], 0.75 * 0.625, 1e-15);
-    close_to(s.w[3], 0.25 * 0.375, 1e-15);
-    grid_free(grid);
-    grid_free(NULL);
-    particles_free(NULL);
-}
-
 static void a_period_leads_around(void)
 {
     const double origin[2] = {-0.5, 0.25}, h = 0.125;
@@ -208,44 +153,6 @@ static void a_period_leads_around(void)
             }
         }
         grid_free(grid);
-    }
-}
-
-/* The first components of a bar know nothing of the second ones. */
-static void a_bar_is_a_grid_of_one_row(void)
-{
-    for (int order = 1; order <= ORDER_MAX; order++) {
-        struct scene scene = seven(order, 1, 1);
-        double mass = 0.0, y[ORACLE_PARTICLES];
-        for (int q = 0; q < ORACLE_PARTICLES; q++) {
-            y[q] = scene.p->x[2 * q + 1];
-            scene.p->F[q] = mat2_identity();
-        }
-        ck_assert(grid_p2g(scene.grid, scene.p) == OK);
-        for (int a = 0; a < scene.grid->n_node; a++) {
-            double w[ORDER_MAX + 1], dw[ORDER_MAX + 1], m = 0.0, mv = 0.0;
-            for (int q = 0; q < ORACLE_PARTICLES; q++) {
-                const double s = oracle_x[q][0] / oracle_h + 2.0;
-                const int i = a - kernel_weights(order, 1.0, s, w, dw);
-                if (i < 0 || i > order) continue;
-                m += oracle_m[q] * w[i];
-                mv += oracle_m[q] * w[i] *
-                      (oracle_v[q][0] +
-                       oracle_C[q][0] * oracle_h * ((double)a - s));
-            }
-            close_to(scene.grid->mass[a], m, 1e-15);
-            close_to(m * scene.grid->v[2 * a], mv, 1e-14);
-            scene.grid->next[2 * a + 1] = 0.0;
-            mass += m;
-        }
-        close_to(mass, particles_moments(scene.p).mass, 1e-14);
-        ck_assert(grid_g2p(scene.grid, APIC, oracle_dt, scene.p) == OK);
-        for (int q = 0; q < ORACLE_PARTICLES; q++) {
-            ck_assert(scene.p->x[2 * q + 1] == y[q]);
-            ck_assert(scene.p->F[q].m[1][1] == 1.0);
-            ck_assert(scene.p->F[q].m[0][1] == 0.0);
-        }
-        scene_free(scene);
     }
 }
 
@@ -345,21 +252,6 @@ static void F_follows_the_grid(void)
                  scene.p->F[0],
                  mat2_add(mat2_identity(), mat2_scale(oracle_dt, G)))),
              0.0, 1e-14);
-    scene_free(scene);
-}
-
-static void a_particle_outside_stops_a_transfer(void)
-{
-    struct scene scene = seven(2, 10, 0);
-    scene.p->x[9] = 40.0;
-    ck_assert(grid_p2g(scene.grid, scene.p) == OUTSIDE);
-    ck_assert(grid_g2p(scene.grid, PIC, 0.1, scene.p) == OUTSIDE);
-    ck_assert(particles_turn(scene.p, scene.grid, A, 1.0, A) == OUTSIDE);
-    scene.p->x[9] = NAN;
-    ck_assert(grid_p2g(scene.grid, scene.p) == NONFINITE);
-    ck_assert_str_eq(transfer_name(PIC), "PIC");
-    ck_assert_str_eq(transfer_name(FLIP), "FLIP");
-    ck_assert_str_eq(transfer_name(APIC), "APIC");
     scene_free(scene);
 }
 
@@ -503,18 +395,13 @@ static void a_cloud_is_ready_to_go(void)
 
 UNIT_MAIN("particles",
     LAW(weights_reproduce_one_and_x),
-    LAW(weights_are_the_oracles),
     LAW(a_support_reproduces_affine_fields),
-    LAW(gradients_are_slopes_of_the_weights),
     LAW(outside_is_named),
-    LAW(a_cell_has_four_nodes),
     LAW(a_period_leads_around),
-    LAW(a_bar_is_a_grid_of_one_row),
     LAW(seven_are_the_oracles),
     LAW(nodes_are_the_oracles),
     LAW(transfers_are_the_oracles),
     LAW(F_follows_the_grid),
-    LAW(a_particle_outside_stops_a_transfer),
     LAW(a_box_is_filled),
     LAW(a_wave_is_filtered_as_predicted),
     LAW(the_disc_is_the_oracles),
