@@ -60,34 +60,6 @@ static const struct {
                     {1e-8, 0.9502174189773132, -1101193119843.4058},
                     {1e-12, 0.9658676136007543, -1.6325589105343394e+16}};
 
-/* u(0, t) = sin t, t to 6.3; iterations -1: the log law fails at time fails */
-static const struct {
-    int n; /* elements */
-    double dt, largest_step;
-    int cubic, log;
-    double fails;
-} oracle_example[] = {
-    {10, 0.001, 0.0099999995404088, 4, 4, 0},
-    {10, 0.01, 0.09999941867908164, 5, 5, 0},
-    {10, 0.1, 0.9995480586087058, 8, 18, 0},
-    {10, 0.5, 4.945354862867413, 13, -1, 0.5},
-    {100, 0.001, 0.09999999540408801, 5, 5, 0},
-    {100, 0.01, 0.9999941867908165, 8, 25, 0},
-    {100, 0.1, 9.995480586087057, 16, -1, 0.1},
-    {100, 0.5, 49.453548628674135, 23, -1, 0.5},
-};
-
-/* Cubic law over nu: first zero of P' and its load; first P = 0 beyond 1. */
-static const struct {
-    double nu, F_limit, P_limit, F_rest;
-} oracle_giveup[] = {{0.0, 2.0, 500.0, 3.0},
-                     {0.02, 2.042543465461208, 508.011808124766,
-                      3.247084333702474},
-                     {0.03, 2.0697988139299643, 513.2302187045213, 0.0},
-                     {0.07, 2.3537589559378116, 551.0591523601666, 0.0},
-                     {0.0713, 0.0, 0.0, 0.0},
-                     {0.1, 0.0, 0.0, 0.0},
-                     {0.3, 0.0, 0.0, 0.0}};
 /* p = 0, cubic, small nu: start -> the rest state that Newton finds */
 static const struct {
     double nu, start, F;
@@ -96,16 +68,5 @@ static const struct {
                    {0.0, 6.0, 3.0},
                    {0.02, 2.1, 4.6995538937327135},
                    {0.02, 4.0, 1.0}};
-
-/* Ten elements, cubic, right end moved at once. */
-static const struct {
-    double nu, end;
-    int iterations;
-    double F_min, F_max;
-} oracle_localisation[] = {
-    {0.3, 1.0, 15, 2.0, 2.0},
-    {0.05, 1.0, 14, 1.8441962928506175, 3.402233364344437},
-    {0.05, 2.5, 17, 3.5, 3.5},
-};
 
 #endif

@@ -50,12 +50,6 @@ static const struct {
      0.9750631033460463, 0.9750660348599596},
 };
 
-/* Ends pushed together, u = (-X1 sin t, 0): the step in which plain Newton
- * fails. */
-static const struct {
-    int n, log, step;
-} oracle_press[] = {{4, 0, 33}, {8, 0, 23}, {8, 1, 18}};
-
 /*
  * Linear elasticity, clamped at X1 = -1, body force (0,-1): vertical
  * displacement of vertex (1,0) for n = 4, 8, 16, 32, and the reference, of

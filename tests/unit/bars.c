@@ -249,46 +249,6 @@ static void a_mirror_changes_nothing(void)
     }
 }
 
-/* Where the load is highest is where the residual is; before any step and after
- * one. */
-static void reports_are_newtons(void)
-{
-    enum { n = 6 };
-    for (int peak = 1; peak <= n; peak++)
-        for (int sign = -1; sign <= 1; sign += 2)
-            for (int steps = 0; steps <= 1; steps++) {
-                const struct newton_control control = {1e-11, steps, 0, 0};
-                double b[n + 1], u[n + 1];
-                struct newton_report want = {.status = OK};
-                for (int i = 0; i <= n; i++) b[i] = cos(2.385 * i);
-                b[peak] = 100.0 * sign;
-                const struct bar bar = {n, 1.0 / n, {1, 0}, b,
-                                        material_notes(CUBIC)};
-                for (int k = NEWTON; k < N_SOLVER; k++) {
-                    memset(u, 0, sizeof u);
-                    const struct newton_report got =
-                        solve(k, &bar, &control, u);
-                    if (k == NEWTON) want = got;
-                    ck_assert_int_eq(got.status, MAX_ITERATIONS);
-                    ck_assert_int_eq(got.iterations, steps);
-                    close_to(got.residual, want.residual, 1e-10);
-                    close_to(got.increment, want.increment, 1e-13);
-                }
-                if (!steps) close_to(want.residual, 100.0, 1e-12);
-                if (!steps) close_to(want.increment, 0.0, 1e-16);
-            }
-    /* nothing to do */
-    const double b[n + 1] = {0.0};
-    const struct bar bar = {n, 1.0 / n, {1, 0}, b, material_notes(CUBIC)};
-    const struct newton_control control = {1e-11, 9, 0, 0};
-    for (int k = NEWTON; k < N_SOLVER; k++) {
-        double u[n + 1] = {0.0};
-        const struct newton_report got = solve(k, &bar, &control, u);
-        ck_assert(got.status == OK && got.iterations == 0);
-        ck_assert(got.residual == 0.0 && got.increment == 0.0);
-    }
-}
-
 /* nu = 0: P = mu (2 e - e^2) is flat at e = 1.  At e = 1 - 2d the residual is
  * small, and still e is wrong by d: the solution is 1 - d. */
 static void a_small_residual_is_not_enough(void)
@@ -407,53 +367,6 @@ static void a_pivot_of_round_off_is_reported_at_each_end(void)
         }
 }
 
-/* nu = 0: P' = 0 in the element that is twice as long, wherever it is. */
-static void no_stiffness_is_no_number_to_a_sweep(void)
-{
-    enum { n = 4 };
-    const struct newton_control control = {1e-10, 9, 0, 0};
-    for (int s = SWEEP; s <= TWO_SWEEPS; s++)
-        for (int ends = 1; ends < 4; ends++)
-            for (int flat = 1; flat <= n; flat++) {
-                const double b[n + 1] = {0.0};
-                const struct bar bar = {n, 1.0, {ends & 1, ends >> 1}, b,
-                                        material_make(CUBIC, 1000.0, 0.0)};
-                double u[n + 1] = {0.0};
-                for (int i = 1; i <= n; i++)
-                    u[i] = u[i - 1] + (i == flat ? 1.0 : 0.25);
-                ck_assert_int_eq(solve(s, &bar, &control, u).status, NONFINITE);
-            }
-}
-
-/* What the quick ones cannot do is a bug of the caller, case by case. */
-static int solver_given, case_given;
-static void ask_for_what_it_cannot(void)
-{
-    const double b[] = {0.0, 0.0, 1.0};
-    double u[3] = {0.0};
-    struct bar bar = {2, 0.5, {1, 0}, b, material_notes(CUBIC)};
-    struct newton_control control = {1e-10, 9, 0, 0};
-    if (case_given == 1) bar.material.law = LOG;
-    if (case_given == 2) control.line_search = 1;
-    if (case_given == 3) control.definite = 1;
-    if (case_given == 4) bar.held[0] = 0;
-    if (case_given == 5) bar.held[1] = 1;
-    if (case_given == 6) bar.n = 1;
-    solve(solver_given, &bar, &control, u);
-}
-
-static void the_quick_ones_refuse_what_they_cannot(void)
-{
-    for (solver_given = SWEEP; solver_given <= GSL; solver_given++)
-        for (case_given = 0; case_given <= 6; case_given++) {
-            const int can =
-                !case_given || (solver_given != GSL && case_given > 3);
-            const struct outcome end = outcome_of(ask_for_what_it_cannot);
-            ck_assert_int_eq(end.status, can ? 0 : -1);
-            ck_assert(can || strstr(end.err, "Assert"));
-        }
-}
-
 static void the_largest_free_entry_is_found(void)
 {
     enum { n = 4 };
@@ -494,21 +407,6 @@ static void a_pivot_of_zero_is_reported_by_gsl(void)
         ck_assert_int_eq(end.iterations, 0);
         ck_assert(end.residual > 1.0 && end.increment == 0.0);
         ck_assert(memcmp(before, u, sizeof u) == 0);
-    }
-}
-
-/* A step that is not finite is not made. */
-static void an_infinite_step_is_not_made(void)
-{
-    for (int n = 1; n <= 3; n++) {
-        double b[4] = {0.0}, u[4] = {0.0};
-        b[n] = 1.5e308;
-        const struct bar bar = {n, 1e4, {1, 0}, b, material_notes(LINEAR)};
-        const struct newton_control control = {1e-10, 9, 0, 0};
-        const struct newton_report report = bar_newton(&bar, &control, u, NULL);
-        ck_assert_int_eq(report.status, NONFINITE);
-        ck_assert_int_eq(report.iterations, 0);
-        for (int i = 0; i <= n; i++) ck_assert(u[i] == 0.0);
     }
 }
 
@@ -553,17 +451,13 @@ UNIT_MAIN("bars",
     LAW(history_has_the_failed_state),
     LAW(gsl_newton_is_newton),
     LAW(a_mirror_changes_nothing),
-    LAW(reports_are_newtons),
     LAW(a_small_residual_is_not_enough),
     LAW(a_small_increment_is_not_enough),
     LAW(what_round_off_cannot_move_is_stalled),
     LAW(no_tolerance_is_too_small),
     LAW(a_pivot_of_round_off_is_reported_at_each_end),
     LAW(a_pivot_of_round_off_is_reported),
-    LAW(no_stiffness_is_no_number_to_a_sweep),
-    LAW(the_quick_ones_refuse_what_they_cannot),
     LAW(the_largest_free_entry_is_found),
     LAW(a_pivot_of_zero_is_reported_by_gsl),
-    LAW(an_infinite_step_is_not_made),
     LAW(a_load_that_is_no_number_is_reported),
     LAW(a_load_of_ones_own_is_used))

@@ -711,18 +711,6 @@ static void projection_on_demand_survives_compression(void)
     ck_assert(demand.iterations < 600);
 }
 
-static void the_lift_cures_the_first_step(void)
-{
-    struct step_control lift = notes;
-    lift.lift = 1;
-    const struct scene scene = {60, 1, CUBIC, 0.0};
-    ck_assert_int_ne(play(scene, notes).last.status, OK);
-    const struct outcome_2d lifted = play(scene, lift);
-    ck_assert_int_eq(lifted.last.status, OK);
-    ck_assert_int_le(lifted.iterations, 5); /* 4 in the oracle */
-    close_to(lifted.min_J, 0.971701383059161, 1e-9); /* same source */
-}
-
 static void a_failed_step_changes_nothing(void)
 {
     struct body *body = body_of(mesh_square(8), LOG, CONSISTENT, 2);
@@ -825,7 +813,6 @@ UNIT_MAIN("body",
     LAW(the_best_guess_needs_one_factorisation_a_step),
     LAW(plain_newton_fails_where_the_oracle_says),
     LAW(projection_on_demand_survives_compression),
-    LAW(the_lift_cures_the_first_step),
     LAW(a_failed_step_changes_nothing),
     LAW(the_lift_carries_linear_fields),
     LAW(indefinite_systems_are_solved))

@@ -77,21 +77,6 @@ static void fastest_frequencies_are_the_oracles(void)
     model_free(mode);
 }
 
-/* The same limit in a stretched bar goes with the root of P'(F). */
-static void stretched_bars_are_the_oracles(void)
-{
-    const struct material cubic = material_notes(CUBIC);
-    const struct material log_ = material_notes(LOG);
-    const double c = sqrt(material_modulus(&cubic));
-    for (int k = 0; k < COUNT(oracle_stretched); k++) {
-        const double F = oracle_stretched[k].F;
-        close_to(c / sqrt(material1_dpk1(&cubic, F)), oracle_stretched[k].cubic,
-                 1e-12);
-        close_to(c / sqrt(material1_dpk1(&log_, F)), oracle_stretched[k].log,
-                 1e-12);
-    }
-}
-
 static struct model *some_model(int kind)
 {
     if (kind == 0) return model_mode(2.385);
@@ -278,28 +263,6 @@ static void invariants_are_kept(void)
 
 /* ---- integrate.h: the body ----------------------------------------------- */
 
-/* No stiffness and no load: u = u0 + t v0. */
-static void free_flight_is_exact(void)
-{
-    struct model *model = square(4, CUBIC, CONSISTENT, 2);
-    model->body->material.mu = model->body->material.lambda = 0.0;
-    double *g = allocate((size_t)model->n_dof, sizeof *g);
-    for (int m = 0; m < N_METHOD; m++) {
-        struct state s = a_state(model, 0.1), start = a_state(model, 0.1);
-        for (int k = 1; k <= 4; k++) {
-            ck_assert_int_eq(
-                integrate_step(model, (enum method)m, 0.02385, g, &s).status,
-                OK);
-            for (int i = 0; i < s.n; i++)
-                close_to(s.u[i], start.u[i] + 0.02385 * k * start.v[i], 1e-12);
-        }
-        state_free(&s);
-        state_free(&start);
-    }
-    free(g);
-    forget(model);
-}
-
 /*
  * Defects in units of momentum, of a nonlinear body whose right side moves:
  *
@@ -350,33 +313,6 @@ static void steps_satisfy_their_formulas(void)
     forget(model);
 }
 
-/* 0.99 of the critical step: an invariant bounds the energy by (1 + 0.99) /
- * (1 - 0.99).  1.01: the growth is that of the fastest mode. */
-static void one_percent_decides(void)
-{
-    struct model *model = square(8, CUBIC, LUMPED, 2);
-    for (double side = 0.99; side < 1.02; side += 0.02) {
-        struct state s = state_ripple(model);
-        const double dt = side * oracle_square[1].dt[1];
-        const double start = model_energy(model, s.u, s.v);
-        double E[301] = {1.0};
-        int k = 0;
-        while (k < 300 && E[k] < 1e8) {
-            integrate_step(model, SYMPLECTIC_EULER, dt, NULL, &s);
-            E[++k] = model_energy(model, s.u, s.v) / start;
-        }
-        if (side < 1.0) {
-            ck_assert(k == 300 && E[k] < 199.0);
-        } else {
-            const double due = 2.0 * acosh(2.0 * side * side - 1.0);
-            ck_assert(k > 20 && k < 200);
-            close_to(log(E[k] / E[k - 10]) / 10.0 / due, 1.0, 0.02);
-        }
-        state_free(&s);
-    }
-    forget(model);
-}
-
 /* A step that does not exist, and a state that is not finite. */
 static void a_failed_step_leaves_the_state(void)
 {
@@ -424,38 +360,6 @@ static void starts_are_at_rest_where_it_is_held(void)
     close_to(start[1].u[2 * 13], 0.4 * 0.3, 1e-15); /* X1 = 1/2 */
     for (int k = 0; k < 2; k++) state_free(&start[k]);
     forget(model);
-}
-
-/* [eq:bar-modes]: sin((2 k - 1) pi X / 2) at the nodes, orthogonal with half a
- * weight at the free end. */
-static void a_ripple_has_all_modes_and_is_small(void)
-{
-    enum { n = 9 };
-    struct model *model = model_bar(n, LUMPED);
-    struct state s = state_ripple(model);
-    double all = 0.0, largest = 0.0;
-    for (int j = 0; j < n; j++) {
-        all += (j < n - 1 ? 1.0 : 0.5) * s.u[j] * s.u[j];
-        largest = fmax(largest, fabs(s.u[j]));
-    }
-    close_to(largest, 1e-7, 1e-8);
-    for (int k = 1; k <= n; k++) {
-        double part = 0.0;
-        for (int j = 1; j <= n; j++)
-            part += (j < n ? 1.0 : 0.5) * s.u[j - 1] *
-                    sin((2 * k - 1) * M_PI_2 * j / n);
-        ck_assert_double_ge(part * part / (0.5 * n), 1e-4 * all);
-    }
-    state_free(&s);
-    forget(model);
-}
-
-static void every_method_has_its_word(void)
-{
-    ck_assert_str_eq(method_name(SYMPLECTIC_EULER), "symplectic");
-    ck_assert_str_eq(method_name(BACKWARD_EULER), "backward");
-    ck_assert_str_eq(method_name(IMPLICIT_MIDPOINT), "midpoint");
-    ck_assert_str_eq(method_name(BDF2), "bdf2");
 }
 
 /* ---- a frame ------------------------------------------------------------- */
@@ -592,7 +496,6 @@ static void the_end_of_each_motion_is_kept(void)
 
 UNIT_MAIN("integrate",
     LAW(fastest_frequencies_are_the_oracles),
-    LAW(stretched_bars_are_the_oracles),
     LAW(forces_are_the_slope_of_the_energy),
     LAW(acceleration_is_the_force_over_the_mass),
     LAW(newton_is_exact_at_every_step),
@@ -600,13 +503,9 @@ UNIT_MAIN("integrate",
     LAW(modes_lose_what_the_oracle_says),
     LAW(orders_and_constants_are_due),
     LAW(invariants_are_kept),
-    LAW(free_flight_is_exact),
     LAW(steps_satisfy_their_formulas),
-    LAW(one_percent_decides),
     LAW(a_failed_step_leaves_the_state),
     LAW(starts_are_at_rest_where_it_is_held),
-    LAW(a_ripple_has_all_modes_and_is_small),
-    LAW(every_method_has_its_word),
     LAW(frames_fall_back_or_keep_the_state),
     LAW(the_script_is_gone_through),
     LAW(the_end_of_each_motion_is_kept))

@@ -61,80 +61,6 @@ static void the_fastest_mode_is_that_of_the_matrices(void)
     forget(model);
 }
 
-static void acceleration_is_the_force_over_the_mass(void)
-{
-    struct model *model = square(6, LOG);
-    double *r = allocate((size_t)model->n_dof, sizeof *r);
-    for (int i = 0; i < model->n_dof; i++) r[i] = sin(1.0 + 2.3 * i);
-    model_accelerate(model, r);
-    for (int i = 0; i < model->n_dof; i++)
-        close_to(r[i] * model->body->rho * model->body->diagonal[i / 2],
-                 model->body->equation[i] < 0 ? 0.0 : sin(1.0 + 2.3 * i),
-                 1e-13);
-    free(r);
-    forget(model);
-}
-
-/* The energy of 400 explicit steps, over that at the start; infinite where they
- * leave the body. */
-static double growth(struct model *model, double part)
-{
-    const double dt = part * 2.0 / model_frequency(model);
-    struct state s = state_ripple(model);
-    const double start = model_energy(model, s.u, s.v);
-    double most = start;
-    for (int k = 0; k < 400; k++) {
-        if (integrate_step(model, SYMPLECTIC_EULER, dt, NULL, &s).status != OK)
-            most = INFINITY;
-        most = fmax(most, model_energy(model, s.u, s.v));
-    }
-    state_free(&s);
-    return most / start;
-}
-
-static void one_percent_decides(void)
-{
-    struct model *model = square(6, CUBIC);
-    ck_assert_double_lt(growth(model, 0.99), 50.0);
-    ck_assert_double_gt(growth(model, 1.01), 1e6);
-    forget(model);
-}
-
-/* u at t = 0.05 of a swing by so many steps. */
-static double *end_of(struct model *model, enum method method, int steps)
-{
-    struct state s = swing_start(model->body, 0.05);
-    double *g = allocate((size_t)s.n, sizeof *g);
-    double *u = allocate((size_t)s.n, sizeof *u);
-    for (int k = 0; k < steps; k++)
-        ck_assert_int_eq(
-            integrate_step(model, method, 0.05 / steps, g, &s).status, OK);
-    memcpy(u, s.u, (size_t)s.n * sizeof *u);
-    state_free(&s);
-    free(g);
-    return u;
-}
-
-static void implicit_orders_are_due(void)
-{
-    const double order[N_METHOD] = {
-        [BACKWARD_EULER] = 1.0, [IMPLICIT_MIDPOINT] = 2.0, [BDF2] = 2.0};
-    struct model *model = square(4, LOG);
-    for (int m = BACKWARD_EULER; m < N_METHOD; m++) {
-        double error[2] = {0.0, 0.0};
-        double *limit = end_of(model, IMPLICIT_MIDPOINT, 1600);
-        for (int k = 0; k < 2; k++) {
-            double *u = end_of(model, (enum method)m, 160 << k);
-            for (int i = 0; i < model->n_dof; i++)
-                error[k] = fmax(error[k], fabs(u[i] - limit[i]));
-            free(u);
-        }
-        free(limit);
-        close_to(log2(error[0] / error[1]), order[m], 0.25);
-    }
-    forget(model);
-}
-
 /* ---- live ---------------------------------------------------------------- */
 
 static struct live *live_of(int n, enum law law, enum method method,
@@ -250,9 +176,6 @@ static void log_protects_the_points_alone(void)
 
 UNIT_MAIN("motion",
     LAW(the_fastest_mode_is_that_of_the_matrices),
-    LAW(acceleration_is_the_force_over_the_mass),
-    LAW(one_percent_decides),
-    LAW(implicit_orders_are_due),
     LAW(e_changes_the_element),
     LAW(log_does_not_take_over_what_is_inverted),
     LAW(no_frame_is_lost),

@@ -53,43 +53,11 @@ static void first_steps_end_as_the_oracle_says(void)
     }
 }
 
-/* The same shift of 0.2 m, a mesh twice as fine. */
-static void refinement_alone_makes_the_step_fail(void)
-{
-    double min_J;
-    ck_assert_int_eq(shift(8, CUBIC, 0.8, "notes", &min_J).status, OK);
-    ck_assert_int_ne(shift(16, CUBIC, 1.6, "notes", &min_J).status, OK);
-    ck_assert_int_eq(shift(16, CUBIC, 1.6, "lift", &min_J).status, OK);
-}
-
-/* Bisection between 0.5, which converges, and 1.1, which does not. */
-static double threshold(int n, enum law law)
-{
-    double good = 0.5, bad = 1.1, unused;
-    while (bad - good > 0.004) {
-        const double jump = 0.5 * (good + bad);
-        if (shift(n, law, jump, "notes", &unused).status == OK)
-            good = jump;
-        else
-            bad = jump;
-    }
-    return good;
-}
-
-static void limit_is_a_jump_of_one_triangle(void)
-{
-    for (int n = 8; n <= 16; n *= 2) {
-        const double cubic = threshold(n, CUBIC), logarithm = threshold(n, LOG);
-        ck_assert(cubic > 0.90 && cubic < 0.97);
-        ck_assert(logarithm > 0.78 && logarithm < 0.90);
-    }
-}
-
 /* Steps of 1/30 s, until one fails. */
 struct run {
-    int steps, iterations;
+    int iterations;
     enum status status;
-    double energy, min_J;
+    double energy;
 };
 static struct run move_ends(enum reading reading, int n, enum law law,
                             int steps, const char *method)
@@ -103,23 +71,9 @@ static struct run move_ends(enum reading reading, int n, enum law law,
         run.iterations += report.iterations;
         run.status = report.status;
     }
-    run.steps = s->steps;
-    run.min_J = body_min_J(s->body, s->u);
     body_energy(s->body, s->u, &run.energy);
     scene_free(s);
     return run;
-}
-
-static void compression_ends_where_the_oracle_says(void)
-{
-    for (int k = 0; k < COUNT(oracle_press); k++) {
-        const enum law law = oracle_press[k].log ? LOG : CUBIC;
-        const struct run run = move_ends(COMPRESS, oracle_press[k].n, law, 60,
-                                         "notes");
-        ck_assert_int_ne(run.status, OK);
-        ck_assert_int_le(abs(run.steps + 1 - oracle_press[k].step), 1);
-        if (law == LOG) ck_assert(run.status == INVERTED && run.min_J > 0.0);
-    }
 }
 
 /* The same answers; for all 60 steps with n = 8 one takes 338 iterations, the
@@ -137,14 +91,6 @@ static void projecting_on_demand_is_several_times_cheaper(void)
         ck_assert_int_ge(every.iterations, 4 * demand.iterations);
         close_to(demand.energy, every.energy, 1e-6 * every.energy);
     }
-}
-
-/* The log law can not pass J = 0, whatever the solver. */
-static void log_law_is_never_inverted(void)
-{
-    const struct run run = move_ends(COMPRESS, 8, LOG, 60, "all");
-    ck_assert_int_eq(run.status, INVERTED);
-    ck_assert(run.steps > 18 && run.min_J > 0.0);
 }
 
 /* The same motion with fewer linear systems. */
@@ -179,18 +125,16 @@ static void first_increment_is_linear_elasticity(void)
 }
 
 /* Free vertices of n = 4 anywhere within 4 h, almost half of the triangles
- * inverted, both ends held (RIGID) or the left one (GRAVITY, which does not
- * pull); how the run from seed ends. */
+ * inverted, both ends held; how the run from seed ends. */
 struct rest {
     enum status status;
-    int iterations, spd;
-    double size, min_J;
+    int iterations;
+    double size;
 };
-static struct rest unscramble(const char *method, enum law law,
-                              enum reading reading, int seed)
+static struct rest unscramble(const char *method, enum law law, int seed)
 {
     const struct step_control control = step_method(method);
-    struct scene_setting set = scene_notes(reading, law, 4);
+    struct scene_setting set = scene_notes(RIGID, law, 4);
     set.rho = set.force = 0.0;
     struct scene *s = scene_alloc(&set);
     first_scatter(s, seed, 4.0 * 0.5);
@@ -199,11 +143,6 @@ static struct rest unscramble(const char *method, enum law law,
     struct rest end = {.status = report.status,
                        .iterations = report.iterations};
     for (int r = 0; r < s->n_dof; r++) end.size = fmax(end.size, fabs(s->u[r]));
-    end.min_J = body_min_J(s->body, s->u);
-    end.spd =
-        report.status == OK &&
-        body_assemble(s->body, at_rest(NULL), s->u, EXACT, s->g) == OK &&
-        matrix_factor(s->body->K) == OK;
     scene_free(s);
     return end;
 }
@@ -213,31 +152,16 @@ static void any_scramble_comes_to_rest(void)
     const char *const sound[] = {"demand+search", "always+search"};
     for (int seed = 1; seed <= 40; seed++) {
         for (int m = 0; m < COUNT(sound); m++) {
-            const struct rest end = unscramble(sound[m], CUBIC, RIGID, seed);
+            const struct rest end = unscramble(sound[m], CUBIC, seed);
             ck_assert_int_eq(end.status, OK);
             close_to(end.size, 0.0, 1e-8);
         }
-        ck_assert_int_ne(unscramble("notes", CUBIC, RIGID, seed).status, OK);
-        ck_assert_int_eq(unscramble("search", CUBIC, RIGID, seed).status,
+        ck_assert_int_ne(unscramble("notes", CUBIC, seed).status, OK);
+        ck_assert_int_eq(unscramble("search", CUBIC, seed).status,
                          NOT_SPD);
-        const struct rest none = unscramble("demand+search", LOG, RIGID, seed);
+        const struct rest none = unscramble("demand+search", LOG, seed);
         ck_assert(none.status == INVERTED && none.iterations == 0);
     }
-}
-
-/* With one end free there are stable states without an inverted triangle that
- * are not rest: of 40 runs some 18 end in one. */
-static void rest_is_not_the_only_answer(void)
-{
-    int other = 0;
-    for (int seed = 1; seed <= 40; seed++) {
-        const struct rest end =
-            unscramble("demand+search", CUBIC, GRAVITY, seed);
-        ck_assert_int_eq(end.status, OK);
-        ck_assert(end.spd && end.min_J > 0.0);
-        other += end.size > 0.1;
-    }
-    ck_assert(other > 5 && other < 35);
 }
 
 /* Systems are what is iterated; new factors for each, and once more where K is
@@ -382,15 +306,10 @@ static void scattered_vertices_stay_within_reach(void)
 UNIT_MAIN("robustness",
     LAW(scattered_vertices_stay_within_reach),
     LAW(first_steps_end_as_the_oracle_says),
-    LAW(refinement_alone_makes_the_step_fail),
-    LAW(limit_is_a_jump_of_one_triangle),
-    LAW(compression_ends_where_the_oracle_says),
     LAW(projecting_on_demand_is_several_times_cheaper),
-    LAW(log_law_is_never_inverted),
     LAW(extrapolation_saves_iterations),
     LAW(first_increment_is_linear_elasticity),
     LAW(any_scramble_comes_to_rest),
-    LAW(rest_is_not_the_only_answer),
     LAW(a_report_counts_its_systems),
     LAW(a_line_search_knows_the_forces),
     LAW(methods_are_what_their_names_say),

@@ -13,15 +13,6 @@
 #include <string.h>
 #include <time.h>
 
-static void a_norm_is_the_root_of_the_squares(void)
-{
-    const mat2 A = {{{1.0, -2.0}, {4.0, 10.0}}};
-    close_to(mat2_norm(A), 11.0, 1e-14);
-    close_to(mat2_norm(mat2_scale(-0.5, A)), 5.5, 1e-14);
-    close_to(mat2_norm(mat2_add(A, A)), 22.0, 1e-14);
-    close_to(mat2_norm(mat2_subtract(A, mat2_scale(3.0, A))), 22.0, 1e-14);
-}
-
 /* Between two looks at the system's clock, and the part below a second too. */
 static void seconds_are_those_of_the_system(void)
 {
@@ -84,16 +75,6 @@ static void every_clockwise_triangle_is_found(void)
     mesh_free(mesh);
 }
 
-static void the_notes_scenes_have_the_notes_numbers(void)
-{
-    for (int reading = 0; reading < 3; reading++) {
-        const struct scene_setting set =
-            scene_notes((enum reading)reading, CUBIC, 8);
-        ck_assert(set.E == 1000.0 && set.nu == 0.3 && set.rho == 1.0);
-        close_to(set.dt, 1.0 / 30.0, 1e-15);
-    }
-}
-
 /* 1e-12 of the size: 1 m, what the loads stretch, what the ends move; full
  * steps, at most 100 of them. */
 static void a_tolerance_has_the_size_of_the_answer(void)
@@ -138,12 +119,10 @@ static void without_a_window_the_input_is_followed(void)
 }
 
 UNIT_MAIN("small",
-    LAW(a_norm_is_the_root_of_the_squares),
     LAW(seconds_are_those_of_the_system),
     LAW(a_machine_has_its_processors_name),
     LAW(energies_count_from_rest),
     LAW(every_clockwise_triangle_is_found),
-    LAW(the_notes_scenes_have_the_notes_numbers),
     LAW(corners_are_williams),
     LAW(a_tolerance_has_the_size_of_the_answer),
     LAW(without_a_window_the_input_is_followed))
