@@ -339,31 +339,6 @@ static void rigid_motion_gives_no_force_and_forces_balance(void)
     }
 }
 
-static void affine_maps_leave_the_interior_in_balance(void)
-{
-    struct body *body = body_of(distorted(N), CUBIC, CONSISTENT, 0);
-    const int n = 2 * body->mesh->n_vertex;
-    const double H[2][2] = {{0.2385, -0.1}, {0.3714, -0.15}};
-    double *u = vector(body, 0.0), *q = vector(body, 0.0), energy;
-    mat2 F = mat2_identity();
-    for (int r = 0; r < n; r++)
-        u[r] = H[r % 2][0] * body->mesh->X[r / 2 * 2] +
-               H[r % 2][1] * body->mesh->X[r / 2 * 2 + 1];
-    for (int r = 0; r < 4; r++) F.m[r / 2][r % 2] += H[r / 2][r % 2];
-    body_assemble(body, at_rest(NULL), u, NO_TANGENT, q);
-    for (int a = 0; a < n / 2; a++) {
-        const int i = a % (N + 1), j = a / (N + 1);
-        if (i == 0 || i == N || j == 0 || j == N) continue;
-        close_to(q[2 * a], 0.0, 1e-12 * 1000.0);
-        close_to(q[2 * a + 1], 0.0, 1e-12 * 1000.0);
-    }
-    body_energy(body, u, &energy);
-    close_to(energy, 4.0 * material2_psi(&body->material, F), 1e-10);
-    close_to(body_min_J(body, u), mat2_det(F), 1e-13);
-    free(u), free(q);
-    free_body(body);
-}
-
 /* Vertex 1 is in triangle 0 alone, vertex 2 in triangle 1: moved across the
  * square by s it leaves 1 - s of the area. */
 static void the_least_J_is_that_of_any_triangle(void)
@@ -803,7 +778,6 @@ UNIT_MAIN("body",
     LAW(closed_form_equals_the_definition),
     LAW(at_rest_there_is_no_inertia),
     LAW(rigid_motion_gives_no_force_and_forces_balance),
-    LAW(affine_maps_leave_the_interior_in_balance),
     LAW(the_least_J_is_that_of_any_triangle),
     LAW(projection_clamps_the_eigenvalues),
     LAW(states_outside_are_reported),

@@ -389,26 +389,6 @@ static void a_winding_is_counted(void)
     mesh_free(mesh);
 }
 
-/* The inside of a square at random: there is one rest, and it is found. */
-static void a_held_square_comes_back(void)
-{
-    struct mesh *mesh = mesh_square(4);
-    int held[25];
-    for (int a = 0; a < 25; a++)
-        held[a] = a % 5 == 0 || a % 5 == 4 || a / 5 == 0 || a / 5 == 4;
-    for (int law = CUBIC; law <= STABLE; law++) {
-        struct body *body =
-            body_alloc(mesh, odd((enum law)law), 0.0, CONSISTENT, held);
-        double u[50] = {0.0};
-        release_scramble(body, 7, u);
-        const struct release_report report = release_solve(body, 100, u);
-        ck_assert(report.status == OK && report.recovered);
-        for (int r = 0; r < 50; r++) close_to(u[r], 0.0, 1e-7);
-        body_free(body);
-    }
-    mesh_free(mesh);
-}
-
 UNIT_MAIN("crushed",
     LAW(every_law_has_its_word),
     LAW(stress_and_tangent_are_derivatives),
@@ -425,5 +405,4 @@ UNIT_MAIN("crushed",
     LAW(a_cap_and_a_nan_are_named),
     LAW(a_shift_is_on_the_diagonal),
     LAW(random_places_are_splitmix64),
-    LAW(a_winding_is_counted),
-    LAW(a_held_square_comes_back))
+    LAW(a_winding_is_counted))

@@ -43,32 +43,6 @@ static double apart(int n, const double a[], const double b[])
     return most;
 }
 
-/* Every step ends where Newton's method with new factors does from the same
- * state, within the tolerance. */
-static void old_factors_find_the_same_step(void)
-{
-    const struct step_control newton = step_method("lift"), kept = across();
-    for (int k = 0; k < COUNT(scenes); k++)
-        for (int exact = 0; exact < 2; exact++) {
-            struct scene *s = scene_of(scenes[k], CUBIC);
-            struct scene *other = scene_of(scenes[k], CUBIC);
-            s->body->exact = exact;
-            int factorisations = 0;
-            for (int step = 0; step < 40; step++) {
-                copy_state(s, other);
-                const struct step_report r = scene_step(s, &kept);
-                ck_assert_int_eq(r.status, OK);
-                ck_assert_int_eq(scene_step(other, &newton).status, OK);
-                ck_assert(apart(s->n_dof, s->u, other->u) <= 1e-10);
-                ck_assert(r.residual <= 1e-10);
-                factorisations += r.factorisations;
-            }
-            ck_assert_int_le(factorisations, 10);
-            scene_free(s);
-            scene_free(other);
-        }
-}
-
 /* What each step leaves does not add up: ninety are as right as one. */
 static void a_long_way_ends_where_new_factors_do(void)
 {
@@ -402,7 +376,6 @@ static void the_guess_knows_whose_velocities_they_were(void)
 UNIT_MAIN("kept",
     LAW(the_guess_is_as_good_as_the_parabola_or_better),
     LAW(the_guess_knows_whose_velocities_they_were),
-    LAW(old_factors_find_the_same_step),
     LAW(a_long_way_ends_where_new_factors_do),
     LAW(factors_are_new_when_the_last_step_was_long),
     LAW(an_increment_that_does_not_fall_has_new_factors),

@@ -137,27 +137,7 @@ static void what_is_not_defined_is_said(void)
     ck_assert_int_ge(inverted, 100);
 }
 
-/* Groups are one behind the other, and cover every triangle once. */
-static void groups_cover_the_triangles(void)
-{
-    for (int mesh = 0; mesh < COUNT(meshes); mesh++) {
-        struct scene *s = scene_of(mesh, SPIN, CUBIC);
-        const int all = s->body->n_element;
-        int size = 0;
-        for (int e = 0; e < all;) {
-            const int end = lanes_end(s->body, e);
-            if (e == 0) size = end;
-            ck_assert(end == e + size || (end == all && end < e + size));
-            for (int k = e; k < end; k++)
-                ck_assert_int_eq(lanes_end(s->body, k), end);
-            e = end;
-        }
-        scene_free(s);
-    }
-}
-
 UNIT_MAIN("lanes",
     LAW(forces_and_tangents_have_the_same_digits),
     LAW(the_energy_has_the_same_digits),
-    LAW(what_is_not_defined_is_said),
-    LAW(groups_cover_the_triangles))
+    LAW(what_is_not_defined_is_said))

@@ -574,36 +574,6 @@ static void midpoint_is_asked_for_its_J(void)
     }
 }
 
-/* Two seeds, both laws, both integrators, a hand that does what it likes. */
-static void mad(enum law law)
-{
-    for (int run = 0; run < 4; run++) {
-        struct live *live = live_of(8, law, run % 2 ? IMPLICIT_MIDPOINT
-                                                    : BACKWARD_EULER);
-        struct pointers script = pointers_mad(1 + run / 2, 600);
-        double far = 0.0;
-        for (int k = 0; k < script.n; k++) {
-            const struct live_report report = play(live, script.frame[k]);
-            ck_assert_str_ne(report.rung, "lost");
-            ck_assert_int_le(report.systems, FRAME_SYSTEMS);
-            far = 0.0;
-            for (int r = 0; r < live->n_dof; r++) {
-                ck_assert(isfinite(live->now.v[r]));
-                ck_assert(fabs(live->mesh->X[r] + live->now.u[r]) < 20.0);
-                far = fmax(far, fabs(live->now.u[r]));
-            }
-        }
-        if (run % 2 == 0)
-            ck_assert(far < 1e-3 ||
-                      (law == CUBIC &&
-                       live_knots(live->mesh, live->now.u, NULL) > 0));
-        pointers_free(&script);
-        live_free(live);
-    }
-}
-static void nothing_breaks_log(void) { mad(LOG); }
-static void nothing_breaks_cubic(void) { mad(CUBIC); }
-
 /* ---- what is looked at --------------------------------------------------- */
 
 static void knots_are_seen(void)
@@ -883,8 +853,6 @@ UNIT_MAIN("live",
     LAW(a_frame_goes_down_the_rungs),
     LAW(trouble_lasts),
     LAW(midpoint_is_asked_for_its_J),
-    LAW(nothing_breaks_log),
-    LAW(nothing_breaks_cubic),
     LAW(knots_are_seen),
     LAW(energy_is_motion_and_strain),
     LAW(scripts_are_what_they_are_called),

@@ -205,19 +205,6 @@ static void measures_are_the_integrals(void)
     scene_free(scene);
 }
 
-/* Dead load f: the external energy is -f.u and does not forget the sign. */
-static void gravity_pulls_downwards(void)
-{
-    struct scene *scene = scene_of(GRAVITY, LOG, 4);
-    const struct step_control control = {
-        .tolerance = 1e-12, .max_iterations = 20, .lift = 1};
-    ck_assert_int_eq(scene_step(scene, &control).status, OK);
-    const struct scene_measures m = scene_measure(scene);
-    ck_assert(m.external < 0.0 && m.elastic > 0.0 && m.kinetic > 0.0);
-    ck_assert(m.momentum[1] < 0.0);
-    scene_free(scene);
-}
-
 static void a_step_that_fails_is_not_counted(void)
 {
     struct scene *scene = scene_of(RIGID, LOG, 8);
@@ -249,22 +236,6 @@ static void triangles_are_where_the_map_puts_them(void)
                      1e-14);
     }
     scene_free(scene);
-}
-
-static void every_scene_has_its_word(void)
-{
-    char words[128] = "";
-    for (int reading = RIGID; reading <= SPIN; reading++) {
-        if (*words) strcat(words, " ");
-        strcat(words, scene_name((enum reading)reading));
-    }
-    ck_assert_str_eq(words, SCENES);
-    strcpy(words, "");
-    for (int law = LINEAR; law <= CUBIC; law++) {
-        if (*words) strcat(words, " ");
-        strcat(words, material_law((enum law)law));
-    }
-    ck_assert_str_eq(words, MATERIAL_LAWS);
 }
 
 /* ---- doors of the body --------------------------------------------------- */
@@ -501,10 +472,8 @@ UNIT_MAIN("scene",
     LAW(the_lift_goes_by_place),
     LAW(a_spin_starts_with_its_energy_and_momenta),
     LAW(measures_are_the_integrals),
-    LAW(gravity_pulls_downwards),
     LAW(a_step_that_fails_is_not_counted),
     LAW(triangles_are_where_the_map_puts_them),
-    LAW(every_scene_has_its_word),
     LAW(force_and_stiffness_are_derivatives),
     LAW(doors_equal_the_assembly),
     LAW(gather_and_scatter_are_inverse),

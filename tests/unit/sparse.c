@@ -209,47 +209,6 @@ static void fill_is_what_the_fronts_must_hold(void)
             }
 }
 
-/* Entries of L by elimination on the graph, where what a vertex, or a piece as
- * a whole, leaves is joined. */
-static double eliminate_graph(const struct sparse *s, int by_pieces)
-{
-    const struct dissection *d = s->order;
-    const int n = s->n_vertex, units = by_pieces ? d->n_piece : n;
-    char *joined = calloc((size_t)n * (size_t)n, 1);
-    double entries = 0.0;
-    for (int v = 0; v < n; v++)
-        for (int b = s->start[v]; b < s->start[v + 1]; b++)
-            joined[v * n + s->row[b]] = 1;
-    for (int k = 0; k < units; k++) {
-        const int first = by_pieces ? d->piece[k].first : k;
-        const int end = by_pieces ? first + d->piece[k].count : k + 1;
-        int m = 0, list[400];
-        for (int i = end; i < n; i++) {
-            int next_to = 0;
-            for (int v = first; v < end; v++) next_to |= joined[v * n + i];
-            if (next_to) list[m++] = i;
-        }
-        for (int i = 0; i < m; i++)
-            for (int j = i; j < m; j++) joined[list[i] * n + list[j]] = 1;
-        for (int c = 2 * (end - first); c > 0; c--) entries += 2 * m + c;
-    }
-    free(joined);
-    return entries;
-}
-
-static void fill_is_that_of_elimination(void)
-{
-    for (int hold = ENDS; hold <= NONE; hold++)
-        for (int n = 1; n <= 17; n++)
-            for (int l = 0; l < COUNT(leaves); l++) {
-                struct pattern p = pattern_alloc(n, hold, 1, leaves[l]);
-                const double numbers = p.sparse->numbers;
-                ck_assert(numbers == eliminate_graph(p.sparse, 1));
-                ck_assert(numbers >= eliminate_graph(p.sparse, 0));
-                pattern_free(p);
-            }
-}
-
 static void solve_equals_dense_for_random_patterns(void)
 {
     for (int n = 1; n <= 14; n++)
@@ -690,42 +649,6 @@ static void refinement_ends_and_says_how(void)
     pattern_free(p);
 }
 
-/* Two scenes alike but for the storage; the order of equations differs. */
-static void a_body_in_either_storage_has_the_same_matrix(void)
-{
-    for (int reading = STRETCH; reading <= SPIN; reading++)
-        for (int tangent = EXACT; tangent <= PROJECTED; tangent++) {
-            struct scene_setting set = scene_notes((enum reading)reading,
-                                                   CUBIC, 7);
-            struct scene *s[2] = {scene_alloc(&set), scene_alloc(&set)};
-            double q[2][128], u[128];
-            body_store(s[1]->body, SPARSE);
-            for (int r = 0; r < s[0]->n_dof; r++) u[r] = 0.2 * sin(2.7 * r);
-            for (int k = 0; k < 2; k++) {
-                const struct incremental Phi = {0.1, s[k]->v, NULL};
-                ck_assert_int_eq(body_assemble(s[k]->body, Phi, u,
-                                               (enum tangent)tangent, q[k]),
-                                 OK);
-            }
-            const struct body *a = s[0]->body, *b = s[1]->body;
-            const double size = matrix_max_diagonal(a->K);
-            ck_assert_int_eq(a->n_equation, b->n_equation);
-            ck_assert_int_eq(a->K->storage, BANDED);
-            ck_assert_int_eq(b->K->storage, SPARSE);
-            for (int i = 0; i < s[0]->n_dof; i++) {
-                ck_assert_int_eq(a->equation[i] < 0, b->equation[i] < 0);
-                for (int j = 0; j < s[0]->n_dof; j++)
-                    if (a->equation[i] >= 0 && a->equation[j] >= 0)
-                        close_to(
-                            matrix_get(a->K, a->equation[i], a->equation[j]),
-                            matrix_get(b->K, b->equation[i], b->equation[j]),
-                            10 * DBL_EPSILON * size);
-            }
-            same(s[0]->n_dof, q[0], q[1], 10 * DBL_EPSILON);
-            for (int k = 0; k < 2; k++) scene_free(s[k]);
-        }
-}
-
 static void a_step_in_either_storage_is_the_same(void)
 {
     const char *method[] = {"notes", "lift", "all"};
@@ -828,7 +751,6 @@ UNIT_MAIN("sparse",
     LAW(the_order_takes_every_free_vertex_once),
     LAW(a_line_separates_its_two_sides),
     LAW(fill_is_what_the_fronts_must_hold),
-    LAW(fill_is_that_of_elimination),
     LAW(solve_equals_dense_for_random_patterns),
     LAW(a_front_of_many_panels_is_that_of_elimination),
     LAW(an_analysis_serves_any_number_of_matrices),
@@ -844,7 +766,6 @@ UNIT_MAIN("sparse",
     LAW(rounded_factors_are_refined),
     LAW(a_turn_must_halve_the_residual),
     LAW(refinement_ends_and_says_how),
-    LAW(a_body_in_either_storage_has_the_same_matrix),
     LAW(a_step_in_either_storage_is_the_same),
     LAW(a_step_with_rounded_factors_is_the_same),
     LAW(an_indefinite_step_is_the_same_too),

@@ -415,71 +415,6 @@ static void tables_have_their_names(void)
     ck_assert_ptr_nonnull(strstr(got.out, "# particles\nx\ty\tv_x"));
 }
 
-/* Where both components stand: v = (k, -k) and next = (2 k, 3 k) at node k. */
-static struct cloud printed;
-
-static void print_cloud(void)
-{
-    static struct particle_report report;
-    const struct material material = {LOG, 3.7, 2.3};
-    cloud_tables(printed, &report);
-    table_begin("energies", "t k elastic p_kin g_kin n_kin E m_x m_y L");
-    cloud_energies(printed, &material, 0.0, &report);
-    table_end();
-}
-
-static void both_components_are_printed(void)
-{
-    printed = cloud_block(2);
-    struct grid *grid = printed.grid;
-    int rows = 0;
-    for (int a = 0; a < grid->n_node; a++) {
-        grid->mass[a] = a % 3 == 0 ? 1.0 : 0.0;
-        for (int i = 0; i < 2; i++) {
-            grid->v[2 * a + i] = i ? -a : a;
-            grid->next[2 * a + i] = (2 + i) * a;
-        }
-    }
-    for (int q = 0; q < printed.p->n; q++) {
-        printed.p->v[2 * q] = 2.385;
-        printed.p->v[2 * q + 1] = -1.247;
-    }
-    const struct moments of = particles_moments(printed.p);
-    const struct outcome outcome = outcome_of(print_cloud);
-    double w[10];
-    const char *line = strstr(outcome.out, "# step");
-    for (; line && strncmp(line, "\n\n", 2) != 0; line = strchr(line + 1, '\n'))
-        if (sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf", &w[0], &w[1], &w[2],
-                   &w[3], &w[4], &w[5], &w[6], &w[7]) == 8) {
-            ck_assert(w[4] == w[0] && w[5] == -w[0]);
-            ck_assert(w[6] == 2.0 * w[0] && w[7] == 3.0 * w[0]);
-            rows++;
-        }
-    ck_assert_int_eq(rows, (grid->n_node + 2) / 3);
-    line = strchr(strstr(outcome.out, "# particles"), '\n');
-    for (int q = 0; q < printed.p->n; q++) { /* x, v, F by rows */
-        line = strchr(line + 1, '\n');
-        ck_assert_int_eq(sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf", &w[0],
-                                &w[1], &w[2], &w[3], &w[4], &w[5], &w[6],
-                                &w[7]), 8);
-        for (int i = 0; i < 2; i++) {
-            ck_assert(w[i] == printed.p->x[2 * q + i]);
-            ck_assert(w[2 + i] == printed.p->v[2 * q + i]);
-            for (int J = 0; J < 2; J++)
-                ck_assert(w[4 + 2 * i + J] == printed.p->F[q].m[i][J]);
-        }
-    }
-    line = strstr(outcome.out, "# energies");
-    ck_assert_ptr_nonnull(line);
-    line = strchr(strchr(line, '\n') + 1, '\n');
-    ck_assert_int_eq(sscanf(line, "%lf %lf %lf %lf %lf %lf %lf %lf %lf %lf",
-                            &w[0], &w[1], &w[2], &w[3], &w[4], &w[5], &w[6],
-                            &w[7], &w[8], &w[9]), 10);
-    close_to(w[7], of.momentum[0], 1e-12);
-    close_to(w[8], of.momentum[1], 1e-12);
-    cloud_free(printed);
-}
-
 UNIT_MAIN("steps",
     LAW(a_map_begins_with_no_unknowns),
     LAW(steps_are_the_oracles),
@@ -493,5 +428,4 @@ UNIT_MAIN("steps",
     LAW(failures_are_named),
     LAW(halving_keeps_particles_from_inverting),
     LAW(projection_goes_on_where_A_is_indefinite),
-    LAW(tables_have_their_names),
-    LAW(both_components_are_printed))
+    LAW(tables_have_their_names))

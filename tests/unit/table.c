@@ -1,6 +1,5 @@
 /* table.c - laws of common/base/table.h. */
 #include "base/table.h"
-#include "linear/matrix.h"
 
 #include "unit.h"
 
@@ -139,42 +138,6 @@ static void a_word_fits_into_its_cell(void)
 
 /* ---- rows ---------------------------------------------------------------- */
 
-static void print_rows_three_ways(void)
-{
-    const double number[] = {1, 2.5, -0.75};
-    const struct cell row[] = {CELL(1), CELL(2.5), CELL(-0.75)};
-    table_begin("rows", "a b c");
-    table_row(1, 2.5, -0.75);
-    table_row_of(3, number);
-    table_row_of(COUNT(row), row);
-    table_end();
-}
-
-static void arrays_make_the_same_rows(void)
-{
-    ck_assert_str_eq(outcome_of(print_rows_three_ways).out,
-                     "# rows\na\tb\tc\n"
-                     "1\t2.5\t-0.75\n"
-                     "1\t2.5\t-0.75\n"
-                     "1\t2.5\t-0.75\n\n\n");
-}
-
-static void print_longest_row(void)
-{
-    table_begin("longest", "a b c d e f g h i j k l m n o p q r s t u v w x");
-    table_row(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18,
-              19, 20, 21, 22, 23, "end");
-    table_end();
-}
-
-static void a_row_may_have_24_cells(void)
-{
-    ck_assert_ptr_nonnull(
-        strstr(outcome_of(print_longest_row).out,
-               "\n1\t2\t3\t4\t5\t6\t7\t8\t9\t10\t11\t12\t13\t14\t15\t16\t17\t18"
-               "\t19\t20\t21\t22\t23\tend\n\n\n"));
-}
-
 static int cells_given, as_cells;
 static void print_given_row(void)
 {
@@ -203,42 +166,7 @@ static void a_row_is_as_long_as_its_header(void)
         }
 }
 
-/* ---- whole tables -------------------------------------------------------- */
-
-static void print_whole_tables(void)
-{
-    const double v[] = {2.385, -1};
-    struct matrix *A = matrix_alloc(BANDED, 3, 1);
-    for (int i = 0; i < 3; i++) matrix_add(A, i, i, i + 0.5);
-    matrix_add(A, 2, 1, -4);
-    matrix_table("A", A);
-    table_vector("v", 2, v);
-    matrix_free(A);
-}
-
-static void a_matrix_prints_its_band(void)
-{
-    ck_assert_str_eq(outcome_of(print_whole_tables).out,
-                     "# A\ni\tj\tvalue\n0\t0\t0.5\n0\t1\t0\n1\t0\t0\n"
-                     "1\t1\t1.5\n1\t2\t-4\n2\t1\t-4\n2\t2\t2.5\n\n\n"
-                     "# v\ni\tvalue\n0\t2.3849999999999998\n1\t-1\n\n\n");
-}
-
 /* ---- the end ------------------------------------------------------------- */
-
-static void print_to_full_disk(void)
-{
-    if (!freopen("/dev/full", "w", stdout)) exit(77);
-    print_tables();
-}
-
-static void a_full_disk_is_an_error(void)
-{
-    const struct outcome end = outcome_of(print_to_full_disk);
-    if (end.status == 77) return; /* no /dev/full here */
-    ck_assert_int_eq(end.status, 1);
-    ck_assert(strncmp(end.err, "error: cannot write", 19) == 0);
-}
 
 /* What cannot be written is an error where nothing is left to write as well. */
 static void print_to_what_is_read(void)
@@ -261,9 +189,5 @@ UNIT_MAIN("table",
     LAW(words_and_missing_print_as_they_are),
     LAW(a_nan_is_not_missing),
     LAW(a_word_fits_into_its_cell),
-    LAW(arrays_make_the_same_rows),
-    LAW(a_row_may_have_24_cells),
     LAW(a_row_is_as_long_as_its_header),
-    LAW(a_matrix_prints_its_band),
-    LAW(a_full_disk_is_an_error),
     LAW(an_error_is_not_forgotten))

@@ -82,20 +82,6 @@ static void a_hump_is_plucked(void)
     scene_free(s);
 }
 
-static void linear_answers_scale(void)
-{
-    const struct work slow = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
-    const struct work fast = run(FAST_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
-    const struct work push = run(PUSH, LINEAR, 0, 8, 1, BACKWARD_EULER);
-    for (int i = 0; i < slow.n_shared; i++) {
-        const double due = 0.3 / 0.42 * slow.u[i] + (i % 2 ? 0.0 : 0.3);
-        close_to(fast.u[i], due, 1e-13);
-        close_to(push.u[i], -due, 1e-13);
-    }
-    /* waisted: the sides move inwards */
-    ck_assert(at(&slow, 2, 0, 1) > 0.05 && at(&slow, 2, 4, 1) < -0.05);
-}
-
 static void linear_answers_need_one_system(void)
 {
     const struct work once = run(SLOW_PULL, LINEAR, 0, 8, 1, BACKWARD_EULER);
@@ -367,7 +353,6 @@ static void sweeps_know_the_cheapest(void)
 UNIT_MAIN("work",
     LAW(scenes_end_where_they_say),
     LAW(a_hump_is_plucked),
-    LAW(linear_answers_scale),
     LAW(linear_answers_need_one_system),
     LAW(slow_is_static),
     LAW(methods_have_their_orders),
