@@ -60,23 +60,6 @@ static void both_storages_hold_the_same_matrix(void)
     }
 }
 
-static void residual_is_small_for_the_solution_only(void)
-{
-    struct matrix *A = random_matrix(BANDED, 3), *L = matrix_copy(A);
-    double b[N], x[N];
-    fill(b);
-    fill(x);
-    ck_assert_int_eq(matrix_factor(L), OK);
-    matrix_solve(L, x);
-    ck_assert_double_le(matrix_residual(A, x, b), 50 * DBL_EPSILON);
-    x[4] += 1e-3;
-    ck_assert_double_ge(matrix_residual(A, x, b), 1e-3);
-    x[4] = NAN;
-    ck_assert(isnan(matrix_residual(A, x, b)));
-    matrix_free(A);
-    matrix_free(L);
-}
-
 /* The corrected system, against elimination by hand and in any order. */
 static void dirichlet_keeps_symmetry_and_solution(void)
 {
@@ -125,27 +108,6 @@ static struct matrix *neumann(enum storage storage, int n)
             for (int b = 0; b < 2; b++)
                 matrix_add(A, e + a, e + b, (a == b ? 2.385 : -2.385) * n);
     return A;
-}
-
-static void not_spd_is_reported(void)
-{
-    for (int s = DENSE; s <= BANDED; s++) {
-        /* singular: the last pivot is round-off and may be positive */
-        for (int n = 1; n <= 300; n += 13) {
-            struct matrix *A = neumann((enum storage)s, n);
-            ck_assert_int_eq(matrix_factor(A), NOT_SPD);
-            matrix_free(A);
-        }
-        for (int bad = 0; bad < 3; bad++) {
-            struct matrix *A = random_matrix((enum storage)s, 1);
-            matrix_add(A, 4, 4,
-                       bad == 0   ? -7.0
-                       : bad == 1 ? (double)NAN
-                                  : -matrix_get(A, 4, 4));
-            ck_assert_int_eq(matrix_factor(A), NOT_SPD);
-            matrix_free(A);
-        }
-    }
 }
 
 /* A pivot of 1, 3 eps in (1, 1; 1, 1 + d) is round-off of the second diagonal
@@ -419,23 +381,6 @@ static void a_pivot_of_one_digit_is_none(void)
     }
 }
 
-static void a_combination_is_entry_by_entry(void)
-{
-    struct matrix *A = random_band(23, 4), *B = random_band(23, 4);
-    struct matrix *C = matrix_copy(A);
-    matrix_add(B, 7, 5, 3.714);
-    for (int twice = 0; twice < 2; twice++) {
-        matrix_combine(C, -2.385, B, C); /* C may be A */
-        for (int i = 0; i < 23; i++)
-            for (int j = 0; j < 23; j++)
-                close_to(matrix_get(C, i, j),
-                         matrix_get(A, i, j) -
-                             (twice + 1) * 2.385 * matrix_get(B, i, j),
-                         1e-12);
-    }
-    matrix_free(A), matrix_free(B), matrix_free(C);
-}
-
 static void a_block_has_the_entries_of_its_rows(void)
 {
     for (int s = DENSE; s <= BANDED; s++)
@@ -566,9 +511,7 @@ static void backward_error_is_that_of_a_nearby_system(void)
 
 UNIT_MAIN("matrix",
     LAW(both_storages_hold_the_same_matrix),
-    LAW(residual_is_small_for_the_solution_only),
     LAW(dirichlet_keeps_symmetry_and_solution),
-    LAW(not_spd_is_reported),
     LAW(a_pivot_is_measured_by_its_own_diagonal),
     LAW(ill_conditioned_is_still_spd),
     LAW(a_band_of_any_width_equals_gsl),
@@ -579,7 +522,6 @@ UNIT_MAIN("matrix",
     LAW(negative_pivots_count_negative_eigenvalues),
     LAW(backward_error_is_that_of_a_nearby_system),
     LAW(a_pivot_of_one_digit_is_none),
-    LAW(a_combination_is_entry_by_entry),
     LAW(a_block_has_the_entries_of_its_rows),
     LAW(costs_are_counted),
     LAW(many_numbers_start_at_a_large_page),

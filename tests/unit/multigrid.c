@@ -161,37 +161,6 @@ static void incomplete_factor_has_the_entries_of_K(void)
     bench_free(t);
 }
 
-static void a_vertex_has_the_mean_of_those_around_it(void)
-{
-    double coarse[3 * 5 * 2], fine[7 * 9 * 2]; /* n = 8 */
-    fill(30, coarse, 0.7);
-    for (int r = 0; r < 126; r++) fine[r] = 2.0;
-    multigrid_prolong(8, coarse, fine);
-    for (int r = 0; r < 126; r++) {
-        const int i = r / 2 % 7 + 1, j = r / 2 / 7;
-        double want = 2.0;
-        for (int V = 0; V < 15; V++) {
-            const double dx = fabs(0.5 * i - V % 3 - 1.0);
-            const double dy = fabs(0.5 * j - V / 3);
-            if (dx < 1.0 && dy < 1.0)
-                want += (1.0 - dx) * (1.0 - dy) * coarse[2 * V + r % 2];
-        }
-        close_to(fine[r], want, 1e-14);
-    }
-}
-
-static void restriction_is_the_transpose(void)
-{
-    double c[30], f[126], up[126] = {0.0}, down[30];
-    fill(30, c, 0.7);
-    fill(126, f, 1.9);
-    for (int r = 0; r < 30; r++) down[r] = 2.0;
-    multigrid_prolong(8, c, up);
-    multigrid_restrict(8, f, down);
-    for (int r = 0; r < 30; r++) down[r] -= 2.0;
-    close_to(dot(30, c, down), dot(126, f, up), 1e-13);
-}
-
 static void coarse_matrix_is_that_of_the_product(void)
 {
     const int n[] = {8, 12, 20};
@@ -241,33 +210,6 @@ static void grids_are_halved_down_to_four(void)
     bench_free(t);
 }
 
-static double row_of(const struct csr *K, int i, const double x[])
-{
-    double sum = 0.0;
-    for (int k = K->start[i]; k < K->start[i + 1]; k++)
-        sum += K->value[k] * x[K->index[k]];
-    return sum;
-}
-
-/* Forward, the last equation holds afterwards, and only the last; backward the
- * first; what comes from the start of a sweep is what a solve by the triangle
- * gives. */
-static void a_sweep_takes_the_equations_in_turn(void)
-{
-    struct bench t = bench_alloc(5);
-    for (int backward = 0; backward < 2; backward++) {
-        fill(t.K->n, t.x, 0.7);
-        memcpy(t.y, t.x, (size_t)t.K->n * sizeof *t.x);
-        multigrid_sweep(t.K, t.b, backward, t.x);
-        for (int s = 0; s < t.K->n; s++) {
-            const int i = backward ? t.K->n - 1 - s : s;
-            t.y[i] = t.x[i];
-            close_to(row_of(t.K, i, t.y), t.b[i], 1e-14);
-        }
-    }
-    bench_free(t);
-}
-
 static void a_cycle_is_symmetric_and_exact_on_the_coarsest_grid(void)
 {
     struct bench t = bench_alloc(16);
@@ -293,9 +235,6 @@ UNIT_MAIN("multigrid",
     LAW(cg_names_its_end),
     LAW(cg_reports_the_residual_of_x),
     LAW(incomplete_factor_has_the_entries_of_K),
-    LAW(a_vertex_has_the_mean_of_those_around_it),
-    LAW(restriction_is_the_transpose),
     LAW(coarse_matrix_is_that_of_the_product),
     LAW(grids_are_halved_down_to_four),
-    LAW(a_sweep_takes_the_equations_in_turn),
     LAW(a_cycle_is_symmetric_and_exact_on_the_coarsest_grid))

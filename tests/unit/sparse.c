@@ -97,41 +97,6 @@ static void same(int n, const double a[], const double b[], double tolerance)
 
 static const int leaves[] = {1, 2, 3, 5, 16, 1000};
 
-static void the_order_takes_every_free_vertex_once(void)
-{
-    for (int n = 1; n <= 12; n++)
-        for (int hold = 0; hold < HOLDS; hold++)
-            for (int l = 0; l < COUNT(leaves); l++) {
-                struct pattern p = pattern_alloc(n, hold, 7, leaves[l]);
-                const struct dissection *d = p.sparse->order;
-                int *seen = calloc((size_t)d->n_vertex, sizeof *seen);
-                int free_ones = 0, next = 0;
-                for (int a = 0; a < p.mesh->n_vertex; a++) {
-                    ck_assert_int_eq(d->place[a] < 0, p.held[a] != 0);
-                    if (p.held[a]) continue;
-                    ck_assert_int_lt(d->place[a], d->n_vertex);
-                    ck_assert_int_eq(seen[d->place[a]]++, 0);
-                    free_ones++;
-                }
-                ck_assert_int_eq(free_ones, d->n_vertex);
-                for (int k = 0; k < d->n_piece; k++) {
-                    ck_assert_int_eq(d->piece[k].first, next);
-                    next += d->piece[k].count;
-                    for (int c = 0; c < 2; c++) {
-                        const int child = d->piece[k].child[c];
-                        ck_assert_int_lt(child, k);
-                        if (child >= 0)
-                            ck_assert_int_eq(d->piece[child].depth,
-                                             d->piece[k].depth + 1);
-                    }
-                    ck_assert(k < d->n_piece - 1 || d->piece[k].depth == 0);
-                }
-                ck_assert_int_eq(next, d->n_vertex);
-                free(seen);
-                pattern_free(p);
-            }
-}
-
 /* The piece of every place, and the first piece below every piece. */
 static void pieces(const struct dissection *d, int piece[], int lowest[])
 {
@@ -284,55 +249,6 @@ static void a_front_of_many_panels_is_that_of_elimination(void)
         free(l);
         free(u);
         free(x);
-    }
-}
-
-static void an_analysis_serves_any_number_of_matrices(void)
-{
-    struct pattern p = pattern_alloc(9, ENDS, 1, 6);
-    struct matrix *A[2], *B[2];
-    double x[2][200], y[200];
-    for (int k = 0; k < 2; k++) random_pair(p, 3 + (unsigned)k, &A[k], &B[k]);
-    for (int turn = 0; turn < 2; turn++) /* turn 1: what A[0] was is A[1] */
-        for (int k = 0; k < 2; k++) {
-            ck_assert_int_eq(matrix_factor(A[k]), OK);
-            fill(p.n, x[k]);
-            matrix_solve(A[k], x[k]);
-            if (turn == 1) continue;
-            ck_assert_int_eq(matrix_factor(B[k]), OK);
-            fill(p.n, y);
-            matrix_solve(B[k], y);
-            same(p.n, x[k], y, 1e-12);
-            if (k == 0) continue;
-            matrix_zero(A[0]);
-            matrix_combine(A[0], 1.0, A[1], A[0]);
-        }
-    ck_assert(memcmp(x[0], x[1], (size_t)p.n * sizeof(double)) == 0);
-    for (int k = 0; k < 2; k++) {
-        matrix_free(A[k]);
-        matrix_free(B[k]);
-    }
-    pattern_free(p);
-}
-
-static void what_is_not_spd_is_reported(void)
-{
-    for (int l = 0; l < COUNT(leaves); l++) {
-        struct pattern p = pattern_alloc(6, ENDS, 1, leaves[l]);
-        for (int k = 0; k < p.n; k++)
-            for (int bad = 0; bad < 4; bad++) {
-                struct matrix *A, *B;
-                random_pair(p, 3, &A, &B);
-                matrix_add(A, k, k,
-                           bad == 0   ? -2.0 * matrix_get(A, k, k)
-                           : bad == 1 ? -matrix_get(A, k, k)
-                           : bad == 2 ? (double)INFINITY
-                                      : (double)NAN);
-                ck_assert_int_eq(matrix_factor(A), NOT_SPD);
-                matrix_free(A);
-                matrix_free(B);
-            }
-        pattern_free(p);
     }
 }
 
@@ -563,39 +479,6 @@ static void factors_solve_on_their_way(void)
             }
 }
 
-static void rounded_factors_are_refined(void)
-{
-    for (int n = 5; n <= 40; n += 7) {
-        struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
-        struct scene *s = scene_alloc(&set);
-        struct body *body = s->body;
-        double b[3300], x[3300], exact[3300], q[3400];
-        int solves;
-        body_store(body, SPARSE);
-        for (int r = 0; r < s->n_dof; r++)
-            s->u[r] = 0.05 / n * sin(2.7 * r);
-        const struct incremental Phi = {set.dt, s->u, NULL};
-        ck_assert_int_eq(body_assemble(body, Phi, s->u, EXACT, q), OK);
-        fill(body->n_equation, b);
-        const size_t bytes = (size_t)body->n_equation * sizeof *b;
-        ck_assert_int_eq(matrix_factor(body->K), OK);
-        ck_assert_double_le(residual_of(body->K, b, exact), 1e-12);
-        memcpy(x, b, bytes);
-        ck_assert_int_eq(refine_solve(body->K, 1e-12, x, &solves), OK);
-        ck_assert_int_eq(solves, 1);
-        ck_assert(memcmp(x, exact, bytes) == 0);
-        matrix_keep_single(body->K, 1);
-        ck_assert_int_eq(matrix_factor(body->K), OK);
-        ck_assert_double_ge(residual_of(body->K, b, x), 1e-9);
-        memcpy(x, b, bytes);
-        ck_assert_int_eq(refine_solve(body->K, 1e-12, x, &solves), OK);
-        ck_assert_int_eq(solves, 2);
-        ck_assert_double_le(matrix_residual(body->K, x, b), 1e-12);
-        same(body->n_equation, x, exact, 1e-11);
-        scene_free(s);
-    }
-}
-
 /* The factors of A for the matrix c A: each turn leaves |1 - c| of the
  * residual. */
 static void a_turn_must_halve_the_residual(void)
@@ -748,13 +631,10 @@ static void a_body_chooses_its_storage_by_n(void)
 }
 
 UNIT_MAIN("sparse",
-    LAW(the_order_takes_every_free_vertex_once),
     LAW(a_line_separates_its_two_sides),
     LAW(fill_is_what_the_fronts_must_hold),
     LAW(solve_equals_dense_for_random_patterns),
     LAW(a_front_of_many_panels_is_that_of_elimination),
-    LAW(an_analysis_serves_any_number_of_matrices),
-    LAW(what_is_not_spd_is_reported),
     LAW(what_is_singular_is_not_spd),
     LAW(a_pivot_is_compared_with_its_own_diagonal),
     LAW(the_verbs_are_those_of_dense_storage),
@@ -763,7 +643,6 @@ UNIT_MAIN("sparse",
     LAW(a_pivot_of_zero_is_reported_with_signs),
     LAW(rounded_factors_have_seven_digits),
     LAW(factors_solve_on_their_way),
-    LAW(rounded_factors_are_refined),
     LAW(a_turn_must_halve_the_residual),
     LAW(refinement_ends_and_says_how),
     LAW(a_step_in_either_storage_is_the_same),
