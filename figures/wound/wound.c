@@ -15,6 +15,7 @@
  * rest), time (at rest or steps, for a slow hand and a quick one), fails (the
  * largest load in one frame that a step survives).
  */
+#include "base/clock.h"
 #include "base/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
@@ -242,38 +243,45 @@ static struct step_report robust_step(struct model *model, double d,
     return report;
 }
 
-/* The widest opening at the end of a frame, while a hand pulls for `rise`
- * seconds; the systems per frame. */
-static double move(struct way way, double rise, double *systems)
+struct motion {
+    double widest;          /* opening at the end of a frame (m) */
+    double systems;         /* per frame */
+    double seconds[FRAMES]; /* that each took */
+};
+
+/* Move the wound while a hand pulls for `rise` seconds. */
+static struct motion move(int r, struct way way, double rise)
 {
-    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, 3, CUBIC);
+    struct motion motion = {0};
+    struct wound w = wound_alloc(QUADRATIC_TRIANGLE, r, CUBIC);
     struct step_control control = step_method("all");
     struct model *model = model_body(w.body);
     struct state now = state_make(model->n_dof);
     const int part = way.steps ? way.steps : 1;
     const double dt = 1.0 / (RATE * part);
-    double widest = 0.0;
     control.chord = 1;
     control.guess = FROM_VELOCITY;
     model->solve = robust_step;
     model->context = &control;
-    *systems = 0.0;
     for (int k = 1; k <= FRAMES * part; k++) {
         load(&w, k * dt < rise ? 0.5 - 0.5 * cos(acos(-1.0) * k * dt / rise)
                                : 1.0);
+        const double start = clock_seconds();
         memcpy(model->f, w.f, (size_t)model->n_dof * sizeof *w.f);
         const struct step_report report =
             way.steps ? integrate_step(model, way.method, dt, w.g, &now)
                       : step_solve(w.body, &control, at_rest(w.f), now.u);
         if (report.status != OK)
             die("%s, step %d: %s", way.name, k, status_name(report.status));
-        *systems += (double)report.iterations / FRAMES;
-        if (k % part == 0) widest = fmax(widest, opening(&w, now.u));
+        motion.seconds[(k - 1) / part] += clock_seconds() - start;
+        motion.systems += (double)report.iterations / FRAMES;
+        if (k % part == 0)
+            motion.widest = fmax(motion.widest, opening(&w, now.u));
     }
     state_free(&now);
     model_free(model);
     wound_free(w);
-    return widest;
+    return motion;
 }
 
 /* Against BDF2 with 16 steps a frame. */
@@ -291,16 +299,16 @@ static void times_of(void)
                      "s, in a frame (0: at rest), m, %%, in a frame");
     for (int h = 0; h < 2; h++) {
         const double rise = h ? 0.1 : 0.5;
-        double widest[WAYS], systems[WAYS];
-        for (int c = 0; c < WAYS; c++)
-            widest[c] = move(way[c], rise, &systems[c]);
+        struct motion motion[WAYS];
+        for (int c = 0; c < WAYS; c++) motion[c] = move(3, way[c], rise);
         for (int c = 0; c < WAYS; c++) {
-            error[h][c] = fabs(off(widest[c], widest[WAYS - 1]));
+            error[h][c] =
+                fabs(off(motion[c].widest, motion[WAYS - 1].widest));
             table_row(hand[h], rise, way[c].name, way[c].steps,
-                      cell_rounded(4, widest[c]),
+                      cell_rounded(4, motion[c].widest),
                       c == WAYS - 1 ? cell_word(MISSING)
                                     : cell_rounded(2, error[h][c]),
-                      cell_rounded(2, systems[c]));
+                      cell_rounded(2, motion[c].systems));
         }
     }
     table_end();
