@@ -94,13 +94,15 @@ static void a_clockwise_triangle_is_found(void)
 {
     struct mesh *mesh = mesh_square(N);
     ck_assert_int_eq(mesh_clockwise(mesh), -1);
-    const int keep = mesh->triangle[3 * 7];
-    mesh->triangle[3 * 7] = mesh->triangle[3 * 7 + 1];
-    mesh->triangle[3 * 7 + 1] = keep;
-    ck_assert_int_eq(mesh_clockwise(mesh), 7);
-    mesh->triangle[3 * 7] = keep; /* twice the same vertex: no area */
-    mesh->triangle[3 * 7 + 1] = keep;
-    ck_assert_int_eq(mesh_clockwise(mesh), 7);
+    for (int e = mesh->n_triangle - 1; e >= 0; e--) { /* the first is named */
+        int *t = &mesh->triangle[3 * e];
+        const int keep = t[0];
+        t[0] = t[1];
+        t[1] = keep;
+        ck_assert_int_eq(mesh_clockwise(mesh), e);
+        t[0] = keep; /* twice the same vertex: no area */
+        ck_assert_int_eq(mesh_clockwise(mesh), e);
+    }
     mesh_free(mesh);
 }
 

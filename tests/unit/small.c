@@ -2,9 +2,6 @@
  * the large ones leave open: norms, clocks, energies, the notes' scenes. */
 #include "bar/bar_scene.h"
 #include "base/clock.h"
-#include "plane/mesh.h"
-#include "plane/scene.h"
-#include "material/tensor.h"
 #include "motion/window.h"
 #include "unit.h"
 
@@ -61,20 +58,6 @@ static void energies_count_from_rest(void)
     }
 }
 
-static void every_clockwise_triangle_is_found(void)
-{
-    struct mesh *mesh = mesh_square(2);
-    ck_assert_int_eq(mesh_clockwise(mesh), -1);
-    for (int e = mesh->n_triangle - 1; e >= 0; e--) {
-        int *t = &mesh->triangle[3 * e];
-        const int second = t[1];
-        t[1] = t[2];
-        t[2] = second;
-        ck_assert_int_eq(mesh_clockwise(mesh), e);
-    }
-    mesh_free(mesh);
-}
-
 /* 1e-12 of the size: 1 m, what the loads stretch, what the ends move; full
  * steps, at most 100 of them. */
 static void a_tolerance_has_the_size_of_the_answer(void)
@@ -122,7 +105,6 @@ UNIT_MAIN("small",
     LAW(seconds_are_those_of_the_system),
     LAW(a_machine_has_its_processors_name),
     LAW(energies_count_from_rest),
-    LAW(every_clockwise_triangle_is_found),
     LAW(corners_are_williams),
     LAW(a_tolerance_has_the_size_of_the_answer),
     LAW(without_a_window_the_input_is_followed))
