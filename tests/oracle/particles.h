@@ -49,7 +49,7 @@ static const struct {
      {-0.125, -0.625, 0.625, 0.125}},
 };
 
-/* Seven particles; C = B / D per axis, as rows C11 C12 C21 C22. */
+/* Seven particles. */
 enum { ORACLE_PARTICLES = 7 };
 static const double oracle_x[][2] = {
     {0.913, 1.071}, {1.237, 0.871}, {1.349, 1.412}, {1.583, 1.129},
@@ -57,12 +57,6 @@ static const double oracle_x[][2] = {
 static const double oracle_v[][2] = {{1.31, -0.72}, {-0.48, 2.17}, {0.29, 0.83},
                                      {-1.93, 0.37}, {0.67, -1.51}, {2.38, 1.19},
                                      {-0.11, -2.06}};
-static const double oracle_m[] = {0.137, 0.291, 0.083, 0.214,
-                                  0.171, 0.059, 0.233};
-static const double oracle_C[][4] = {
-    {0.7, -1.3, 2.1, 0.4},  {-0.9, 0.6, 1.7, -0.2}, {1.1, 2.3, -0.5, 0.8},
-    {0.3, -0.7, 0.9, -1.6}, {-1.2, 0.1, 0.5, 1.9},  {2.2, -0.4, -1.1, 0.6},
-    {-0.3, 1.4, 0.2, -0.8}};
 static const double oracle_h = 0.385, oracle_dt = 0.013;
 /* "kick": a + w x x is added to the velocities of the nodes. */
 static const double oracle_kick[] = {0.31, -0.47}, oracle_kick_w = 1.7;

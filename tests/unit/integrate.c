@@ -222,45 +222,6 @@ static void modes_lose_what_the_oracle_says(void)
     model_free(mode);
 }
 
-/* Leading errors [eq:mode-constants]; the next term is 1/512 smaller or so. */
-static void orders_and_constants_are_due(void)
-{
-    static const int order_due[] = {1, 1, 2, 2};
-    const double T = 2.385;
-    const double due[] = {sin(T) / 2.0, T / 2.0, T / 12.0, T / 3.0};
-    struct model *model = model_mode(1.0);
-    for (int m = 0; m < N_METHOD; m++) {
-        struct state s = state_make(1);
-        s.u[0] = 1.0;
-        for (int k = 0; k < 512; k++)
-            integrate_step(model, (enum method)m, T / 512, NULL, &s);
-        const double error = hypot(s.u[0] - cos(T), s.v[0] + sin(T));
-        close_to(error / pow(T / 512, order_due[m]) / due[m], 1.0, 0.01);
-        state_free(&s);
-    }
-    model_free(model);
-}
-
-/* u^2 + v^2 - z u v of symplectic Euler, the energy of the midpoint rule. */
-static void invariants_are_kept(void)
-{
-    struct model *unit = model_mode(1.0), *bar = model_bar(9, CONSISTENT);
-    struct state s = state_make(1), t = a_state(bar, 0.1);
-    const double z = 1.247, start = model_energy(bar, t.u, t.v);
-    s.u[0] = 1.0;
-    for (int k = 0; k < 60; k++) {
-        integrate_step(unit, SYMPLECTIC_EULER, z, NULL, &s);
-        close_to(s.u[0] * s.u[0] + s.v[0] * s.v[0] - z * s.u[0] * s.v[0], 1.0,
-                 1e-12);
-        integrate_step(bar, IMPLICIT_MIDPOINT, 0.02385, NULL, &t);
-        close_to(model_energy(bar, t.u, t.v) / start, 1.0, 1e-10);
-    }
-    state_free(&s);
-    state_free(&t);
-    model_free(unit);
-    model_free(bar);
-}
-
 /* ---- integrate.h: the body ----------------------------------------------- */
 
 /*
@@ -501,8 +462,6 @@ UNIT_MAIN("integrate",
     LAW(newton_is_exact_at_every_step),
     LAW(newton_names_what_is_not_definite),
     LAW(modes_lose_what_the_oracle_says),
-    LAW(orders_and_constants_are_due),
-    LAW(invariants_are_kept),
     LAW(steps_satisfy_their_formulas),
     LAW(a_failed_step_leaves_the_state),
     LAW(starts_are_at_rest_where_it_is_held),

@@ -5,8 +5,6 @@
 #include "../oracle/particles.h"
 #include "unit.h"
 
-#include <float.h>
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <string.h>
 
@@ -196,47 +194,6 @@ static void transfers_are_the_oracles(void)
     }
 }
 
-/* A node that has only one particle's weight, and two that share. */
-static void nodes_are_the_oracles(void)
-{
-    for (int k = 0; k < COUNT(oracle_node); k++)
-        for (int affine = 0; affine < 2; affine++) {
-            struct scene scene = seven(oracle_node[k].order, 10, affine);
-            const int a = (oracle_node[k].j + 1) * 11 + oracle_node[k].i + 2;
-            const double *v = affine ? oracle_node[k].v_apic : oracle_node[k].v;
-            scene.grid->mass[a] = scene.grid->v[2 * a] = 7.0; /* of before */
-            ck_assert(grid_p2g(scene.grid, scene.p) == OK);
-            close_to(scene.grid->mass[a], oracle_node[k].mass, 1e-15);
-            for (int i = 0; i < 2; i++) {
-                close_to(scene.grid->v[2 * a + i], v[i], 1e-12);
-                close_to(scene.grid->next[2 * a + i], v[i], 1e-12);
-            }
-            for (int i = 0; i < scene.grid->n_node; i++)
-                ck_assert(isfinite(scene.grid->v[2 * i]));
-            scene_free(scene);
-        }
-}
-
-/* The particles themselves: their moments by hand, and what P2G does not see.
- */
-static void seven_are_the_oracles(void)
-{
-    struct scene scene = seven(3, 10, 1);
-    for (int q = 0; q < ORACLE_PARTICLES; q++) {
-        ck_assert(scene.p->mass[q] == oracle_m[q]);
-        for (int k = 0; k < 2; k++) {
-            ck_assert(scene.p->x[2 * q + k] == oracle_x[q][k]);
-            ck_assert(scene.p->v[2 * q + k] == oracle_v[q][k]);
-        }
-        for (int k = 0; k < 4; k++)
-            close_to(scene.p->B[q].m[k / 2][k % 2],
-                     oracle_C[q][k] * oracle_h * oracle_h / 3.0, 1e-15);
-    }
-    close_to(mat2_det(scene.p->F[2]), 1.36 * 0.79 - 0.41 * 0.12, 1e-15);
-    close_to(scene.p->volume[4], 0.0298, 1e-15);
-    scene_free(scene);
-}
-
 /* F := (I + dt G) F for v = A + G x, whatever F was. */
 static void F_follows_the_grid(void)
 {
@@ -398,8 +355,6 @@ UNIT_MAIN("particles",
     LAW(a_support_reproduces_affine_fields),
     LAW(outside_is_named),
     LAW(a_period_leads_around),
-    LAW(seven_are_the_oracles),
-    LAW(nodes_are_the_oracles),
     LAW(transfers_are_the_oracles),
     LAW(F_follows_the_grid),
     LAW(a_box_is_filled),
