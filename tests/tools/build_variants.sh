@@ -107,7 +107,6 @@ done
 long_for() {
     [ -n "$whole" ] || case $1 in
     compression) echo no_column_is_certified_that_buckles the_bound_is_the_formula ;;
-    live) echo nothing_breaks_log nothing_breaks_cubic ;;
     motion) echo no_frame_is_lost ;;
     # every ladder is played on a small square, too
     without) echo a_rung_is_missed a_rung_is_missed_rarely ;;
