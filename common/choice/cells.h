@@ -14,7 +14,7 @@
 
 #include "choice/ladder.h"
 
-enum { CELLS_LEVELS = 3, CELLS_KINDS = 4 };
+enum { CELLS_LEVELS = 3, CELLS_KINDS = 4, CELLS = 12 }; /* in all */
 struct cells {
     enum element element;
     double grade;  /* 1, or the 2 of mesh_grade() */
@@ -27,12 +27,12 @@ struct cells {
 /* Try each kind on each level.  false: the best one has no stable state, and no
  * error is known. */
 int cells_compare(const struct ladder_scene *scene, enum rung rung,
-                  struct cells cells[CELLS_KINDS * CELLS_LEVELS]);
+                  struct cells cells[CELLS]);
 
 /* Return the one with the fewest flops whose error is at most `room`, or
  * NULL. */
 const struct cells *cells_cheapest(
-    const struct cells cells[CELLS_KINDS * CELLS_LEVELS], double room);
+    const struct cells cells[CELLS], double room);
 
 /* Return "linear" or "quadratic". */
 const char *cells_name(enum element element);

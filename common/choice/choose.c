@@ -9,7 +9,6 @@
 #include "choice/cells.h"
 #include "choice/chosen.h"
 #include "choice/price.h"
-#include "choice/rung.h"
 #include "base/clock.h"
 #include "base/options.h"
 
@@ -26,10 +25,7 @@ static struct ladder_state *solved(const struct ladder_state *s,
 {
     struct ladder_model model = s->model;
     model.level = c->level;
-    struct ladder_state *q =
-        ladder_alloc_of(c->element, c->grade, s->scene, model);
-    q->status = rung_solve(q);
-    return q;
+    return ladder_solve_of(c->element, c->grade, s->scene, model);
 }
 
 /* Print what one frame costs. */
@@ -60,7 +56,7 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
     for (int k = 0; k <= FINEST; k++) {
         struct ladder_model model = s->model;
         model.level = k;
-        price[k] = price_calibrate(model);
+        price[k] = price_calibrate(LINEAR_TRIANGLE, 1.0, model);
     }
     double run = price_seconds(s, price[s->model.level]), flops = s->flops;
     struct ladder_state *richest = ladder_alloc(
@@ -75,8 +71,8 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
                price_columns(s, price, FINEST + 1, within), 1e3 * within);
     if (others_at_rest(s, c)) {
         struct ladder_state *q = solved(s, c);
-        run = price_seconds(q, price_calibrate_of(c->element, c->grade,
-                                                  q->model));
+        run = price_seconds(q, price_calibrate(c->element, c->grade,
+                                               q->model));
         flops = q->flops;
         say_frame("those of Element: ", flops, 0, run, within);
         ladder_free(q);
@@ -96,7 +92,6 @@ static void say_price(const struct ladder_state *s, const struct cells *c,
 }
 
 /* The triangles of cells.h beside those of an answer. */
-enum { CELLS = CELLS_KINDS * CELLS_LEVELS };
 struct compared {
     struct cells cells[CELLS];
     double room; /* the tolerance less the other parts */
@@ -106,7 +101,7 @@ struct compared {
                  * 0: nobody knows */
 };
 
-static void compare(const struct ladder_state *s, const struct chosen_tried *t,
+static void compare(const struct ladder_state *s, const struct climb_rung *t,
                     double tolerance, struct compared *c)
 {
     const double rest = pow(t->estimate, 2) - pow(t->part[MESH], 2);
@@ -173,8 +168,7 @@ static int verify(const struct ladder_state *s, enum doubt doubt,
     if (s->model.moving) finer.finest = s->model.level;
     const struct ladder_model richest = ladder_truth(&finer);
     struct ladder_state *truth =
-        ladder_alloc_of(QUADRATIC_TRIANGLE, 1.0, &finer, richest);
-    truth->status = rung_solve(truth);
+        ladder_solve_of(QUADRATIC_TRIANGLE, 1.0, &finer, richest);
     const int can =
         truth->status == OK && doubt < GIVES_WAY && ladder_stable(truth);
     if (truth->status != OK)
@@ -196,7 +190,7 @@ static int verify(const struct ladder_state *s, enum doubt doubt,
  * (m). */
 static void write_picture(const char *path, const struct scene_file *file,
                           const struct ladder_state *s,
-                          const struct chosen_tried *t, double tolerance)
+                          const struct climb_rung *t, double tolerance)
 {
     FILE *out = fopen(path, "w");
     if (!out) die("%s: cannot be written", path);
@@ -226,7 +220,7 @@ struct asked {
 };
 
 /* The answer has cells of this error. */
-static void put_mesh(struct chosen_tried *t, double error)
+static void put_mesh(struct climb_rung *t, double error)
 {
     const double rest = pow(t->estimate, 2) - pow(t->part[MESH], 2);
     t->part[MESH] = error;
@@ -236,11 +230,12 @@ static void put_mesh(struct chosen_tried *t, double error)
 /* Print the report.  Return whether s, or the same law on other triangles, is
  * accurate enough. */
 static int end(const struct scene_file *file, const struct asked *asked,
-               struct ladder_state *s, const struct chosen_tried tried[], int n,
-               int enough, double start)
+               struct ladder_state *s, const struct climb_rung tried[], int n,
+               double start)
 {
-    struct chosen_tried t = tried[n - 1];
+    struct climb_rung t = tried[n - 1];
     struct compared c;
+    int enough = t.doubt == NO_DOUBT && t.estimate <= asked->error;
     compare(s, &t, asked->error, &c);
     const double choosing = clock_processor() - start;
     const int others_needed = !s->model.moving && (!enough || c.own > c.room);
@@ -277,38 +272,22 @@ int main(int argc, char *argv[])
          .help = "what figures/scene.gp draws"},
     };
     struct scene_file file;
-    struct asked asked;
     options_parse("choose", options, COUNT(options), argc, argv);
     gsl_set_error_handler_off();
     if (!path) options_refuse("choose", "--scene is missing; -h lists them");
     scene_file_read("choose", path, FINEST, &file);
 
-    const struct ladder_scene *scene = &file.scene;
-    struct ladder_model model = ladder_first(scene);
-    asked = (struct asked){error / 100.0, within / 1e3, check, picture};
+    const struct asked asked = {error / 100.0, within / 1e3, check, picture};
     const double start = clock_processor();
-    int enough = 0, n = 0;
-    struct chosen_tried tried[16]; /* each adds a rung, motion or a level */
-    for (int add = 1; add;) {
-        struct ladder_state *s = ladder_solve(scene, model);
-        if (s->status != OK)
-            die("%s: the %s model finds no state (%s): the load may be beyond "
-                "every equilibrium%s", path, ladder_rung(model.rung),
-                status_name(s->status), model.moving ? ", or the steps too "
-                "long: make 'end' shorter" : "");
-        struct chosen_tried *t = &tried[n++];
-        t->model = model;
-        t->doubt = estimate_doubt(s);
-        estimate_parts(s, t->part);
-        enough = estimate_verdict(model, scene->time, t->doubt == NO_DOUBT,
-                                  asked.error, t->part, &t->estimate,
-                                  &t->add);
-        add = !enough && t->doubt != LONG_STEPS && n < COUNT(tried);
-        if (add && !ladder_add(scene, t->add, &model)) /* no finer mesh, but */
-            add = !model.moving && t->doubt == NO_DOUBT && /* triangles */
-                   ladder_add(scene, GEOMETRY, &model);
-        if (!add) enough = end(&file, &asked, s, tried, n, enough, start);
-        ladder_free(s);
-    }
+    struct climb_rung tried[CLIMB_MOST];
+    int n;
+    struct ladder_state *s = climb_ladder(&file.scene, asked.error, tried, &n);
+    if (s->status != OK)
+        die("%s: the %s model finds no state (%s): the load may be beyond "
+            "every equilibrium%s", path, ladder_rung(s->model.rung),
+            status_name(s->status), s->model.moving ? ", or the steps too "
+            "long: make 'end' shorter" : "");
+    const int enough = end(&file, &asked, s, tried, n, start);
+    ladder_free(s);
     return enough ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -19,7 +19,7 @@ static double largest_turn(const struct ladder_state *s)
 }
 
 /* Return why the parts of the error cannot be relied on. */
-static const char *doubt_of(const struct chosen_tried *t)
+static const char *doubt_of(const struct climb_rung *t)
 {
     static const char *const doubts[] = {
         [TORN] = "the strain is so large that no body of this E bears the "
@@ -48,7 +48,7 @@ static const char *const says[N_PART] = {
     [STRESS] = "in the linear law stress does not turn with the body"};
 
 /* Return the largest source of the error. */
-static const char *why_of(const struct chosen_tried *t)
+static const char *why_of(const struct climb_rung *t)
 {
     return t->add == LAW && t->part[LAW] >= 1.0
                ? "J is so far from 1 that the cubic law says nothing of the "
@@ -90,7 +90,7 @@ static void say_what(const struct ladder_state *s, const struct cells *others)
 }
 
 int chosen_say_answer(const struct ladder_state *s,
-                      const struct chosen_tried *t, double tolerance,
+                      const struct climb_rung *t, double tolerance,
                       const struct cells *others)
 {
     const char *quantity = chosen_quantity(s->scene->quantity);
@@ -113,11 +113,11 @@ int chosen_say_answer(const struct ladder_state *s,
     return enough;
 }
 
-void chosen_say_climb(const struct chosen_tried tried[], int n)
+void chosen_say_climb(const struct climb_rung tried[], int n)
 {
     printf("Tried, from the least model on (lesson 23)\n");
     for (int k = 0; k < n; k++) {
-        const struct chosen_tried *t = &tried[k];
+        const struct climb_rung *t = &tried[k];
         char text[20];
         printf("  %s %s, mesh %d: ", ladder_rung(t->model.rung),
                t->model.moving ? "in motion" : "at rest", t->model.level);
@@ -252,7 +252,7 @@ static void say_quantities(struct ladder_state *s)
     s->scene = scene;
 }
 
-void chosen_say_error(struct ladder_state *s, const struct chosen_tried *t,
+void chosen_say_error(struct ladder_state *s, const struct climb_rung *t,
                       const struct cells *others)
 {
     if (t->doubt >= GIVES_WAY) return;

@@ -6,16 +6,8 @@
 #define COMMON_CHOSEN_H
 
 #include "choice/cells.h"
-#include "choice/estimate.h"
+#include "choice/climb.h"
 #include "choice/scene_file.h"
-
-/* A model that was tried, its estimates, and the next addition. */
-struct chosen_tried {
-    struct ladder_model model;
-    double part[N_PART], estimate;
-    enum part add;
-    enum doubt doubt;
-};
 
 /* Return "of the largest displacement" and so on. */
 const char *chosen_quantity(enum ladder_quantity quantity);
@@ -23,11 +15,11 @@ const char *chosen_quantity(enum ladder_quantity quantity);
 /* Print the answer in two lines, with these triangles as below, and below them
  * why it is in doubt.  Return whether it is enough. */
 int chosen_say_answer(const struct ladder_state *state,
-                      const struct chosen_tried *tried, double tolerance,
+                      const struct climb_rung *tried, double tolerance,
                       const struct cells *others);
 void chosen_say_numbers(const struct scene_file *file,
                         const struct ladder_state *state);
-void chosen_say_climb(const struct chosen_tried tried[], int n);
+void chosen_say_climb(const struct climb_rung tried[], int n);
 
 /* Print for `others`, triangles of cells.h, or if it is NULL for linear ones as
  * in the state, the solver and the parts of the error with what no part sees;
@@ -36,7 +28,7 @@ void chosen_say_model(const struct scene_file *file,
                       const struct ladder_state *state,
                       const struct cells *others);
 void chosen_say_error(struct ladder_state *state,
-                      const struct chosen_tried *tried,
+                      const struct climb_rung *tried,
                       const struct cells *others);
 
 #endif

@@ -1,8 +1,6 @@
 /* estimate.c - see estimate.h. */
 #include "choice/estimate.h"
 
-#include "choice/rung.h"
-
 #include <math.h>
 #include <stdlib.h>
 
@@ -41,9 +39,8 @@ double estimate_law(const struct ladder_state *s)
 
 double estimate_dimension(const struct ladder_state *s)
 {
-    const struct material *m = &s->body->material;
     const double length = 2.0, height = length / s->scene->slender;
-    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double lateral = ladder_narrows(&s->body->material);
     double N = 0.0, moment = 0.0;
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double *X = &s->mesh->X[2 * a], *f = &s->f[2 * a];
@@ -103,10 +100,9 @@ static enum doubt doubt_of_finest(const struct ladder_state *s)
     struct ladder_scene scene = *s->scene;
     const enum rung rung = s->model.rung == LOG_PLANE ? LOG_PLANE : CUBIC_PLANE;
     scene.time = STANDS;
-    struct ladder_state *fine = ladder_alloc_of(
+    struct ladder_state *fine = ladder_solve_of(
         QUADRATIC_TRIANGLE, 1.0, &scene,
         (struct ladder_model){rung, 0, scene.finest});
-    fine->status = rung_solve(fine);
     enum doubt doubt = NO_DOUBT;
     if (fine->status != OK || !ladder_stable(fine)) doubt = GIVES_WAY;
     else if (ladder_symmetric(&scene) && leans(fine)) doubt = BUCKLES;
@@ -201,29 +197,4 @@ int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,
     }
     if (!sure && model.rung <= LINEAR_PLANE) *add = GEOMETRY;
     return sure && *estimate <= tolerance;
-}
-
-int estimate_state(const struct ladder_state *s, double tolerance,
-                   double *estimate, enum part *add)
-{
-    double part[N_PART];
-    if (s->status != OK) die("a model ends with %s", status_name(s->status));
-    estimate_parts(s, part);
-    return estimate_verdict(s->model, s->scene->time,
-                            estimate_doubt(s) == NO_DOUBT, tolerance, part,
-                            estimate, add);
-}
-
-struct ladder_state *estimate_climb(const struct ladder_scene *scene,
-                                    double tolerance, double *estimate,
-                                    int *enough)
-{
-    struct ladder_model model = ladder_first(scene);
-    for (;;) {
-        struct ladder_state *s = ladder_solve(scene, model);
-        enum part add;
-        *enough = estimate_state(s, tolerance, estimate, &add);
-        if (*enough || !ladder_add(scene, add, &model)) return s;
-        ladder_free(s);
-    }
 }

@@ -24,6 +24,7 @@
 #define COMMON_ESTIMATE_H
 
 #include "choice/relax.h"
+#include "choice/rung.h"
 
 /* Return max |H^T H| / 2 / max |H|, H = F - I, Frobenius norm; 0 for u = 0. */
 double estimate_geometry(const struct ladder_state *state);
@@ -89,15 +90,5 @@ enum doubt estimate_doubt(const struct ladder_state *state);
 int estimate_verdict(struct ladder_model model, enum ladder_time time, int sure,
                      double tolerance, double part[N_PART], double *estimate,
                      enum part *add);
-
-/* Return the same for a solved model, whose parts are estimated here. */
-int estimate_state(const struct ladder_state *state, double tolerance,
-                   double *estimate, enum part *add);
-
-/* Climb from the bar until a model is enough or there is none.  Return the
- * last. */
-struct ladder_state *estimate_climb(const struct ladder_scene *scene,
-                                    double tolerance, double *estimate,
-                                    int *enough);
 
 #endif

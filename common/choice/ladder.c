@@ -1,8 +1,6 @@
 /* ladder.c - see ladder.h. */
 #include "choice/ladder.h"
 
-#include "choice/relax.h"
-#include "choice/rung.h"
 #include "plane/quadratic.h"
 #include "plane/step.h"
 
@@ -58,6 +56,11 @@ struct ladder_scene ladder_loaded(const struct ladder_scene *of, double load)
 double ladder_modulus(const struct material *m)
 {
     return 4.0 * m->mu * (m->mu + m->lambda) / (2.0 * m->mu + m->lambda);
+}
+
+double ladder_narrows(const struct material *m)
+{
+    return m->lambda / (2.0 * m->mu + m->lambda);
 }
 
 double ladder_buckles(const struct ladder_scene *scene)
@@ -203,15 +206,6 @@ struct ladder_state *ladder_alloc(const struct ladder_scene *scene,
     return ladder_alloc_of(LINEAR_TRIANGLE, 1.0, scene, model);
 }
 
-/* Grade the mesh towards the held ends and the free sides. */
-static void grade_mesh(struct mesh *mesh, double grade,
-                       const struct ladder_scene *scene)
-{
-    const int right = scene->held == LADDER_ENDS ? MESH_RIGHT : 0;
-    if (grade > 1.0)
-        mesh_grade(mesh, grade, MESH_LEFT | MESH_BOTTOM | MESH_TOP | right);
-}
-
 struct ladder_state *ladder_alloc_of(enum element element, double grade,
                                      const struct ladder_scene *scene,
                                      struct ladder_model model)
@@ -223,7 +217,9 @@ struct ladder_state *ladder_alloc_of(enum element element, double grade,
     s->model = model;
     s->mesh =
         mesh_rectangle(n, ROWS << model.level, 1.0, 1.0 / scene->slender);
-    grade_mesh(s->mesh, grade, scene);
+    if (grade > 1.0) /* towards what is held and the free sides */
+        mesh_grade(s->mesh, grade, MESH_LEFT | MESH_BOTTOM | MESH_TOP |
+                   (scene->held == LADDER_ENDS ? MESH_RIGHT : 0));
     if (element == LINEAR_TRIANGLE) mirror(s->mesh);
     else quadratic_straighten(s->mesh);
     const size_t size = 2 * (size_t)s->mesh->n_vertex;
@@ -260,14 +256,6 @@ void ladder_free(struct ladder_state *s)
     free(s);
 }
 
-struct ladder_state *ladder_solve(const struct ladder_scene *scene,
-                                  struct ladder_model model)
-{
-    struct ladder_state *s = ladder_alloc(scene, model);
-    s->status = rung_solve(s);
-    return s;
-}
-
 struct ladder_model ladder_truth(const struct ladder_scene *scene)
 {
     return (struct ladder_model){
@@ -280,13 +268,18 @@ double ladder_step(const struct ladder_state *s)
                                              : s->scene->dt;
 }
 
-double *ladder_momentum(const struct ladder_state *s)
+double *ladder_mass(const struct ladder_state *s, const double w[])
 {
     struct body heavy = *s->body;
-    double *Mu = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *Mu);
+    double *Mw = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *Mw);
     heavy.rho = 1.0;
-    body_mass(&heavy, s->u, Mu);
-    return Mu;
+    body_mass(&heavy, w, Mw);
+    return Mw;
+}
+
+double *ladder_momentum(const struct ladder_state *s)
+{
+    return ladder_mass(s, s->u);
 }
 
 int ladder_stable(const struct ladder_state *s)
@@ -364,14 +357,11 @@ double ladder_measure(const struct ladder_state *s, const double u[])
                                    : apart(s, u, NULL, NULL, quantity);
 }
 
-double ladder_error(const struct ladder_state *state,
+double ladder_apart(const struct ladder_state *s,
                     const struct ladder_state *truth)
 {
-    if (truth->scene->quantity == LADDER_HAND)
-        return fabs(work_of_hand(state, state->u) -
-                    work_of_hand(truth, truth->u)) /
-               (truth->model.moving ? ladder_measure(truth, truth->u)
-                                    : relax_yields(truth));
-    return apart(state, state->u, truth, truth->u, truth->scene->quantity) /
-           ladder_measure(truth, truth->u);
+    const enum ladder_quantity quantity = truth->scene->quantity;
+    return quantity == LADDER_HAND
+               ? fabs(work_of_hand(s, s->u) - work_of_hand(truth, truth->u))
+               : apart(s, s->u, truth, truth->u, quantity);
 }

@@ -67,9 +67,10 @@ int ladder_has_hand(const struct ladder_scene *scene);
 struct ladder_scene ladder_loaded(const struct ladder_scene *scene,
                                   double load);
 
-/* Return E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides
- * free. */
+/* Return E' = E / (1 - nu^2): stretched lengthwise in plane strain, sides free;
+ * and lambda / (2 mu + lambda), the part of the stretch by which it narrows. */
 double ladder_modulus(const struct material *material);
+double ladder_narrows(const struct material *material);
 
 /* Return the force (N) under which a straight column of this length, height and
  * material buckles that is held at one end: pi^2 E' I / (4 length^2). */
@@ -136,10 +137,6 @@ struct ladder_state *ladder_alloc_of(enum element element, double grade,
                                      const struct ladder_scene *scene,
                                      struct ladder_model model);
 
-/* ... and solved by the model. */
-struct ladder_state *ladder_solve(const struct ladder_scene *scene,
-                                  struct ladder_model model);
-
 /* Return the answer to the lowest eigenvalue: whether K = d2Psi/du2 is
  * positive definite at u.  A model in motion is not asked: true. */
 int ladder_stable(const struct ladder_state *state);
@@ -155,8 +152,9 @@ const char *ladder_part(enum part part);
 int ladder_add(const struct ladder_scene *scene, enum part part,
                struct ladder_model *model);
 
-/* Return M u for the density 1, which the inertia is estimated from; a new
- * array for the caller to free. */
+/* Return M w, and M u, for the density 1, which the inertia is estimated from;
+ * a new array for the caller to free. */
+double *ladder_mass(const struct ladder_state *state, const double w[]);
 double *ladder_momentum(const struct ladder_state *state);
 
 /* The richest model of a scene, on the mesh after its finest: the truth that
@@ -171,15 +169,10 @@ double ladder_step(const struct ladder_state *state);
 double ladder_size(const struct ladder_state *state, const double u[]);
 double ladder_measure(const struct ladder_state *state, const double u[]);
 
-/*
- * Of u - u_truth, over that of u_truth, at these vertices; the scene of `truth`
- * says which quantity.  Of the force in the hand: a hand that moves its sides
- * as far as the model says, along its forces and in their mean, must pull
- * harder or less by |hand.(u - u_truth)| / hand.K^-1 hand, K of the truth, to
- * first order [eq:left-hand]; in motion, where a force brings all of the work,
- * over |hand.u_truth|.
- */
-double ladder_error(const struct ladder_state *state,
+/* Return the difference of two answers at these vertices, in the quantity that
+ * the scene of `truth` asks for: the largest |u - u_truth| or its root mean
+ * square (m), or |hand.u - hand.u_truth| (J). */
+double ladder_apart(const struct ladder_state *state,
                     const struct ladder_state *truth);
 
 #endif

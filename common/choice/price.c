@@ -35,13 +35,8 @@ static double timed(enum element element, double grade,
     return best;
 }
 
-struct price price_calibrate(struct ladder_model model)
-{
-    return price_calibrate_of(LINEAR_TRIANGLE, 1.0, model);
-}
-
-struct price price_calibrate_of(enum element element, double grade,
-                                struct ladder_model model)
+struct price price_calibrate(enum element element, double grade,
+                             struct ladder_model model)
 {
     struct ladder_scene scene = {.slender = 4, .nu = 0.3,
         .weight = {0.0, -0.5}, .time = model.moving ? RISES : STANDS,

@@ -17,12 +17,10 @@ struct price {
                            * linear system */
 };
 
-/* Return the fastest of the runs that fit into 0.1 s. */
-struct price price_calibrate(struct ladder_model model);
-
-/* ... with the triangles of ladder_alloc_of(). */
-struct price price_calibrate_of(enum element element, double grade,
-                                struct ladder_model model);
+/* Return the fastest of the runs that fit into 0.1 s, with the triangles of
+ * ladder_alloc_of(). */
+struct price price_calibrate(enum element element, double grade,
+                             struct ladder_model model);
 
 /* Return the seconds of the solve, without those of ladder_alloc(). */
 double price_seconds(const struct ladder_state *state, struct price price);

@@ -152,7 +152,9 @@ int relax_follow(const struct ladder_state *s, const struct matrix *factors,
     return stands;
 }
 
-double relax_yields(const struct ladder_state *s)
+/* Return hand.K^-1 hand (J): what a hand of the full force would move by
+ * itself, times that; NAN where there are no factors. */
+static double plane_yields(const struct ladder_state *s)
 {
     double *z = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *z);
     struct matrix *K = relax_factors(s);
@@ -161,6 +163,15 @@ double relax_yields(const struct ladder_state *s)
     matrix_free(K);
     free(z);
     return yields;
+}
+
+double ladder_error(const struct ladder_state *s,
+                    const struct ladder_state *truth)
+{
+    const int hand = truth->scene->quantity == LADDER_HAND;
+    return ladder_apart(s, truth) / (hand && !truth->model.moving
+                                         ? plane_yields(truth)
+                                         : ladder_measure(truth, truth->u));
 }
 
 /* K w: int (P + p I) grad N. */
@@ -272,14 +283,11 @@ static double late(const struct ladder_state *s, const struct matrix *factors,
                    relax_forces *mesh)
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    struct body heavy = *s->body;
-    double *Kv = allocate(n, sizeof *Kv), *Mv = allocate(n, sizeof *Mv);
+    double *Kv = allocate(n, sizeof *Kv), *Mv = ladder_mass(s, s->v);
     double *Dv = allocate(n, sizeof *Dv), *d = allocate(n, sizeof *d);
-    heavy.rho = 1.0;
     product(s, stiffness, s->v, Kv);
     product(s, mesh, s->v, Dv);
     solve(s, factors, Dv, d);
-    body_mass(&heavy, s->v, Mv);
     const double kinetic = dot(s, s->v, Mv), speed = ladder_size(s, s->v);
     const double square = fmax(0.0, dot(s, s->v, Kv)) / kinetic;
     const double stiffer = ladder_size(s, d) / speed;
@@ -312,11 +320,9 @@ double relax_mesh(const struct ladder_state *s, const struct matrix *factors,
 static double swing(const struct ladder_state *s, const struct matrix *K)
 {
     const size_t n = 2 * (size_t)s->mesh->n_vertex;
-    double *w = allocate(n, sizeof *w), *Mw = allocate(n, sizeof *Mw);
-    struct body heavy = *s->body;
-    heavy.rho = 1.0;
+    double *w = allocate(n, sizeof *w);
     solve(s, K, s->f, w);
-    body_mass(&heavy, w, Mw);
+    double *Mw = ladder_mass(s, w);
     solve(s, K, Mw, w);
     const double square = dot(s, Mw, w);
     free(w);
@@ -381,20 +387,24 @@ double relax_dimension(const struct ladder_state *s)
 {
     const struct material *m = &s->body->material;
     const size_t n = (size_t)s->mesh->n;
-    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double lateral = ladder_narrows(m), missed = 0.5 * lateral * lateral;
     const double height = 2.0 / s->scene->slender, step = 2.0 / s->mesh->n;
     double *N = allocate(n + 1, sizeof *N), *M = allocate(n + 1, sizeof *M);
-    double *force = allocate(n + 1, sizeof *force);
+    double *force = allocate(n + 1, sizeof *force), off, whole;
     double *moment = allocate(n + 1, sizeof *moment);
     double turn = 0.0, w = 0.0, u = 0.0, sideways = 0.0, along = 0.0;
     double bent = 0.0, pulled = 0.0, both = 0.0, shorter = 0.0;
-    double missed, off, whole;
     sections(s, s->f, N, M);
     sections(s, s->hand, force, moment);
     const double I = pow(height, 3) / 12.0;
     const double E = ladder_modulus(m), shear = 1.2 * E / (m->mu * height);
     const double gain = 1.0 / (1.0 - ladder_pressed(s->scene));
-    for (size_t i = 0; i < n; i++) { /* everything times E' */
+    /* From the held end on, times E': w'' = M / I, and the shear force M' adds
+     * 1.2 E' M' / (mu height) to w' (Timoshenko and Gere, 2.17); u' is N over
+     * height, an edge goes along by height w' / 2.  A hand that bends by m
+     * moves by int m M / I + 1.2 E' m' M' / (mu height), by virtual work, and of
+     * itself by that with m for M; a bend shortens the axis by int w'^2 / 2. */
+    for (size_t i = 0; i < n; i++) {
         const double middle = 0.5 * (M[i] + M[i + 1]);
         const double mean = 0.5 * (moment[i] + moment[i + 1]);
         const double Q = M[i] - M[i + 1], q = moment[i] - moment[i + 1];
@@ -408,7 +418,6 @@ double relax_dimension(const struct ladder_state *s)
         pulled += step * pow(force[i + 1], 2) / height;
         shorter += step * 0.5 * fabs(force[i + 1]) * pow(gain * turn, 2) / E;
     }
-    missed = 0.5 * lateral * lateral;
     if (s->scene->quantity == LADDER_HAND) {
         off = gain * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
         whole = bent + pulled;
@@ -429,8 +438,7 @@ double relax_dimension(const struct ladder_state *s)
 static double pressed(const struct ladder_state *s, double dimension)
 {
     const double bends = fmax(dimension, relax_dimension(s));
-    const struct material *m = &s->body->material;
-    const double lateral = m->lambda / (2.0 * m->mu + m->lambda);
+    const double lateral = ladder_narrows(&s->body->material);
     const double missed = lateral * lateral / (2.0 * s->scene->slender);
     const double share = ladder_pressed(s->scene);
     if (share >= 1.0) return 1.0;

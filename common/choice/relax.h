@@ -13,6 +13,8 @@
  *
  * K is that of rest: of a nonlinear model d2Psi/du2 at u, and e is then the
  * first step of Newton's method; else the linear one.
+ *
+ * Names: relax_, ladder_.
  */
 #ifndef COMMON_RELAX_H
 #define COMMON_RELAX_H
@@ -96,9 +98,15 @@ double relax_geometry(const struct ladder_state *state,
  */
 double relax_dimension(const struct ladder_state *state);
 
-/* Return hand.K^-1 hand (J): what a hand of the full force would move by
- * itself, times that; NAN where there are no factors. */
-double relax_yields(const struct ladder_state *state);
+/*
+ * Return ladder_apart() over ladder_measure() of the truth.  Of the force in
+ * the hand: a hand that moves its sides as far as the model says, along its
+ * forces and in their mean, must pull harder or less by |hand.(u - u_truth)| /
+ * hand.K^-1 hand, K of the truth, to first order [eq:left-hand]; in motion,
+ * where a force brings all of the work, over |hand.u_truth|.
+ */
+double ladder_error(const struct ladder_state *state,
+                    const struct ladder_state *truth);
 
 /*
  * Return the part of the mesh: relax_part() of its forces, and in motion what

@@ -26,7 +26,7 @@ static enum status bar(struct ladder_state *s)
 {
     const struct material *m = &s->body->material;
     const double modulus = ladder_modulus(m);
-    const double thinner = m->lambda / (2.0 * m->mu + m->lambda);
+    const double thinner = ladder_narrows(m);
     const int n = s->mesh->n, columns = n + 1;
     const double area = 2.0 / s->scene->slender, h = 2.0 / n;
     double *slope = allocate((size_t)n + 2, sizeof *slope), u = 0.0;
@@ -238,4 +238,19 @@ enum status rung_solve(struct ladder_state *s)
 {
     if (s->model.rung == BAR) return bar(s);
     return s->model.moving ? move(s) : rest(s);
+}
+
+struct ladder_state *ladder_solve(const struct ladder_scene *scene,
+                                  struct ladder_model model)
+{
+    return ladder_solve_of(LINEAR_TRIANGLE, 1.0, scene, model);
+}
+
+struct ladder_state *ladder_solve_of(enum element element, double grade,
+                                     const struct ladder_scene *scene,
+                                     struct ladder_model model)
+{
+    struct ladder_state *s = ladder_alloc_of(element, grade, scene, model);
+    s->status = rung_solve(s);
+    return s;
 }

@@ -13,38 +13,30 @@
 
 enum { LONGEST = 256, MOST_STEPS = 400, LEAST_STEPS = 40 };
 
-/* The lines of a file: n numbers from least to most, or one of the words. */
-static const struct line {
-    const char *word;
-    int n;
-    double least, most;
-    const char *words; /* with a blank around each; NULL: numbers */
-    int must;          /* be there */
-    const char *unit;  /* after a blank */
-} lines[] = {
-    {"width", 1, 1e-6, 1e3, NULL, 1, " m"},
-    {"height", 1, 1e-6, 1e3, NULL, 1, " m"},
-    {"E", 1, 1e-3, 1e12, NULL, 1, " N/m^2"},
-    {"nu", 1, 0.0, 0.499, NULL, 1, ""},
-    {"rho", 1, 1e-3, 1e5, NULL, 1, " kg/m^3"},
-    {"gravity", 2, -1e4, 1e4, NULL, 0, " m/s^2"},
-    {"held", 0, 0, 0, " left ends ", 1, ""},
-    {"pulled", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
-    {"pushed", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
-    {"load", 0, 0, 0, " stands rises swings ", 0, ""},
-    {"time", 1, 1e-9, 1e6, NULL, 0, " s"},
-    {"period", 1, 1e-9, 1e6, NULL, 0, " s"},
-    {"end", 1, 1e-9, 1e6, NULL, 0, " s"},
-    {"quantity", 0, 0, 0, " displacement rms force ", 0, ""},
-};
 enum {
     WIDTH, HEIGHT, YOUNG, POISSON, DENSITY, GRAVITY, HELD, PULLED, PUSHED, LOAD,
-    TIME, PERIOD, END, QUANTITY
+    TIME, PERIOD, END, QUANTITY, LINES
+};
+static const struct scene_line lines[LINES] = {
+    [WIDTH] = {"width", 1, 1e-6, 1e3, NULL, 1, " m"},
+    [HEIGHT] = {"height", 1, 1e-6, 1e3, NULL, 1, " m"},
+    [YOUNG] = {"E", 1, 1e-3, 1e12, NULL, 1, " N/m^2"},
+    [POISSON] = {"nu", 1, 0.0, 0.499, NULL, 1, ""},
+    [DENSITY] = {"rho", 1, 1e-3, 1e5, NULL, 1, " kg/m^3"},
+    [GRAVITY] = {"gravity", 2, -1e4, 1e4, NULL, 0, " m/s^2"},
+    [HELD] = {"held", 0, 0, 0, " left ends ", 1, ""},
+    [PULLED] = {"pulled", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
+    [PUSHED] = {"pushed", 2, -1e12, 1e12, NULL, 0, " N/m^2"},
+    [LOAD] = {"load", 0, 0, 0, " stands rises swings ", 0, ""},
+    [TIME] = {"time", 1, 1e-9, 1e6, NULL, 0, " s"},
+    [PERIOD] = {"period", 1, 1e-9, 1e6, NULL, 0, " s"},
+    [END] = {"end", 1, 1e-9, 1e6, NULL, 0, " s"},
+    [QUANTITY] = {"quantity", 0, 0, 0, " displacement rms force ", 0, ""},
 };
 
 struct said {
-    double value[COUNT(lines)][2]; /* of words their number */
-    int at[COUNT(lines)];          /* line of the file; 0: it says nothing */
+    double value[LINES][2]; /* of words their number */
+    int at[LINES];          /* line of the file; 0: it says nothing */
 };
 
 /* Print "PROGRAM: FILE: line 3: MESSAGE"; line 0: the file as a whole. */
@@ -80,8 +72,8 @@ static void read_line(const char *program, const char *path, int line,
     const char *word = strtok(text, blank);
     if (!word) return;
     int k = 0;
-    while (k < COUNT(lines) && strcmp(lines[k].word, word) != 0) k++;
-    if (k == COUNT(lines))
+    while (k < LINES && strcmp(lines[k].word, word) != 0) k++;
+    if (k == LINES)
         refuse(program, path, line, "'%.40s' is no word of a scene: width "
                "height E nu rho gravity held pulled pushed load time period "
                "end quantity", word);
@@ -119,13 +111,9 @@ static void read_line(const char *program, const char *path, int line,
                "comment begins with #", word, rest);
 }
 
-int scene_file_line(int k, struct scene_line *line)
+const struct scene_line *scene_file_line(int k)
 {
-    if (k < 0 || k >= COUNT(lines)) return 0;
-    const struct line *l = &lines[k];
-    *line = (struct scene_line){l->word,  l->n,    l->least, l->most,
-                                l->words, l->must, l->unit};
-    return 1;
+    return k >= 0 && k < LINES ? &lines[k] : NULL;
 }
 
 /* The last part of the path, without its ending. */
@@ -161,7 +149,7 @@ static void ask_time(const char *program, const char *path,
                      const struct said *said, enum ladder_time time)
 {
     static const char *const how[] = {"stands", "rises", "swings"};
-    const int belongs[COUNT(lines)] = {[TIME] = time == RISES,
+    const int belongs[LINES] = {[TIME] = time == RISES,
                                        [PERIOD] = time == SWINGS,
                                        [END] = time != STANDS};
     for (int k = TIME; k <= END; k++)
@@ -264,7 +252,7 @@ void scene_file_read(const char *program, const char *path, int finest,
     const int bad = ferror(in);
     fclose(in);
     if (bad) refuse(program, path, 0, "cannot be read");
-    for (int k = 0; k < COUNT(lines); k++)
+    for (int k = 0; k < LINES; k++)
         if (lines[k].must && !said.at[k]) {
             if (k == HELD)
                 refuse(program, path, 0, "does not say 'held', and what "

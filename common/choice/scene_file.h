@@ -47,8 +47,8 @@ struct scene_line {
     const char *unit;  /* after a blank, or "" */
 };
 
-/* *line := the k-th from 0 on; false: there is none. */
-int scene_file_line(int k, struct scene_line *line);
+/* Return the k-th from 0 on, or NULL. */
+const struct scene_line *scene_file_line(int k);
 
 struct scene_file {
     struct ladder_scene scene;

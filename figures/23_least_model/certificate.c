@@ -9,6 +9,7 @@
  * load, on three meshes.  Tables: reach, scatter.
  */
 #include "compression.h"
+#include "choice/rung.h"
 #include "drawn.h"
 #include "base/study.h"
 #include "base/table.h"

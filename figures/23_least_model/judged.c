@@ -1,7 +1,7 @@
 /* judged.c - see judged.h. */
 #include "judged.h"
 
-#include "choice/estimate.h"
+#include "choice/climb.h"
 
 #include <math.h>
 
@@ -21,15 +21,17 @@ static int climb(const struct ladder_state *truth,
     int n = 0;
     for (int more = 1; more && n < JUDGED_RUNGS;) {
         struct ladder_state *s = ladder_solve(scene, model);
-        enum part add = MESH;
-        if (s->status == OK) {
-            rung[n] = (struct judged_rung){.model = model,
-                                           .how = {"-", "-", "-"},
-                                           .error = ladder_error(s, truth)};
-            rung[n].sure = estimate_state(s, INFINITY, &rung[n].estimate, &add);
-            n++;
+        more = s->status == OK;
+        if (more) {
+            struct climb_rung r;
+            const int sure = climb_judge(s, INFINITY, &r);
+            rung[n++] = (struct judged_rung){.model = model,
+                                             .how = {"-", "-", "-"},
+                                             .error = ladder_error(s, truth),
+                                             .estimate = r.estimate,
+                                             .sure = sure};
+            more = ladder_add(scene, r.add, &model);
         }
-        more = s->status == OK && ladder_add(scene, add, &model);
         ladder_free(s);
     }
     return n;
@@ -64,11 +66,10 @@ int judged_climb(const struct ladder_state *truth,
                  struct judged by[JUDGED_WANTED])
 {
     const int n = climb(truth, rung);
-    double own;
-    enum part part;
-    estimate_state(truth, 0.0, &own, &part);
+    struct climb_rung own;
+    climb_judge(truth, 0.0, &own);
     for (int t = 0; t < JUDGED_WANTED; t++)
-        if (own <= 0.5 * judged_wanted[t])
+        if (own.estimate <= 0.5 * judged_wanted[t])
             judged_add(&by[t], judge(rung, n, t));
     return n;
 }

@@ -3,6 +3,7 @@
 
 #include "base/study.h"
 #include "compression.h"
+#include "choice/climb.h"
 
 /* Flops of what the verdict asks for: 130 per triangle for geometry, law,
  * dimension and inertia, of a bar for the two triangles of a section that
@@ -28,7 +29,10 @@ static struct price price_of(const struct ladder_state *s,
 {
     struct price p = {.error = ladder_error(s, truth), .flops = s->flops,
                       .estimates = estimates(s)};
-    estimate_state(s, 0.0, &p.estimate, &p.add);
+    struct climb_rung r;
+    climb_judge(s, 0.0, &r);
+    p.estimate = r.estimate;
+    p.add = r.add;
     p.stable = ladder_stable(s);
     p.certificate = p.cholesky = compression_cholesky(s);
     if (s->model.rung == BAR) {

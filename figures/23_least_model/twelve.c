@@ -7,7 +7,7 @@
  * enough for 10 %), least (lowest and highest ratio of the stable ones; what a
  * linear u above the buckling load says by itself, in %).
  */
-#include "choice/estimate.h"
+#include "choice/climb.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -46,9 +46,11 @@ static int climb(const struct ladder_scene *scene, struct row row[MOST])
     while (more && n < MOST) {
         struct ladder_state *s = ladder_solve(scene, model);
         struct row *r = &row[n++];
-        *r = (struct row){.model = model, .flops = s->flops};
-        estimate_state(s, tolerance, &r->estimate, &r->add);
-        r->error = ladder_error(s, truth);
+        struct climb_rung judged;
+        climb_judge(s, tolerance, &judged);
+        *r = (struct row){.model = model, .flops = s->flops,
+                          .estimate = judged.estimate, .add = judged.add,
+                          .error = ladder_error(s, truth)};
         r->stable = ladder_stable(s);
         if (!r->stable && model.rung == LINEAR_PLANE)
             r->straight = estimate_straight(s);

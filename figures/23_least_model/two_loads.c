@@ -9,7 +9,7 @@
  * 1 / (1 - P / P_cr), and after two.  Tables: pushed, hardly; scenes, three in
  * which a ladder without this part takes linear triangles to be enough.
  */
-#include "choice/estimate.h"
+#include "choice/climb.h"
 #include "base/options.h"
 #include "base/study.h"
 #include "base/table.h"
@@ -63,18 +63,19 @@ static int climb_all(const struct ladder_scene scene[], int n)
             ladder_solve(&scene[k], ladder_truth(&scene[k]));
         struct ladder_state *s = ladder_solve(
             &scene[k], (struct ladder_model){LINEAR_PLANE, 0, 0});
-        double estimate;
-        int enough;
+        struct climb_rung tried[CLIMB_MOST];
+        int n_tried;
         struct ladder_state *chosen =
-            estimate_climb(&scene[k], 0.1, &estimate, &enough);
+            climb_ladder(&scene[k], 0.1, tried, &n_tried);
+        const struct climb_rung *last = &tried[n_tried - 1];
         const double error = ladder_error(chosen, truth);
         table_row(scene[k].name,
                   cell_rounded(6, 100.0 * estimate_geometry(s)),
                   cell_rounded(6, 100.0 * ladder_error(s, truth)),
                   ladder_rung(chosen->model.rung), chosen->model.level,
-                  cell_rounded(6, 100.0 * estimate),
+                  cell_rounded(6, 100.0 * last->estimate),
                   cell_rounded(6, 100.0 * error));
-        met += enough && error <= 0.1;
+        met += last->doubt == NO_DOUBT && last->estimate <= 0.1 && error <= 0.1;
         ladder_free(truth);
         ladder_free(s);
         ladder_free(chosen);

@@ -8,9 +8,8 @@
  * both are seconds of the processor.
  * Run from the top of the tree.  Tables: choose, within (a factor of 1.5).
  */
-#include "choice/estimate.h"
+#include "choice/climb.h"
 #include "choice/price.h"
-#include "choice/rung.h"
 #include "choice/scene_file.h"
 #include "base/clock.h"
 #include "base/study.h"
@@ -48,15 +47,15 @@ static double print_scene(const char *word)
 {
     struct scene_file file;
     char path[80];
-    double estimate;
-    int enough;
+    struct climb_rung tried[CLIMB_MOST];
+    int n;
     snprintf(path, sizeof path, "lessons/scenes/%s.scene", word);
     scene_file_read("choose", path, FINEST, &file);
-    struct ladder_state *s =
-        estimate_climb(&file.scene, tolerance, &estimate, &enough);
+    struct ladder_state *s = climb_ladder(&file.scene, tolerance, tried, &n);
     const double frames = price_frames(s);
     const double expects =
-        1e3 * price_seconds(s, price_calibrate(s->model)) / frames;
+        1e3 / frames *
+        price_seconds(s, price_calibrate(LINEAR_TRIANGLE, 1.0, s->model));
     const double takes = 1e3 * measured(&file.scene, s->model) / frames;
     table_row(word, ladder_rung(s->model.rung),
               s->model.moving ? "motion" : "rest", s->model.level,

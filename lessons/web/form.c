@@ -22,13 +22,13 @@ static const char *joined(const char *words, char text[64])
 
 int main(void)
 {
-    struct scene_line line;
+    const struct scene_line *line;
     char text[64];
     table_begin("words", "word n least most must unit words");
-    for (int k = 0; scene_file_line(k, &line); k++)
-        table_row(line.word, line.n, line.least, line.most, line.must,
-                  *line.unit ? line.unit + 1 : MISSING,
-                  line.words ? joined(line.words, text) : MISSING);
+    for (int k = 0; (line = scene_file_line(k)); k++)
+        table_row(line->word, line->n, line->least, line->most, line->must,
+                  *line->unit ? line->unit + 1 : MISSING,
+                  line->words ? joined(line->words, text) : MISSING);
     table_end();
     return table_finish();
 }

@@ -4,6 +4,7 @@
 
 #include "base/clock.h"
 #include "choice/price.h"
+#include "choice/relax.h"
 #include "choice/rung.h"
 
 #include "unit.h"
@@ -60,20 +61,20 @@ static void a_tenth_of_a_second_is_measured(void)
     const struct ladder_model bar = {BAR, 0, 0}, plane = {CUBIC_PLANE, 0, 2},
                               moving = {LINEAR_PLANE, 1, 2};
     double start = clock_processor();
-    const struct price one = price_calibrate(bar);
+    const struct price one = price_calibrate(LINEAR_TRIANGLE, 1.0, bar);
     ck_assert(told - start >= 0.1 && told - start < 0.11);
     ck_assert_double_eq(one.begin, 0.0);
     close_to(tick / one.system, 16.0, 1e-9); /* columns; one system */
     start = clock_processor();
-    const struct price cubic = price_calibrate(plane);
+    const struct price cubic = price_calibrate(LINEAR_TRIANGLE, 1.0, plane);
     const double systems = tick / (64.0 * cubic.system);
     ck_assert(told - start >= 0.1 && told - start < 0.11);
     close_to(systems, floor(systems + 0.5), 1e-9);
     ck_assert(systems > 1.5);
-    close_to(price_calibrate_of(QUADRATIC_TRIANGLE, 2.0, plane).system,
+    close_to(price_calibrate(QUADRATIC_TRIANGLE, 2.0, plane).system,
              cubic.system, 1e-9); /* they need as many systems */
     three_from = told + 0.09;
-    const struct price step = price_calibrate(moving);
+    const struct price step = price_calibrate(LINEAR_TRIANGLE, 1.0, moving);
     close_to(step.system * 64.0 / tick, 2.0 / 40.0, 1e-9);
     close_to(step.begin * 64.0 / tick, 1.0 - 10.0 * 2.0 / 40.0, 1e-9);
 }
@@ -134,13 +135,13 @@ static void cells_say_what_a_finer_mesh_says(void)
 {
     const struct ladder_scene scene = {.slender = 2, .nu = 0.4,
         .weight = {0.0, -2.0}};
-    struct cells cells[CELLS_KINDS * CELLS_LEVELS];
+    struct cells cells[CELLS];
     ck_assert(cells_compare(&scene, CUBIC_PLANE, cells));
     struct ladder_state *fine = ladder_alloc_of(
         QUADRATIC_TRIANGLE, 1.0, &scene,
         (struct ladder_model){CUBIC_PLANE, 0, CELLS_LEVELS});
     fine->status = rung_solve(fine);
-    for (int k = 0; k < CELLS_KINDS * CELLS_LEVELS; k++) {
+    for (int k = 0; k < CELLS; k++) {
         const struct cells *c = &cells[k];
         struct ladder_state *s = ladder_alloc_of(
             c->element, c->grade, &scene,
@@ -157,7 +158,7 @@ static void cells_say_what_a_finer_mesh_says(void)
         const double room = 0.1 / pow(3.0, k);
         const struct cells *best = cells_cheapest(cells, room);
         ck_assert(best && best->error <= room);
-        for (int i = 0; i < CELLS_KINDS * CELLS_LEVELS; i++)
+        for (int i = 0; i < CELLS; i++)
             ck_assert(cells[i].error > room || cells[i].flops >= best->flops);
     }
     ck_assert(!cells_cheapest(cells, 1e-6));
@@ -168,7 +169,7 @@ static void cells_say_what_a_finer_mesh_says(void)
     /* on the finest mesh alone, which is the least stiff */
     const struct ladder_scene hardly = {.slender = 4, .nu = 0.3,
         .pull = {-14.015, 0.0}};
-    const int best = CELLS_KINDS * CELLS_LEVELS - 1;
+    const int best = CELLS - 1;
     ck_assert(!cells_compare(&hardly, LINEAR_PLANE, cells));
     ck_assert(cells[best - 1].solved && !cells[best].solved);
     ck_assert(cells[0].solved && cells[0].error == INFINITY);

@@ -12,7 +12,7 @@
 static struct scene_file file;
 static struct ladder_scene *const scene = &file.scene;
 static struct ladder_state *s;
-static struct chosen_tried tried[3];
+static struct climb_rung tried[3];
 static int n_tried;
 static const struct cells *others;
 
@@ -151,9 +151,9 @@ static void a_motion_has_its_numbers(void)
 
 static void a_climb_is_told_step_by_step(void)
 {
-    tried[0] = (struct chosen_tried){{BAR, 0, 0}, {0.0}, 0.9994, DIMENSION, 0};
-    tried[1] = (struct chosen_tried){{CUBIC_PLANE, 1, 2}, {0.0}, 1.0, LAW, 0};
-    tried[2] = (struct chosen_tried){{LOG_PLANE, 0, 1}, {0.0}, 0.034, MESH, 0};
+    tried[0] = (struct climb_rung){{BAR, 0, 0}, {0.0}, 0.9994, DIMENSION, 0};
+    tried[1] = (struct climb_rung){{CUBIC_PLANE, 1, 2}, {0.0}, 1.0, LAW, 0};
+    tried[2] = (struct climb_rung){{LOG_PLANE, 0, 1}, {0.0}, 0.034, MESH, 0};
     n_tried = 3;
     ck_assert_str_eq(printed(climb),
         "Tried, from the least model on (lesson 23)\n"
@@ -181,7 +181,7 @@ static void an_answer_comes_first(void)
     static const struct cells quadratic = {.element = QUADRATIC_TRIANGLE,
                                            .grade = 2.0, .level = 2};
     begin(still, (struct ladder_model){CUBIC_PLANE, 0, 1});
-    tried[0] = (struct chosen_tried){s->model, {[MESH] = 0.07}, 0.07, MESH,
+    tried[0] = (struct climb_rung){s->model, {[MESH] = 0.07}, 0.07, MESH,
                                      NO_DOUBT};
     ck_assert_str_eq(printed(answer),
         "Enough for 7.3 %: linear triangles, cubic law, at rest, mesh 1 of "
@@ -215,7 +215,7 @@ static void an_answer_comes_first(void)
     says(answer, "at the peak K is not positive definite");
     ladder_free(s);
     begin(still, (struct ladder_model){BAR, 0, 0});
-    tried[0] = (struct chosen_tried){s->model, {0.0}, 0.01, MESH, NO_DOUBT};
+    tried[0] = (struct climb_rung){s->model, {0.0}, 0.01, MESH, NO_DOUBT};
     says(answer, "Enough for 7.3 %: a bar at rest.\nExpected error 1 % of");
     ladder_free(s);
 }
@@ -273,7 +273,7 @@ static void an_error_is_told_in_parts(void)
     begin(still, (struct ladder_model){LINEAR_PLANE, 0, 0});
     s->status = OK;
     deform(1.1, 0.0);
-    tried[0] = (struct chosen_tried){s->model, {[MESH] = 0.03, [STRESS] = 0.04},
+    tried[0] = (struct climb_rung){s->model, {[MESH] = 0.03, [STRESS] = 0.04},
                                      0.05, STRESS, NO_DOUBT};
     says(errors, "(lesson 23)\n  mesh             3 %  the cells have a size\n"
                  "  stress           4 %  in the linear law stress");
@@ -312,7 +312,6 @@ static void other_quantities_are_estimated_as_if_asked_for(void)
 {
     struct ladder_scene both = still;
     double estimate[2];
-    enum part add;
     char words[80];
     both.weight[1] = 0.0;
     both.pull[0] = -0.3;
@@ -323,13 +322,14 @@ static void other_quantities_are_estimated_as_if_asked_for(void)
     s = ladder_solve(scene, (struct ladder_model){LINEAR_PLANE, 0, 0});
     for (int k = LADDER_LARGEST; k <= LADDER_RMS; k++) {
         scene->quantity = (enum ladder_quantity)k;
-        estimate_state(s, 1.0, &estimate[k], &add);
+        climb_judge(s, 1.0, &tried[0]);
+        estimate[k] = tried[0].estimate;
     }
     ck_assert_double_gt(fabs(log(estimate[1] / estimate[0])), 0.1); /* seen */
     scene->quantity = LADDER_LARGEST;
     snprintf(words, sizeof words, "  and %.2g %% of the displacement in the "
              "root", 100.0 * estimate[1]);
-    tried[0] = (struct chosen_tried){s->model, {0.0}, 0.05, MESH, NO_DOUBT};
+    tried[0] = (struct climb_rung){s->model, {0.0}, 0.05, MESH, NO_DOUBT};
     says(errors, words);
     ladder_free(s);
 }
@@ -344,7 +344,7 @@ static void a_motion_has_its_doubts(void)
     begin(moves, (struct ladder_model){LINEAR_PLANE, 1, 0});
     ladder_free(s);
     s = ladder_solve(scene, (struct ladder_model){LINEAR_PLANE, 1, 0});
-    tried[0] = (struct chosen_tried){s->model, {0.0}, 0.05, MESH, NO_DOUBT};
+    tried[0] = (struct climb_rung){s->model, {0.0}, 0.05, MESH, NO_DOUBT};
     s->apart = 0.3 * ladder_size(s, s->u);
     s->rival = 0.91;
     says(errors, "another peak of the load's work is 91 % as high, and there "

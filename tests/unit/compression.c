@@ -1,6 +1,7 @@
 /* compression.c - laws of figures/23_least_model/compression.h. */
 #include "figures/23_least_model/compression.h"
 
+#include "choice/rung.h"
 #include "unit.h"
 
 #include <math.h>

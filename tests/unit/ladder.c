@@ -1,6 +1,5 @@
 /* ladder.c - laws of common/choice/ladder.h and common/choice/estimate.h. */
-#include "choice/estimate.h"
-#include "choice/rung.h"
+#include "choice/climb.h"
 
 #include "unit.h"
 
@@ -555,18 +554,36 @@ static void verdicts_add_squares(void)
 
 static void a_climb_ends_with_enough(void)
 {
-    double estimate;
-    int enough;
+    struct climb_rung tried[CLIMB_MOST];
+    int n;
     struct ladder_state *s =
-        estimate_climb(&ladder_scene[SHAKEN], 0.1, &estimate, &enough);
-    ck_assert(enough && s->model.rung == CUBIC_PLANE && s->model.moving &&
-              s->model.level == 1 && estimate < 0.1);
+        climb_ladder(&ladder_scene[SHAKEN], 0.1, tried, &n);
+    const struct climb_rung *last = &tried[n - 1];
+    ck_assert(s->model.rung == CUBIC_PLANE && s->model.moving &&
+              s->model.level == 1 && last->estimate < 0.1);
+    ck_assert(last->model.level == 1 && tried[0].model.rung == BAR &&
+              tried[0].estimate > 0.1);
     ladder_free(s);
-    s = estimate_climb(&ladder_scene[ABOVE], 0.35, &estimate, &enough);
-    ck_assert(enough && s->model.rung == CUBIC_PLANE && s->model.level == 1);
+    s = climb_ladder(&ladder_scene[ABOVE], 0.35, tried, &n);
+    ck_assert(tried[n - 1].estimate <= 0.35 && s->model.rung == CUBIC_PLANE &&
+              s->model.level == 1);
     ladder_free(s);
-    s = estimate_climb(&ladder_scene[SHAKEN], 1e-3, &estimate, &enough);
-    ck_assert(!enough && s->model.level == 1);
+    s = climb_ladder(&ladder_scene[SHAKEN], 1e-3, tried, &n);
+    ck_assert(tried[n - 1].estimate > 1e-3 && s->model.level == 1);
+    ladder_free(s);
+}
+
+/* At rest, where no finer mesh is left, other triangles may do with the law. */
+static void a_climb_leaves_a_mesh_to_others(void)
+{
+    struct climb_rung tried[CLIMB_MOST];
+    int n;
+    const struct ladder_scene held = {"held", 4, 0.3, .weight = {0.0, -0.02},
+                                      .held = LADDER_ENDS, .finest = 0};
+    struct ladder_state *s = climb_ladder(&held, 1e-4, tried, &n);
+    ck_assert(n == 2 && tried[0].add == MESH && tried[0].doubt == NO_DOUBT);
+    ck_assert(tried[0].model.rung == LINEAR_PLANE &&
+              s->model.rung == CUBIC_PLANE);
     ladder_free(s);
 }
 
@@ -581,6 +598,7 @@ UNIT_MAIN("ladder",
     LAW(what_is_not_known_is_no_small_part),
     LAW(a_bar_knows_its_buckling_load),
     LAW(verdicts_add_squares),
+    LAW(a_climb_leaves_a_mesh_to_others),
     LAW(a_climb_ends_with_enough),
     LAW(a_motion_is_late),
     LAW(triangles_know_what_is_beyond_their_edges),

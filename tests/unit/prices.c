@@ -2,6 +2,7 @@
 #include "figures/23_least_model/prices.h"
 
 #include "figures/23_least_model/compression.h"
+#include "choice/climb.h"
 #include "unit.h"
 
 #include <math.h>
@@ -86,12 +87,12 @@ static void prices_are_those_of_each_model(void)
                 continue;
             }
             struct ladder_state *s = ladder_solve(&scene, model);
-            double estimate;
-            enum part add;
-            estimate_state(s, 0.0, &estimate, &add);
-            ck_assert(at->flops == s->flops && at->add == add && at->stable);
+            struct climb_rung judged;
+            climb_judge(s, 0.0, &judged);
+            ck_assert(at->flops == s->flops && at->add == judged.add &&
+                      at->stable);
             close_to(at->error, ladder_error(s, truth), 1e-14);
-            close_to(at->estimate, estimate, 1e-14);
+            close_to(at->estimate, judged.estimate, 1e-14);
             ck_assert(at->cholesky == compression_cholesky(s));
             ck_assert(at->estimates > 0.0);
             ck_assert((at->certificate == at->cholesky) == (rung != BAR));

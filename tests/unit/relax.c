@@ -27,9 +27,7 @@ static void the_hand_has_a_force(void)
         ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 1});
     struct ladder_state *t =
         ladder_solve(&scene, (struct ladder_model){LINEAR_PLANE, 0, 3});
-    const double yields = ladder_measure(s, s->u);
     const double part = moved(s, estimate_mesh);
-    close_to(relax_yields(s), yields, 1e-10 * yields);
     close_to(part / ladder_error(s, t), 1.0, 0.3);
     for (int r = 0; r < 2 * t->mesh->n_vertex; r++) t->u[r] *= 1.02;
     close_to(ladder_error(t, t), 0.0, 1e-15);

@@ -175,24 +175,24 @@ static void only_a_text_is_read(void)
 static void a_line_is_what_it_says(void)
 {
     char text[128], says[128];
-    struct scene_line line;
+    const struct scene_line *line;
     int k = 0;
-    for (; scene_file_line(k, &line); k++) {
-        snprintf(text, sizeof text, "%s 1e99 no\n", line.word);
-        if (line.words)
-            snprintf(says, sizeof says, "must be one of:%s", line.words);
+    for (; (line = scene_file_line(k)); k++) {
+        snprintf(text, sizeof text, "%s 1e99 no\n", line->word);
+        if (line->words)
+            snprintf(says, sizeof says, "must be one of:%s", line->words);
         else
             snprintf(says, sizeof says, "%s '1e99': must be %s from %g to %g%s",
-                     line.word, line.n == 2 ? "two numbers" : "a number",
-                     line.least, line.most, line.unit);
+                     line->word, line->n == 2 ? "two numbers" : "a number",
+                     line->least, line->most, line->unit);
         write_file(text);
         const struct outcome o = outcome_of(read_file);
         ck_assert_msg(o.status == 2 && strstr(o.err, says), "%s", o.err);
         unlink(path);
         /* GOOD has all that must be there, and nothing else */
-        ck_assert(!line.must == !strstr(GOOD, line.word));
+        ck_assert(!line->must == !strstr(GOOD, line->word));
     }
-    ck_assert(k >= 12 && !scene_file_line(-1, &line));
+    ck_assert(k >= 12 && !scene_file_line(-1));
 }
 
 /* What no word may have in it becomes _; the ending goes. */
