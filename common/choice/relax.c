@@ -401,9 +401,9 @@ double relax_dimension(const struct ladder_state *s)
     const double gain = 1.0 / (1.0 - ladder_pressed(s->scene));
     /* From the held end on, times E': w'' = M / I, and the shear force M' adds
      * 1.2 E' M' / (mu height) to w' (Timoshenko and Gere, 2.17); u' is N over
-     * height, an edge goes along by height w' / 2.  A hand that bends by m
-     * moves by int m M / I + 1.2 E' m' M' / (mu height), by virtual work, and of
-     * itself by that with m for M; a bend shortens the axis by int w'^2 / 2. */
+     * height, an edge goes along by height w' / 2.  By virtual work a hand that
+     * bends by m moves by int m M / I + 1.2 E' m' M' / (mu height), of itself
+     * by that with m for M; a bend shortens the axis by int w'^2 / 2. */
     for (size_t i = 0; i < n; i++) {
         const double middle = 0.5 * (M[i] + M[i + 1]);
         const double mean = 0.5 * (moment[i] + moment[i + 1]);
