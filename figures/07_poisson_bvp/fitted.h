@@ -8,13 +8,8 @@
 
 #include "linear/matrix.h"
 
-/*
- * As poisson_assemble(), without boundary conditions:
- *
- *     A_ij = int beta e_i' phi_j' dx,   b_i = int f phi_i dx.
- *
- * The nodal values are then exact.
- */
+/* As poisson_assemble(): A_ij = int beta e_i' phi_j' dx, b_i = int f phi_i dx.
+ * The nodal values are then exact. */
 void fitted_assemble(int n, const double x[], struct matrix *A, double b[]);
 
 #endif

@@ -27,12 +27,11 @@ static double estimates(const struct ladder_state *s)
 static struct price price_of(const struct ladder_state *s,
                              const struct ladder_state *truth)
 {
-    struct price p = {.error = ladder_error(s, truth), .flops = s->flops,
-                      .estimates = estimates(s)};
     struct climb_rung r;
     climb_judge(s, 0.0, &r);
-    p.estimate = r.estimate;
-    p.add = r.add;
+    struct price p = {.error = ladder_error(s, truth), .flops = s->flops,
+                      .estimates = estimates(s), .estimate = r.estimate,
+                      .add = r.add};
     p.stable = ladder_stable(s);
     p.certificate = p.cholesky = compression_cholesky(s);
     if (s->model.rung == BAR) {
