@@ -6,7 +6,6 @@
 #include "unit.h"
 
 #include <gsl/gsl_eigen.h>
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -737,40 +736,6 @@ static void the_lift_carries_linear_fields(void)
     }
 }
 
-/* Indefinite, zeros on the diagonal's way excluded: GSL's dense LU judges. */
-static void indefinite_systems_are_solved(void)
-{
-    enum { n = 40 };
-    struct matrix *A = matrix_alloc(BANDED, n, 17);
-    gsl_matrix *dense = gsl_matrix_alloc(n, n);
-    gsl_vector *b = gsl_vector_alloc(n), *x = gsl_vector_alloc(n);
-    gsl_permutation *p = gsl_permutation_alloc(n);
-    double v[n];
-    int sign;
-    for (int i = 0; i < n; i++) {
-        v[i] = entropy(i);
-        gsl_vector_set(b, (size_t)i, v[i]);
-        for (int j = i > 17 ? i - 17 : 0; j <= i; j++)
-            matrix_add(A, i, j,
-                       i == j ? (i % 3 ? 9.0 : -9.0) : entropy(7 * i + j));
-    }
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            gsl_matrix_set(dense, (size_t)i, (size_t)j, matrix_get(A, i, j));
-    ck_assert_int_eq(matrix_solve_indefinite(A, v, NULL), OK);
-    gsl_linalg_LU_decomp(dense, p, &sign);
-    gsl_linalg_LU_solve(dense, p, b, x);
-    for (int i = 0; i < n; i++)
-        close_to(v[i], gsl_vector_get(x, (size_t)i), 1e-12);
-    matrix_zero(A);
-    ck_assert_int_eq(matrix_solve_indefinite(A, v, NULL), NOT_SPD);
-    gsl_permutation_free(p);
-    gsl_vector_free(b);
-    gsl_vector_free(x);
-    gsl_matrix_free(dense);
-    matrix_free(A);
-}
-
 UNIT_MAIN("body",
     LAW(gradients_reproduce_linear_fields),
     LAW(a_clockwise_triangle_is_found),
@@ -790,5 +755,4 @@ UNIT_MAIN("body",
     LAW(plain_newton_fails_where_the_oracle_says),
     LAW(projection_on_demand_survives_compression),
     LAW(a_failed_step_changes_nothing),
-    LAW(the_lift_carries_linear_fields),
-    LAW(indefinite_systems_are_solved))
+    LAW(the_lift_carries_linear_fields))

@@ -359,6 +359,7 @@ static void negative_pivots_count_negative_eigenvalues(void)
 {
     pivots_of_a_band(1);
     pivots_of_a_band(5);
+    pivots_of_a_band(17); /* wide enough for tiles.h */
 }
 
 /* 1 + d - 1 = d is no pivot if it is at most a last digit of 1 + d. */
