@@ -16,10 +16,10 @@
 #include <sys/resource.h>
 #endif
 
-#ifndef HAND_SECONDS
-#define HAND_SECONDS 60 /* that a frame may take */
+#ifndef HAND_MEMORY
+#define HAND_MEMORY 1000000L /* kB that a slot may leak */
 #endif
-enum { BEFORE = 6, NUMBERS = 8, KEYED = 37 };
+enum { FRAME_SECONDS = 60, BEFORE = 6, NUMBERS = 8, KEYED = 37 };
 
 struct hand {
     const char *whose, *keys;
@@ -27,7 +27,7 @@ struct hand {
     struct view *view; /* NULL: none */
     struct pointers input;
     int scripted; /* the input was given; else each frame adds to it */
-    int k;        /* frames begun */
+    int k, late;  /* frames begun; with a window, those of more than 1/30 s */
     int began;    /* the table */
     double start; /* of this frame (s) */
 };
@@ -53,20 +53,45 @@ static _Noreturn void stop(const char *verdict, const char *why,
     _exit(1);
 }
 
+/* Stop if the slot that is called has leaked: the largest memory of the program
+ * has grown with it, time and again. */
+static void weigh(void)
+{
+#ifndef __wasm__
+    static long grown[16], most; /* kB, of each slot and of all */
+    struct rusage used = {.ru_maxrss = 0};
+    getrusage(RUSAGE_SELF, &used);
+#ifdef __APPLE__
+    used.ru_maxrss /= 1024; /* bytes there */
+#endif
+    const size_t n = strlen(slot_now);
+    long *slot = &grown[n ? (slot_now[n - 1] - 'a') & 15 : 15];
+    *slot += used.ru_maxrss - most;
+    most = used.ru_maxrss;
+    if (n && *slot > HAND_MEMORY)
+        stop("CRASHED", "it leaks, more than a gigabyte by now", NULL);
+#endif
+}
+
 static void caught(int signal)
 {
     if (signal == SIGALRM)
         stop("TIMEOUT", "this frame does not end", NULL);
+    weigh();
     stop("CRASHED", "a signal ended it; the line: ", "make debug-");
 }
 
 static void left(void)
 {
-    if (open_now && slot_now[0]) stop("CRASHED", "it ended the program", NULL);
+    if (!open_now || !slot_now[0]) return;
+    weigh();
+    stop("CRASHED", "it ended the program", NULL);
 }
 
 void hand_slot(const char *slot)
 {
+    if (slot && strcmp(slot, slot_now) == 0) return;
+    weigh();
     snprintf(slot_now, sizeof slot_now, "%s", slot ? slot : "");
 }
 
@@ -109,7 +134,7 @@ struct hand *hand_open(const char *lesson, const char *whose,
     if (!hand->view && !input)
         options_refuse("live", "without a window it needs --input");
 #ifdef RLIMIT_DATA
-    const rlim_t most = (rlim_t)2 << 30; /* bytes, should a slot leak */
+    const rlim_t most = (rlim_t)2 << 30; /* bytes, should one call leak */
     if (hand->view) setrlimit(RLIMIT_DATA, &(struct rlimit){most, most});
 #endif
     snprintf(said, sizeof said, "%s", lesson);
@@ -136,7 +161,7 @@ int hand_next(struct hand *hand, struct pointer *pointer)
     pointer->x = fmax(-2.7, fmin(2.7, pointer->x));
     pointer->y = fmax(-2.1, fmin(2.1, pointer->y));
     hand->start = clock_seconds();
-    alarm(HAND_SECONDS);
+    alarm(FRAME_SECONDS);
     return 1;
 }
 
@@ -246,9 +271,14 @@ void hand_draw(struct hand *hand, struct view_picture *picture,
     for (const char *c = columns; c && n < COUNT(row); c = strchr(c + 1, ' '))
         row[n] = cell_of(number[n - BEFORE]), n++;
     table_row_of(n, row);
+    char late[40] = "";
+    hand->late += hand->view && seconds > 1.0 / 30.0;
+    if (hand->late)
+        snprintf(late, sizeof late, "\n%d of %d frames late", hand->late,
+                 hand->k);
     const size_t length = strlen(picture->caption);
     snprintf(picture->caption + length, sizeof picture->caption - length,
-             "\n[r] reset   [space] stop   [q] close\n%s", hand->whose);
+             "%s\n[r] reset   [space] stop   [q] close\n%s", late, hand->whose);
     const int last = hand->scripted && hand->k == hand->input.n;
     if (hand->view)
         view_draw(hand->view, picture, seconds, last ? hand->shot : NULL);

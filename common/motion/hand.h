@@ -15,7 +15,8 @@
  * frames.  hard and mad press a key every now and then, each in turn.
  * A slot that crashes, that does not return within a minute, that exits or
  * returns a place that is not finite ends the program with one line that names
- * it, and status 1.  So does one that has leaked two gigabytes, in a window.
+ * it, and status 1.  So does one that has leaked a gigabyte.  In a window the
+ * caption says how many frames were late: they took longer than 1/30 s.
  *
  * Names: program_.
  */

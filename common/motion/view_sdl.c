@@ -113,12 +113,15 @@ void view_close(struct view *v) { SDL_Quit(), free(v); }
 
 int view_next(struct view *v, const char *keys, struct pointer *pointer)
 {
-    int x, y;
+    int x, y, pressed = 0; /* also if only while a late frame was computed */
     pointer->key = '.';
     do {
-        SDL_Event event;
-        while (SDL_PollEvent(&event)) {
+        SDL_Event event; /* a second key waits for the next frame */
+        while ((v->stopped || pointer->key == '.') &&
+               SDL_PollEvent(&event)) {
             if (event.type == SDL_QUIT) v->closed = 1;
+            pressed |= event.type == SDL_MOUSEBUTTONDOWN &&
+                       event.button.button == SDL_BUTTON_LEFT;
             if (event.type != SDL_KEYDOWN || event.key.repeat) continue;
             SDL_Keycode code = event.key.keysym.sym;
             if (code == SDLK_SPACE) v->stopped = !v->stopped;
@@ -134,7 +137,7 @@ int view_next(struct view *v, const char *keys, struct pointer *pointer)
         if (v->next > now) SDL_Delay((Uint32)(1e3 * (v->next - now)));
         v->next = fmax(v->next, now - FRAME) + FRAME;
     } while (v->stopped && !v->closed);
-    pointer->down = (SDL_GetMouseState(&x, &y) & SDL_BUTTON_LMASK) != 0;
+    pointer->down = (SDL_GetMouseState(&x, &y) & SDL_BUTTON_LMASK) || pressed;
     SDL_GetRendererOutputSize(v->draw, &v->wide, &v->high);
     v->scale = fmin(v->wide / 5.6, v->high / 4.4);
     pointer->x = (x - 0.5 * v->wide) / v->scale;

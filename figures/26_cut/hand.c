@@ -147,49 +147,31 @@ static void patient_excise(struct patient *p)
     free(part);
 }
 
-/* X of the point that is at y now: of the triangle that it is in, or by the
- * nearest vertex. */
-static void patient_place(const struct patient *p, const double y[2],
-                          double X[2])
+/* The vertex of the whole mesh that is nearest to the pointer now. */
+static int patient_nearest(const struct patient *p,
+                           const struct pointer *pointer)
 {
     const struct mesh *mesh = p->s.mesh;
     int best = 0;
     double least = INFINITY;
-    for (int a = 0; a < mesh->n_vertex; a++) {
-        const double d = hypot(p->x[2 * a] - y[0], p->x[2 * a + 1] - y[1]);
-        if (d < least) best = a, least = d;
+    for (int c = 0; c < 3 * mesh->n_triangle; c++) {
+        const double *x = &p->x[2 * mesh->triangle[c]];
+        const double d = hypot(x[0] - pointer->x, x[1] - pointer->y);
+        if (d < least) best = p->whole.mesh->triangle[c], least = d;
     }
-    for (int i = 0; i < 2; i++)
-        X[i] = mesh->X[2 * best + i] + y[i] - p->x[2 * best + i];
-    for (int e = 0; e < mesh->n_triangle; e++) {
-        const int *t = &mesh->triangle[3 * e];
-        const double *a = &p->x[2 * t[0]], *b = &p->x[2 * t[1]];
-        const double *c = &p->x[2 * t[2]];
-        const double b0 = b[0] - a[0], b1 = b[1] - a[1];
-        const double c0 = c[0] - a[0], c1 = c[1] - a[1];
-        const double area = b0 * c1 - b1 * c0;
-        const double s = ((y[0] - a[0]) * c1 - (y[1] - a[1]) * c0) / area;
-        const double r = (b0 * (y[1] - a[1]) - b1 * (y[0] - a[0])) / area;
-        if (!(s >= 0.0 && r >= 0.0 && s + r <= 1.0)) continue;
-        for (int i = 0; i < 2; i++)
-            X[i] = (1.0 - s - r) * mesh->X[2 * t[0] + i] +
-                   s * mesh->X[2 * t[1] + i] + r * mesh->X[2 * t[2] + i];
-        return;
-    }
+    return best;
 }
 
 /* On with the blade to the pointer: the path from the vertex where it was. */
 static void patient_cut(struct patient *p, const struct pointer *pointer)
 {
     const struct mesh *mesh = p->whole.mesh;
-    double to[2];
-    patient_place(p, (double[]){pointer->x, pointer->y}, to);
-    const int last = p->at, next = tissue_nearest(mesh, to);
+    const int last = p->at, next = patient_nearest(p, pointer);
     p->at = next;
     if (last < 0 || last == next) return;
     if (!p->stroke) patient_save(p);
     p->stroke = 1;
-    const double *from = &mesh->X[2 * last];
+    const double *from = &mesh->X[2 * last], *to = &mesh->X[2 * next];
     int *chain = allocate((size_t)mesh->n_vertex, sizeof *chain);
     hand_slot("26a");
     const int n = path(mesh, (double[]){from[0], from[1], to[0], to[1]}, last,

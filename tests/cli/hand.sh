@@ -1,8 +1,8 @@
 #!/bin/sh
 # hand.sh - what is held in the hand (make live-NN), without a window: replayed it is
 # the same, 2000 random frames end well, also with a known mistake, and a slot that is
-# not written, that crashes, does not end, leaves the program or returns no number is
-# told as such.
+# not written, that crashes, leaks, does not end, leaves the program or returns no number
+# is told as such; and in a window that nobody sees (view.c) late frames are counted.
 #
 # Called with SCENES, and what tests/tools/hand.sh needs.  Prints ok and FAIL lines.
 set -u
@@ -47,13 +47,20 @@ with_line() {
         inside && /\*\// { print ENVIRON["line"]; inside = 0 }' \
         "solutions/$slug.c" >"$MINE/lined.c"
 }
-# what a slot may do and not return: a loop that sleeps costs nothing, and is found
-# sooner than after a minute
+# what a slot may do and not return: a loop that sleeps costs nothing, and brings the
+# alarm forward that is set
 bad='extern char *getenv(const char *); extern void exit(int), abort(void);
     extern int pause(void); volatile int *volatile nowhere = 0;
+    extern unsigned alarm(unsigned); extern void *malloc(unsigned long);
+    volatile char *leaked; int page = 256;
     switch (*getenv("HOW")) { case 99: *nowhere = 1; break; case 101: exit(0); break;
-        case 97: abort(); break; default: for (;;) pause(); }'
-$COMPILE -DHAND_SECONDS=1 -c common/motion/hand.c -o "$MINE/hand.o" || exit 1
+        case 97: abort(); break; case 115: leaked = malloc(1 << 20);
+        while (page--) leaked[4096 * page] = 1;
+        break; default: if (alarm(1) > 1) for (;;) pause(); }'
+$COMPILE -DHAND_MEMORY=9000 -c common/motion/hand.c -o "$MINE/hand.o" &&
+    $COMPILE -DHAND_MEMORY=9000 -Dclock_seconds=frame_clock -c common/motion/hand.c \
+        -o "$MINE/late.o" &&
+    $COMPILE -c tests/cli/view.c -o "$MINE/view.o" || exit 1
 objects=$OBJECTS
 for slug in $SCENES; do
     play "solutions/$slug.c" '--input hard'
@@ -92,10 +99,13 @@ for slug in $SCENES; do
     export OBJECTS HOW
     play "$MINE/lined.c" '--input pull'
     OBJECTS=$objects
-    for HOW in crash exit abort loop; do
-        said=$("$MINE/$slug.hand" --input pull 2>&1 >/dev/null)
+    for HOW in crash exit abort spill loop; do
+        # where a leak meets the end of memory first, it is a leak nevertheless
+        [ $HOW = spill ] && input=hard || input=pull
+        said=$(ulimit -v 100000 && "$MINE/$slug.hand" --input $input 2>&1 >/dev/null)
         status=$?
         case $HOW in
+        spill) words="CRASHED (slot $slot): it leaks" ;;
         crash) words="CRASHED (slot $slot): .*make debug-${slug%%_*}$" ;;
         loop) words="TIMEOUT (slot $slot): " ;;
         *) words="CRASHED (slot $slot): " ;;
@@ -105,6 +115,23 @@ for slug in $SCENES; do
     done
 done
 slug=01_deformation
+OBJECTS="$MINE/late.o $MINE/view.o $objects" MS=34
+export MS
+play "solutions/$slug.c" ''
+[ $status = 0 ] && echo "$said" | grep -q '^30 of 30 frames late$' && awk '/^[0-9]/ { k++
+    if ($2 != (k - 1) / 16 || $3 != (1 - k) / 32 || $4 != (k - 1) % 2) exit 1 }
+    END { exit k != 30 }' "$MINE/$slug.hand.tsv"
+result $? "$slug, late frames are counted, and have their pointer" "$(echo "$said" | tail -n 4)"
+said=$(MS=33 "$MINE/$slug.hand" 2>&1 >/dev/null)
+echo "$said" | grep -q '^.r. reset' && ! echo "$said" | grep -q late
+result $? "$slug, frames of 33 ms are in time" "$(echo "$said" | tail -n 4)"
+with_line 1b "$bad"
+HOW=spill play "$MINE/lined.c" ''
+[ $status = 1 ] && [ "$(echo "$said" | grep '^live-')" = \
+    'live-01: CRASHED (slot 1b): it leaks, more than a gigabyte by now' ]
+result $? "$slug, a leak in a window is told before memory ends" \
+    "$status: $(echo "$said" | tail -n 4)"
+OBJECTS=$objects
 sed 's|/\* END 1b \*/|J = 0.0 / (F->m[0][0] - F->m[0][0]);&|' "solutions/$slug.c" >"$MINE/lined.c"
 play "$MINE/lined.c" '--input pull'
 [ $status = 1 ] && echo "$said" | grep -q ': NONFINITE (slot 1c): '
