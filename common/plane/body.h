@@ -114,7 +114,6 @@ struct body {
     struct sparse *pattern; /* of K when it is sparse, NULL when banded */
     struct matrix *K; /* tangent of the free unknowns */
     struct kept kept; /* the state of its factors */
-    int exact;        /* 1: factors that are kept stay in double precision */
     struct past past; /* in room, behind what step.h works in */
     double *room; /* [BODY_ROOM 2 n_vertex] in which step.h works, made once:
                    * of a small body's step new zeros are two per cent */

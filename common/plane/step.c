@@ -109,7 +109,7 @@ enum status step_search(const struct body *body, struct incremental Phi,
 static int is_usable(const struct body *body, struct incremental Phi)
 {
     const struct kept *kept = &body->kept;
-    return kept->usable && body->K->storage == SPARSE && body->K->factor &&
+    return kept->usable && body->K->storage == SPARSE &&
            (kept->systems <= KEPT_SYSTEMS ||
             kept->systems <= kept->least + 1) &&
            kept->dt == Phi.dt && kept->moving == (Phi.w != NULL);
@@ -253,7 +253,7 @@ struct step_report step_solve(struct body *body,
     struct kept *kept = &body->kept;
     struct step_report report = {.storage = body->K->storage};
     if (report.storage == SPARSE)
-        matrix_keep_single(body->K, control->chord && !body->exact);
+        matrix_keep_single(body->K, control->chord);
     const int old = control->chord && is_usable(body, Phi);
     kept->usable = old;
     memcpy(start, u, n_dof * sizeof *u);

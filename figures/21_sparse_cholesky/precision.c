@@ -4,8 +4,9 @@
  * K of system.h and its right-hand side, by fronts, with factors in double and
  * in single precision: digits of the residual after one solve (12: or more), of
  * max K_ii max|x| + max|b|, and how many solves refining needs to 1e-12 of that
- * [eq:refine].  The first steps of the stretch, with kept factors [alg:chord]:
- * how many systems, and how far apart they end.  Megabytes: entries of K and L.
+ * [eq:refine].  The first steps of the stretch, with factors kept within a step
+ * [alg:chord]: how many systems, rounded and by the band, which is not, and how
+ * far apart they end.  Megabytes: entries of K and L.
  */
 #include "linear/refine.h"
 #include "linear/residual.h"
@@ -51,15 +52,15 @@ static struct found solve(struct system *system, int single)
     return found;
 }
 
-/* Systems of some steps from rest. */
+/* Systems of some steps from rest; a band is not rounded. */
 static int walk(struct scene *s, int single)
 {
     struct step_control control = step_method("lift");
     int systems = 0;
     control.chord = 1;
-    body_store(s->body, SPARSE);
-    s->body->exact = !single;
+    body_store(s->body, single ? SPARSE : BANDED);
     for (int k = 0; k < STEPS; k++) {
+        s->body->kept.usable = 0; /* nor kept across steps */
         const struct step_report report = scene_step(s, &control);
         claim(report.status == OK, "step %d", k);
         systems += report.iterations;

@@ -2,11 +2,11 @@
  * assembly.c - what do the residual and the tangent of one element cost?
  *
  * The square with both ends held, consistent mass, cubic law.  readable: a loop
- * that asks for dP/dF in six directions (readable.h); one_by_one: the closed
- * form of body.h, residual and tangent of one triangle after the other; both:
- * the same of many at once (lanes.h); residual: without the tangent; projected:
- * with the negative eigenvalues of dP/dF clamped, which about half of the
- * elements have; clear: zeros into the band, which are part of the others.
+ * that asks for dP/dF in six directions (readable.h); both: the closed form of
+ * body.h, residual and tangent of many at once (lanes.h); residual: without the
+ * tangent; projected: with the negative eigenvalues of dP/dF clamped, which
+ * about half of the elements have; clear: zeros into the band, which are part of
+ * the others.
  *
  * They take turns; medians, in ns per element.  An answer that is not that of
  * the others has none.
@@ -14,7 +14,6 @@
 #include "base/clock.h"
 #include "readable.h"
 #include "plane/scene.h"
-#include "plane/triangles.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -22,7 +21,7 @@
 #include <stdlib.h>
 
 enum assembly {
-    READABLE, ONE_BY_ONE, RESIDUAL, CLOSED, CLAMPED, CLEAR, ASSEMBLIES
+    READABLE, RESIDUAL, CLOSED, CLAMPED, CLEAR, ASSEMBLIES
 };
 
 static double seconds_of(int kind, const struct scene *s, struct readable *r,
@@ -34,12 +33,10 @@ static double seconds_of(int kind, const struct scene *s, struct readable *r,
                                     [CLAMPED] = PROJECTED};
     if (kind == READABLE)
         readable_assemble(r, s->v, s->u);
-    else if (kind == CLEAR || kind == ONE_BY_ONE)
+    else if (kind == CLEAR)
         matrix_zero(s->body->K);
     else
         body_assemble(s->body, Phi, s->u, tangent[kind], q);
-    if (kind == ONE_BY_ONE)
-        triangles_one_by_one(s->body, Phi, s->u, EXACT, q);
     return clock_seconds() - start;
 }
 
@@ -71,8 +68,8 @@ int main(void)
     double worst = 0.0;
     study_machine();
     table_begin_note("assembly",
-                     "n readable_over_both readable one_by_one residual both "
-                     "projected clear spread_both difference",
+                     "n readable_over_both readable residual both projected "
+                     "clear",
                      "ns per element");
     for (int n = 16; n <= 64; n *= 2) {
         const struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
@@ -96,11 +93,9 @@ int main(void)
             ns[kind] = times_median(&t[kind]);
         const int valid = apart < 1e-12;
         table_row(n, cell_if(valid, ns[READABLE] / ns[CLOSED]),
-                  cell_if(valid, ns[READABLE]), cell_if(valid, ns[ONE_BY_ONE]),
+                  cell_if(valid, ns[READABLE]),
                   cell_if(valid, ns[RESIDUAL]), cell_if(valid, ns[CLOSED]),
-                  cell_if(valid, ns[CLAMPED]),
-                  cell_if(valid, ns[CLEAR]),
-                  cell_if(valid, times_spread(&t[CLOSED])), apart);
+                  cell_if(valid, ns[CLAMPED]), cell_if(valid, ns[CLEAR]));
         worst = fmax(worst, apart);
         free(q);
         readable_free(r);

@@ -61,10 +61,8 @@ static void plain_copy(const struct matrix *A, enum storage storage, double a[])
         }
 }
 
-/* x := A^{-1} x; a holds A as the solver wants it.  Seconds to factor, and in
- * *all those of the solve too. */
-static double solve(int solver, const struct matrix *A, double a[], double x[],
-                    double *all)
+/* x := A^{-1} x; a holds A as the solver wants it.  Return the seconds. */
+static double solve(int solver, const struct matrix *A, double a[], double x[])
 {
     const size_t n = (size_t)A->n;
     gsl_vector_view v = gsl_vector_view_array(x, n);
@@ -78,17 +76,15 @@ static double solve(int solver, const struct matrix *A, double a[], double x[],
     if (solver == GSL_BAND) gsl_linalg_cholesky_band_decomp(G);
     if (solver == LAPACK_BAND) lapack_factor(&L);
     if (solver == GSL_DENSE) gsl_linalg_cholesky_decomp1(G);
-    const double factored = clock_seconds();
     if (solver == OURS) matrix_solve(&L, x);
     if (solver == GSL_BAND) gsl_linalg_cholesky_band_svx(G, &v.vector);
     if (solver == LAPACK_BAND) lapack_solve(&L, x);
     if (solver == GSL_DENSE) gsl_linalg_cholesky_svx(G, &v.vector);
-    *all = clock_seconds() - start;
-    return factored - start;
+    return clock_seconds() - start;
 }
 
 struct measured {
-    struct times factor[SOLVERS], all[SOLVERS], peak;
+    struct times all[SOLVERS], peak;
     int wrong; /* answers */
 };
 
@@ -104,21 +100,20 @@ static void measure(int s, struct measured *t)
     for (int run = 0; run < runs[s]; run++) {
         times_record(&t->peak, machine_peak_gigaflop(), 1);
         for (int k = 0; k < SOLVERS; k++) {
-            double *a = k == GSL_DENSE ? dense : copy->a, all, apart = 0.0;
+            double *a = k == GSL_DENSE ? dense : copy->a, apart = 0.0;
             if (!takes_part(k, s, run)) continue;
             memcpy(x, b, bytes);
             if (k == GSL_BAND || k == GSL_DENSE)
                 plain_copy(A, k == GSL_DENSE ? DENSE : BANDED, a);
             else
                 memcpy(a, A->a, matrix_bytes(A));
-            const double factor = solve(k, A, a, x, &all);
+            const double all = solve(k, A, a, x);
             if (k == OURS) memcpy(ours, x, bytes);
             for (size_t i = 0; i < n; i++)
                 apart = fmax(apart, fabs(x[i] - ours[i]));
             const int valid = matrix_residual(A, x, b) <= 1e-12 &&
                               apart <= 1e-12 * cblas_dnrm2(A->n, x, 1);
             t->wrong += !valid;
-            times_record(&t->factor[k], factor, valid);
             times_record(&t->all[k], all, valid);
         }
     }
@@ -130,7 +125,6 @@ static void measure(int s, struct measured *t)
     free(ours);
 }
 
-/* Multiplications and additions to leading order [eq:band-cost]. */
 /* Of all measurements: what another program takes away is not missing there. */
 static double best_peak(const struct measured t[SIZES])
 {
@@ -140,22 +134,18 @@ static double best_peak(const struct measured t[SIZES])
     return best;
 }
 
+/* Multiplications and additions to leading order [eq:band-cost]. */
 static void print_solver(int k, const struct measured t[SIZES])
 {
     for (int s = 0; s < SIZES && t[s].all[k].runs > 0; s++) {
-        const int n = size[s], order = 2 * (n - 1) * (n + 1), p = 2 * n - 1;
-        const double N = order, q = p + 1.0;
+        const int n = size[s];
+        const double N = 2.0 * (n - 1) * (n + 1), q = 2.0 * n;
         const double factor = k == GSL_DENSE ? N * N * N / 3.0 : N * q * q;
         const double back = k == GSL_DENSE ? 2.0 * N * N : 4.0 * N * q;
         const double seconds = times_median(&t[s].all[k]);
-        const double alone = times_median(&t[s].factor[k]);
-        const int valid = !isnan(seconds), count = t[s].all[k].runs;
-        table_row(solver_name[k], n, order, p, count,
-                  cell_if(valid, 1e3 * seconds),
-                  cell_if(valid, times_spread(&t[s].all[k])),
-                  cell_if(valid, 1e3 * alone),
+        const int valid = !isnan(seconds);
+        table_row(solver_name[k], n, cell_if(valid, 1e3 * seconds),
                   cell_if(valid, 1e-9 * (factor + back) / seconds),
-                  cell_if(valid, 1e-7 * factor / alone / best_peak(t)),
                   cell_if(valid, seconds / times_median(&t[s].all[OURS])));
     }
 }
@@ -166,16 +156,15 @@ int main(void)
     gsl_set_error_handler_off();
     study_machine();
     for (int s = 0; s < SIZES; s++) measure(s, &t[s]);
-    table_begin_note("band", "solver n order p runs milliseconds spread "
-                     "factor_milliseconds gigaflop_per_second percent_of_peak "
+    table_begin_note("band", "solver n milliseconds gigaflop_per_second "
                      "over_ours", "tiles.c with: %s; LAPACK: %s",
                      NATIVE_FLAGS, MACHINE_LAPACK);
     for (int k = 0; k < SOLVERS; k++) print_solver(k, t);
     table_end();
-    table_begin_note("peak", "n gigaflop_per_second spread",
+    table_begin_note("peak", "n gigaflop_per_second",
                      "multiply-adds of one core, the best of the run");
     for (int s = 0; s < SIZES; s++)
-        table_row(size[s], best_peak(t), times_spread(&t[s].peak));
+        table_row(size[s], best_peak(t));
     table_end();
     for (int s = 0; s < SIZES; s++)
         claim(t[s].wrong == 0, "all solvers give the same answer");

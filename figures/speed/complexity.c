@@ -33,22 +33,19 @@ enum { SIZES = 6 }; /* n = 8, 16, ..., 256 */
 
 struct measured {
     struct times seconds;
-    int iterations;
-    double flops, numbers;
+    double flops;
 };
 
-/* Flops that make a V-cycle's grids, and of one cycle; numbers of the grids. */
-static void count_grids(const struct multigrid *m, double *make, double *cycle,
-                        double *numbers)
+/* Flops that make a V-cycle's grids, and of one cycle. */
+static void count_grids(const struct multigrid *m, double *make, double *cycle)
 {
     const struct matrix *L = m->coarsest;
     const struct matrix_cost last = matrix_cost(L->storage, L->n, L->p);
-    *make = last.flops, *cycle = last.solve, *numbers = last.numbers;
+    *make = last.flops, *cycle = last.solve;
     for (int g = 0; g < m->grids - 1; g++) {
         *make += 2.0 * 16.0 * m->K[g]->start[m->K[g]->n];
         *cycle += 2.0 * (2.0 * SWEEPS + 1.0) * m->K[g]->start[m->K[g]->n] +
                   2.0 * 2.0 * 4.0 * m->K[g]->n;
-        *numbers += m->K[g + 1]->start[m->K[g + 1]->n] + 3.0 * m->K[g]->n;
     }
 }
 
@@ -59,7 +56,7 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
     const void *context = K;
     struct factor *L = NULL;
     struct multigrid *grids = NULL;
-    double make = 0.0, apply = K->n, numbers = 0.0;
+    double make = 0.0, apply = K->n;
     const double start = clock_seconds();
     if (rung == INCOMPLETE) {
         context = L = cg_factor(K);
@@ -76,14 +73,11 @@ static void by_cg(int rung, const struct csr *K, int n, const double b[],
     if (L) {
         for (int j = 0; j < L->n; j++) /* m^2 at most, with m entries */
             make += pow(L->start[j + 1] - L->start[j], 2.0);
-        numbers = L->start[L->n];
-        apply = 4.0 * numbers;
+        apply = 4.0 * L->start[L->n];
     }
-    if (grids) count_grids(grids, &make, &apply, &numbers);
-    m->iterations = r.iterations;
+    if (grids) count_grids(grids, &make, &apply);
     m->flops = make + r.iterations * (apply + 2.0 * K->start[K->n] +
                                       10.0 * K->n);
-    m->numbers = K->start[K->n] + 4.0 * K->n + numbers;
     times_record(&m->seconds, seconds,
                  r.status == OK && solved_error(K, x, b) <= 1e-12);
     csr_factor_free(L);
@@ -122,7 +116,6 @@ static void by_factors(int rung, struct system *s, const struct csr *K,
         rung == FRONTS ? (struct matrix_cost){p->numbers, p->flops, p->solve}
                        : matrix_cost(storage[rung], A->n, A->p);
     m->flops = cost.flops + cost.solve;
-    m->numbers = cost.numbers;
     times_record(&m->seconds, seconds,
                  status == OK && solved_error(K, x, b) <= 1e-12);
     matrix_free(full);
@@ -152,16 +145,15 @@ int main(void)
         csr_free(K);
         system_free(s);
     }
-    table_begin("solvers", "solver n iterations flops numbers milliseconds");
+    table_begin("solvers", "solver n flops milliseconds");
     for (int k = 0; k < RUNGS; k++)
         for (int i = 0; i < SIZES && 8 << i <= largest[k]; i++) {
             const double t = times_median(&m[k][i].seconds);
-            table_row(name[k], 8 << i,
-                      cell_if(k > FRONTS, m[k][i].iterations), m[k][i].flops,
-                      m[k][i].numbers, cell_if(!isnan(t), 1e3 * t));
+            table_row(name[k], 8 << i, m[k][i].flops,
+                      cell_if(!isnan(t), 1e3 * t));
         }
     table_end();
-    table_begin("exponents", "solver n flops numbers seconds");
+    table_begin("exponents", "solver n flops seconds");
     for (int k = 0; k < RUNGS; k++) {
         int i = SIZES - 1;
         while (8 << i > largest[k]) i--;
@@ -169,19 +161,10 @@ int main(void)
         const double t = study_order(times_median(&a->seconds),
                                   times_median(&c->seconds), 2.0);
         table_row(name[k], 8 << i, study_order(a->flops, c->flops, 2.0),
-                  study_order(a->numbers, c->numbers, 2.0),
-                   cell_if(!isnan(t), t));
+                  cell_if(!isnan(t), t));
     }
     table_end();
     const struct measured *mg = m[MULTIGRID];
-    table_begin("crossover", "solver flops_n"); /* least work from */
-    for (int k = 0; k < MULTIGRID; k++) {
-        int i = 0;
-        while (8 << i < largest[k] && mg[i].flops >= m[k][i].flops) i++;
-        const int less = mg[i].flops < m[k][i].flops;
-        table_row(name[k], cell_if(less, 8 << i));
-    }
-    table_end();
     claim(study_order(mg[5].flops, mg[3].flops, 4.0) <= 2.2,
           "from n = 64 to 256 the work with multigrid grows like n^2");
     return table_finish();

@@ -41,7 +41,6 @@ static struct tally run(int n, int g, int chord, int record,
     struct tally tally = {.status = OK};
     set.reach = 0.5;
     struct scene *s = scene_alloc(&set);
-    s->body->exact = 1;
     control.guess = start[g].guess;
     control.lift = start[g].lift;
     control.chord = chord;

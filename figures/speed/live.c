@@ -1,14 +1,12 @@
 /*
- * live.c - how fine a square can a hand take, thirty times a second?
+ * live.c - how long does a frame take in the hand, by what is done when Newton's
+ * method fails?
  *
  * The square of live.h, a patch in the hand, backward Euler.  A frame's time is
- * from its input to the new state.  Tables: systems (linear systems per frame
- * and milliseconds by the fallback of live.h, by that of lesson 14 and by the
- * second rung of live.h alone, for the same input and the same bounded hand,
- * which waits when a frame is lost; of `mad` several seeds), frames
- * (milliseconds of live_frame() on `hard`, log law, by the storage of K),
- * reached (the largest n for which, and for all smaller ones, the median or the
- * 99th percentile is below 1/30 s).
+ * from its input to the new state.  Table systems: linear systems per frame and
+ * milliseconds by the fallback of live.h, by that of lesson 14 and by the second
+ * rung of live.h alone, for the same input and the same bounded hand, which
+ * waits when a frame is lost; of `mad` several seeds.
  */
 #include "base/clock.h"
 #include "motion/live.h"
@@ -21,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_FRAMES = 8000, AS_CHOSEN = -1 };
+enum { MOST_FRAMES = 8000 };
 enum way { BOTH_RUNGS, IN_PARTS, SECOND_ALONE };
 
 /* Of all frames. */
@@ -30,9 +28,9 @@ struct count {
     int frames, lost;
 };
 
-/* The whole script; storage: BANDED, SPARSE, or that of body_alloc(). */
-static void play(int n, enum law law, struct pointers script, int storage,
-                 enum way way, struct count *count)
+/* The whole script. */
+static void play(int n, enum law law, struct pointers script, enum way way,
+                 struct count *count)
 {
     const struct live_setting set = {n, law, BACKWARD_EULER, PATCH, ELASTIC,
                                      1, LINEAR_TRIANGLE};
@@ -41,9 +39,6 @@ static void play(int n, enum law law, struct pointers script, int storage,
         double to[2];
         const double start = clock_seconds();
         live_input(live, &script.frame[k]);
-        if (storage != AS_CHOSEN &&
-            live->body->K->storage != (enum storage)storage)
-            body_store(live->body, (enum storage)storage);
         live_hand(live->hand, &script.frame[k], to);
         live_carry(live, to);
         live->trouble |= way == SECOND_ALONE;
@@ -76,9 +71,9 @@ static void compare(int n, enum law law, int seeds)
     for (enum way way = BOTH_RUNGS; way <= SECOND_ALONE; way++) {
         struct count *c = allocate(1, sizeof *c);
         double *systems = all[way], ms[3];
-        if (!seeds) play(n, law, pointers_hard(), AS_CHOSEN, way, c);
+        if (!seeds) play(n, law, pointers_hard(), way, c);
         for (int seed = 1; seed <= seeds; seed++)
-            play(n, law, pointers_mad(seed, 600), AS_CHOSEN, way, c);
+            play(n, law, pointers_mad(seed, 600), way, c);
         quantiles(c->systems, c->frames, systems);
         quantiles(c->ms, c->frames, ms);
         table_row(n, seeds ? "mad" : "hard", material_law(law),
@@ -94,8 +89,6 @@ static void compare(int n, enum law law, int seeds)
 
 int main(void)
 {
-    const enum storage storage[] = {BANDED, SPARSE};
-    int reached[2][2] = {{0}};
     gsl_set_error_handler_off();
     study_machine();
     table_begin("systems", "n input law fallback frames lost p50 p99 most "
@@ -105,30 +98,6 @@ int main(void)
             compare(n, l ? CUBIC : LOG, 0);
             compare(n, l ? CUBIC : LOG, n == 16 ? 3 : 1);
         }
-    table_end();
-
-    table_begin("frames", "n storage p50_ms p99_ms most_ms");
-    for (int s = 0; s < 2; s++) {
-        int below[2] = {1, 1};
-        for (int n = 16; n <= 96 && below[0]; n += 16) {
-            struct count *c = allocate(1, sizeof *c);
-            double ms[3];
-            play(n, LOG, pointers_hard(), (int)storage[s], BOTH_RUNGS, c);
-            quantiles(c->ms, c->frames, ms);
-            table_row(n, storage[s] == SPARSE ? "sparse" : "band", ms[0], ms[1],
-                      ms[2]);
-            for (int q = 0; q < 2; q++) {
-                below[q] = below[q] && ms[q] < 1e3 / 30.0;
-                if (below[q]) reached[s][q] = n;
-            }
-            free(c);
-        }
-    }
-    table_end();
-    table_begin("reached", "storage n_p50 n_p99");
-    for (int s = 0; s < 2; s++)
-        table_row(storage[s] == SPARSE ? "sparse" : "band", reached[s][0],
-                  reached[s][1]);
     table_end();
     return table_finish();
 }

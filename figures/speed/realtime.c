@@ -12,6 +12,7 @@
  * [alg:line-search], which has less Phi than the guess.  The largest n is found
  * by halving an interval.  What is late is run again, as others may run too.
  */
+#include "exact.h"
 #include "base/clock.h"
 #include "plane/scene.h"
 #include "base/study.h"
@@ -38,7 +39,7 @@ static double slowest(int k, int n)
     control.chord = 1;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, k == BAND ? BANDED : SPARSE);
-    s->body->exact = k < SINGLE;
+    if (k < SINGLE) exact_factors(s->body);
     scene_step(s, &control); /* memory is touched */
     scene_rest(s);
     for (int step = 0; step < FRAMES && late < 2; step++) {
@@ -51,12 +52,6 @@ static double slowest(int k, int n)
     scene_free(s);
     return late < 2 ? times_quantile(&t, 0.99) : (double)INFINITY;
 }
-
-struct swing {
-    struct times t;
-    int systems, unfinished; /* of the worst step; steps that were stopped */
-    double residual;         /* of those, at most (m) */
-};
 
 /* The next step, finished or not. */
 static struct step_report advance(struct scene *s,
@@ -85,18 +80,17 @@ static struct step_report advance(struct scene *s,
     return report;
 }
 
-/* The whole swing; it ends with the first late step when `hurry`. */
-static struct swing swing(int n, int most, int single, int hurry)
+/* The worst frame of the swing in seconds; with the first late one it ends when
+ * `hurry`. */
+static double swing(int n, int most, int hurry)
 {
     struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
     struct step_control control = step_method("all");
-    struct swing swing = {.t = {0}};
     set.reach = 0.5;
     control.chord = 1;
     control.max_iterations = most;
     struct scene *s = scene_alloc(&set);
     body_store(s->body, SPARSE);
-    s->body->exact = !single;
     advance(s, &control); /* memory is touched */
     scene_rest(s);
     double worst = 0.0;
@@ -104,89 +98,59 @@ static struct swing swing(int n, int most, int single, int hurry)
         const double before = clock_seconds();
         s->body->kept.usable = 0;
         const struct step_report report = advance(s, &control);
-        const double seconds = clock_seconds() - before;
         if (report.status != OK && report.status != MAX_ITERATIONS)
             die("n = %d fails: %s", n, status_name(report.status));
-        times_record(&swing.t, seconds, 1);
-        if (seconds > worst) swing.systems = report.iterations;
-        worst = fmax(worst, seconds);
-        if (report.status == OK) continue;
-        swing.unfinished++;
-        swing.residual = fmax(swing.residual, report.residual);
+        worst = fmax(worst, clock_seconds() - before);
     }
     scene_free(s);
-    return swing;
-}
-
-/* The worst frame in seconds. */
-static double worst_frame(const struct swing *s)
-{
-    return times_quantile(&s->t, 1.0);
-}
-
-static void print_swing(const char *word, int n, const struct swing *s)
-{
-    table_row(word, n, 1e3 * times_quantile(&s->t, 0.99),
-              1e3 * worst_frame(s), s->systems, s->unfinished,
-              cell_if(s->unfinished > 0, s->residual));
+    return worst;
 }
 
 /* Of some runs the one whose worst frame is the shortest. */
 static void time_swing(const char *word, int n, int most)
 {
-    struct swing s = swing(n, most, 0, 0);
-    for (int run = 1; run < RUNS; run++) {
-        const struct swing again = swing(n, most, 0, 0);
-        if (worst_frame(&again) < worst_frame(&s)) s = again;
-    }
-    print_swing(word, n, &s);
+    double worst = INFINITY;
+    for (int run = 0; run < RUNS; run++)
+        worst = fmin(worst, swing(n, most, 0));
+    table_row(word, n, 1e3 * worst);
 }
 
 /* The largest n in time: of the swing, capped, or (k < SOLVERS) of k; *seconds
- * := its p99, and *timed := its swing, when that was found. */
-static int largest(int k, int single, double *seconds, struct swing *timed)
+ * := its p99 or worst frame. */
+static int largest(int k, double *seconds)
 {
-    struct swing s = {.t = {0}};
     int n = LEAST, late = MOST;
     while (late - n > STEP) {
         const int middle = (n + late) / (2 * STEP) * STEP;
         double t = INFINITY;
-        for (int run = 0; run < RUNS && !(t <= 1.0 / 30.0); run++) {
-            if (k < SOLVERS) {
-                t = slowest(k, middle);
-            } else {
-                s = swing(middle, CAP, single, 1);
-                t = worst_frame(&s);
-            }
-        }
+        for (int run = 0; run < RUNS && !(t <= 1.0 / 30.0); run++)
+            t = k < SOLVERS ? slowest(k, middle) : swing(middle, CAP, 1);
         if (t > 1.0 / 30.0) {
             late = middle;
-            continue;
+        } else {
+            n = middle;
+            *seconds = t;
         }
-        n = middle;
-        *seconds = t;
-        *timed = s;
     }
     return n;
 }
 
 int main(void)
 {
-    int n[SOLVERS];
-    double p99[SOLVERS] = {NAN, NAN, NAN, NAN}, unused;
-    struct swing timed = {.t = {0}};
     study_machine();
-    for (int k = 0; k < SOLVERS; k++) n[k] = largest(k, 0, &p99[k], &timed);
-    table_begin("realtime", "solver n p99_ms over_band");
-    for (int k = 0; k < SOLVERS; k++)
-        table_row(name[k], n[k], 1e3 * p99[k], (double)n[k] / n[BAND]);
+    table_begin("realtime", "solver n p99_ms");
+    for (int k = 0; k < SOLVERS; k++) {
+        double p99 = NAN;
+        const int n = largest(k, &p99);
+        table_row(name[k], n, 1e3 * p99);
+    }
     table_end();
-    table_begin_note("swing", "systems n p99_ms worst_ms worst_systems "
-                     "unfinished residual", "capped: at most %d", CAP);
+    table_begin_note("swing", "systems n worst_ms", "capped: at most %d", CAP);
     for (int k = 0; k < SIZES; k++) time_swing("all", sizes[k], 300);
     for (int k = 0; k < SIZES; k++) time_swing("capped", sizes[k], CAP);
-    print_swing("capped_most", largest(SOLVERS, 0, &unused, &timed), &timed);
-    print_swing("single_most", largest(SOLVERS, 1, &unused, &timed), &timed);
+    double worst = NAN;
+    const int most = largest(SOLVERS, &worst);
+    table_row("capped_most", most, 1e3 * worst);
     table_end();
     return table_finish();
 }

@@ -1,13 +1,15 @@
 /*
  * solvers.c - which solver does a step need, and when does the answer change?
  *
- * K of system.h: analysis, factorisation and solve by the band, by dissection,
- * by the same in single precision, refined, by CHOLMOD in the same order and by
+ * K of system.h: factorisation and solve by the band, by dissection, by the
+ * same in single precision, refined, by CHOLMOD in the same order and by
  * LAPACK's band, where there are any (rival.h); and steps of the stretch, after
  * the jolt of the start, also with factors kept across steps.  They take turns,
- * of steps after ten in a row, before which one finds the caches full of other
- * numbers and counts as cold.  A backward error above 1e-12 has no time.
+ * of ten steps in a row after one that finds the caches full of other numbers
+ * and counts as cold; seconds of the processor.  A backward error above 1e-12
+ * has no time.
  */
+#include "exact.h"
 #include "machine.h"
 #include "rival.h"
 #include "solved.h"
@@ -33,8 +35,7 @@ enum { SIZES = sizeof sizes / sizeof *sizes, N_64 = 7, START = 9 };
 enum { ROUNDS = 3, IN_A_ROW = 10 };
 
 struct measured {
-    struct times analysis, factor, solve, step, cold;
-    double mb; /* megabytes */
+    struct times factor, solve, step, cold;
 };
 
 /* Is there solver k?  Of LAPACK only OpenBLAS is quick enough for n > 64. */
@@ -65,9 +66,8 @@ static enum status one_step(struct scene *s, int across)
 static void measure_system(struct system *s, int k, struct measured *m)
 {
     struct body *body = s->scene->body;
-    double t[4] = {clock_seconds()};
+    double t[3];
     struct rival *c = rival_now = store(body, k);
-    const double analysis = clock_seconds() - t[0];
     system_store(s, body->K->storage);
     if (k == SINGLE) matrix_keep_single(body->K, 1);
     struct csr *K = system_matrix(s, NULL);
@@ -77,22 +77,20 @@ static void measure_system(struct system *s, int k, struct measured *m)
     int fine = 0;
     body_gather(body, s->b, x);
     for (int turn = k == BAND; turn < 2; turn++) { /* 0: memory is touched */
-        t[1] = clock_seconds();
+        t[0] = clock_processor();
         fine = matrix_factor(body->K) == OK;
     }
-    t[2] = clock_seconds();
+    t[1] = clock_processor();
     if (k == SINGLE) refine_solve(body->K, 1e-12, x, NULL);
     else matrix_solve(body->K, x);
-    t[3] = clock_seconds();
+    t[2] = clock_processor();
     for (int v = 0; v < s->n_vertex; v++)
         for (int i = 0; i < 2; i++)
             by_rows[2 * v + i] = x[body->equation[2 * s->vertex[v] + i]];
     system_right_side(s, NULL, b);
     const int valid = fine && solved_error(K, by_rows, b) <= 1e-12;
-    times_record(&m->analysis, analysis, valid);
-    times_record(&m->factor, t[2] - t[1], valid);
-    times_record(&m->solve, t[3] - t[2], valid);
-    m->mb = c ? 0.0 : 1e-6 * (double)matrix_bytes(body->K);
+    times_record(&m->factor, t[1] - t[0], valid);
+    times_record(&m->solve, t[2] - t[1], valid);
     rival_free(c);
     free(x);
     free(b);
@@ -114,20 +112,20 @@ static void measure(int n, struct measured m[SOLVERS])
     for (int k = 0; k < SOLVERS; k++) {
         if (!takes_part(k, n)) continue;
         scene[k] = scene_alloc(&set);
-        scene[k]->body->exact = !solver[k].single;
         for (int step = 0; step < START; step++)
             one_step(scene[k], solver[k].across);
         c[k] = store(scene[k]->body, k);
+        if (!c[k] && !solver[k].single) exact_factors(scene[k]->body);
     }
     for (int turn = 0; turn < (n <= 128 ? ROUNDS : 1); turn++)
         for (int k = 0; k < SOLVERS; k++)
             for (int step = 0; takes_part(k, n) && step <= IN_A_ROW; step++) {
-                const double before = clock_seconds();
+                const double before = clock_processor();
                 rival_now = c[k];
                 const enum status status =
                     one_step(scene[k], solver[k].across);
                 times_record(step == 0 ? &m[k].cold : &m[k].step,
-                             clock_seconds() - before, status == OK);
+                             clock_processor() - before, status == OK);
             }
     for (int k = 0; k < SOLVERS; k++)
         for (int r = 0; takes_part(k, n) && r < scene[k]->n_dof; r++)
@@ -163,18 +161,16 @@ int main(void)
     int from = sizes[SIZES - 1];
     study_machine();
     for (int i = 0; i < SIZES; i++) measure(sizes[i], m[i]);
-    table_begin_note("solvers", "solver n steps analysis_ms factor_ms solve_ms "
-                     "step_ms over_dissection megabytes",
+    table_begin_note("solvers", "solver n factor_ms solve_ms step_ms "
+                     "over_dissection",
                      "CHOLMOD: %s; LAPACK: %s",
                      *MACHINE_CHOLMOD ? "yes" : "not found",
                      *MACHINE_LAPACK ? MACHINE_LAPACK : "not found");
     for (int k = 0; k < SOLVERS; k++)
         for (int i = 0; i < SIZES && m[i][k].step.runs > 0; i++) {
             const struct measured *now = &m[i][k];
-            table_row(solver[k].name, sizes[i], now->step.runs,
-                      ms(&now->analysis), ms(&now->factor), ms(&now->solve),
-                      ms(&now->step),
-                      gain(m[i], k), cell_if(now->mb > 0.0, now->mb));
+            table_row(solver[k].name, sizes[i], ms(&now->factor),
+                      ms(&now->solve), ms(&now->step), gain(m[i], k));
         }
     table_end();
     for (int i = SIZES; i-- > 0 && gain(m[i], BAND) > 1.0;) from = sizes[i];

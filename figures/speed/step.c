@@ -12,6 +12,7 @@
  * They take turns; one that was twice too slow for 30 pictures per second does
  * a few steps.  A run off the path of `sparse` ends it.
  */
+#include "exact.h"
 #include "machine.h"
 #include "readable.h"
 #include "plane/scene.h"
@@ -26,7 +27,7 @@ enum { FRAMES = 90, SECOND = 30, SIZES = 16 }; /* n = 8, 16, 24, ..., 128 */
 
 struct measured {
     struct times t[METHODS];
-    int n, steps[METHODS], systems[METHODS], factorisations[METHODS];
+    int n, steps[METHODS], systems[METHODS];
     double read;             /* ms of a step of best, L read [eq:roofline] */
     double u[2 * 129 * 129]; /* at t = 1 */
 };
@@ -52,9 +53,9 @@ static void run(int k, struct scene *s, int first, int last, double path[],
     const size_t n_dof = (size_t)s->n_dof, state = 3 * n_dof;
     struct step_control control = step_method(k >= BEST ? "lift" : "notes");
     body_store(s->body, k == DISSECTED ? SPARSE : BANDED);
+    exact_factors(s->body);
     struct readable *r = readable_alloc(s->body, s->set.dt);
     control.chord = k >= BEST;
-    s->body->exact = 1;
     double *const now[3] = {s->u, s->v, s->v_before};
     for (size_t i = 0; i < 3; i++)
         memcpy(now[i], &path[(size_t)(first - 1) * state + i * n_dof],
@@ -80,7 +81,6 @@ static void run(int k, struct scene *s, int first, int last, double path[],
         times_record(&m->t[k], seconds, 1);
         m->steps[k]++;
         m->systems[k] += report.iterations;
-        m->factorisations[k] += report.factorisations;
     }
     readable_free(r);
 }
@@ -119,19 +119,17 @@ static struct cell ms(const struct times *t, double fraction)
     return cell_if(t->runs > 0, 1e3 * times_quantile(t, fraction));
 }
 
-/* growth: exponent from n / 2 to n; real_time: the 99 % quantile is in
- * time, so that of ninety steps at most one is late. */
+/* real_time: the 99 % quantile is in time, so that of ninety steps at most one
+ * is late. */
 static void print_method(int k, const struct measured m[])
 {
     for (int i = 0; i < SIZES; i++) {
-        const struct times *t = &m[i].t[k], *half = &m[(i - 1) / 2].t[k];
-        const double middle = times_median(t), steps = m[i].steps[k];
+        const struct times *t = &m[i].t[k];
         if (t->runs == 0) continue;
-        table_row(name[k], m[i].n, t->runs, ms(t, 0.5), ms(t, 0.99), ms(t, 1.0),
-                  middle / times_median(&m[i].t[BEST]),
-                  cell_if(i % 2, log2(middle / times_median(half))),
+        table_row(name[k], m[i].n, t->runs, ms(t, 0.5),
+                  times_median(t) / times_median(&m[i].t[BEST]),
                   times_quantile(t, 0.99) <= 1.0 / 30.0 ? "yes" : "no",
-                  m[i].systems[k] / steps, m[i].factorisations[k] / steps);
+                  (double)m[i].systems[k] / m[i].steps[k]);
     }
 }
 
@@ -143,17 +141,17 @@ int main(void)
     const double peak = machine_peak_gigaflop();
     study_machine();
     for (int i = 0; i < SIZES; i++) measure(8 * (i + 1), missed, &m[i]);
-    table_begin("steps", "method n samples median_ms p99_ms worst_ms over_best"
-                " growth real_time systems factorisations");
+    table_begin("steps", "method n samples median_ms over_best real_time "
+                "systems");
     for (int k = 0; k < METHODS; k++) print_method(k, m);
     table_end();
-    table_begin_note("roofline", "n factor_ms read_ms assembly_ms predicted_ms",
+    table_begin_note("roofline", "n predicted_ms",
                      "%g flops per second; 250 for an element; LAPACK: %s",
                      1e9 * peak, MACHINE_LAPACK);
     for (int i = 0; i < SIZES; i++) {
         const double n2 = m[i].n * m[i].n, assembly = 5e-4 * n2 / peak;
-        const double factor = 8e-6 * (n2 - 1) * n2 / peak, read = m[i].read;
-        table_row(m[i].n, factor, read, assembly, factor + read + assembly);
+        const double factor = 8e-6 * (n2 - 1) * n2 / peak;
+        table_row(m[i].n, factor + m[i].read + assembly);
     }
     table_end();
     table_begin("accuracy", "n rms order max max_order readable_ms lapack_ms "

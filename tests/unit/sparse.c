@@ -563,15 +563,14 @@ static void a_step_with_rounded_factors_is_the_same(void)
             struct step_control control = step_method("lift");
             struct step_report r[2];
             control.chord = chord;
-            for (int k = 0; k < 2; k++) body_store(s[k]->body, SPARSE);
-            s[0]->body->exact = 1;
+            body_store(s[1]->body, SPARSE); /* and a band is not rounded */
             for (int step = 0; step < 6; step++) {
                 for (int k = 0; k < 2; k++) {
+                    s[k]->body->kept.usable = 0;
                     r[k] = scene_step(s[k], &control);
                     ck_assert_int_eq(r[k].status, OK);
                 }
                 ck_assert_int_le(abs(r[0].iterations - r[1].iterations), 1);
-                ck_assert_int_eq(s[0]->body->K->single, 0);
                 ck_assert_int_eq(s[1]->body->K->single, chord);
             }
             same(s[0]->n_dof, s[1]->u, s[0]->u, 1e-12);
