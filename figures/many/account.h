@@ -19,7 +19,7 @@
  * its own floating-point operations: those of our loop over the elements are
  * not in it, and they grow exactly like the triangles. */
 struct account {
-    double messages, bytes, reductions; /* sent; a reduction: by everyone */
+    double messages, bytes;             /* sent */
     double flops;
     double memory;                      /* resident (bytes) */
     double cpu, seconds;                /* of the processors; on the wall */
@@ -31,14 +31,13 @@ static inline PetscErrorCode account_now(struct account *now)
     PetscCall(PetscMemoryGetCurrentUsage(&memory));
     PetscCall(PetscGetFlops(&flops));
     double mine[] = {petsc_isend_ct + petsc_send_ct,
-                     petsc_isend_len + petsc_send_len,
-                     petsc_allreduce_ct, flops, memory,
+                     petsc_isend_len + petsc_send_len, flops, memory,
                      (double)clock() / CLOCKS_PER_SEC};
-    double all[6];
-    if (MPI_Allreduce(mine, all, 6, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD))
+    double all[5];
+    if (MPI_Allreduce(mine, all, 5, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD))
         die("MPI: no sum over the processes");
     *now = (struct account){all[0], all[1], all[2], all[3], all[4],
-                            all[5], MPI_Wtime()};
+                            MPI_Wtime()};
     return 0;
 }
 
@@ -129,36 +128,6 @@ static inline struct account account_predict(const struct piece *p,
                        iterations * coarse * (processes - 1))};
 }
 
-/* Where the bytes per unknown of one process are: what is ours; PETSc's copy of
- * the places of our entries (one number per entry and per nonzero), and K. */
-static inline PetscErrorCode account_memory(const struct piece *p, Mat K,
-                                            double resident)
-{
-    const double unknowns = 2.0 * (p->set.n + 1.0) * (p->set.n + 1.0);
-    const double triangles = p->mesh->n_triangle / unknowns;
-    MatInfo info;
-    PetscCall(MatGetInfo(K, MAT_LOCAL, &info));
-    const double mesh = 3 * sizeof(int) * triangles + sizeof(double);
-    const double body = (3 + 6) * sizeof(int) * triangles + sizeof(int) +
-                        (1 + 6) * sizeof(double) * triangles;
-    const double kept = ELEMENT_KEPT * sizeof(double) * triangles;
-    const double entries = ELEMENT_ENTRIES * sizeof(double) * triangles;
-    const double places = sizeof(PetscCount) *
-                          ((double)p->used + info.nz_used) / unknowns;
-    const double matrix =
-        (sizeof(double) + sizeof(PetscInt)) * info.nz_used / unknowns;
-    const double vectors = (4 + 5) * sizeof(double); /* those of piece.h */
-    table_begin("memory", "n mesh_and_body kept entries places K vectors rest "
-                          "resident");
-    table_row(p->set.n, round(mesh + body), round(kept), round(entries),
-              round(places), round(matrix), vectors,
-              round(resident / unknowns - mesh - body - kept - entries -
-                    places - matrix - vectors),
-              round(resident / unknowns));
-    table_end();
-    return 0;
-}
-
 static inline void account_print(const struct tally *t, const struct piece *p,
                                  const struct account *start,
                                  const struct account *first,
@@ -190,14 +159,13 @@ static inline void account_print(const struct tally *t, const struct piece *p,
                                      (unknowns * (t->steps - 1.0)))));
     table_end();
     table_begin("messages", "n processes method levels iterations messages "
-                            "predicted kilobyte predicted_kilobyte reductions");
+                            "predicted kilobyte predicted_kilobyte");
     table_row(p->set.n, processes, t->method, p->levels,
               iterations / (t->steps - 1.0),
               (last->messages - first->messages) * per,
               cell_if(predicted, paper.messages * per),
               (last->bytes - first->bytes) * per / 1e3,
-              cell_if(predicted, paper.bytes * per / 1e3),
-              (last->reductions - first->reductions) * per);
+              cell_if(predicted, paper.bytes * per / 1e3));
     table_end();
     if (share < 0.95) {
         fprintf(stderr, "The machine was busy, each process had %.0f %% of a "

@@ -1,10 +1,10 @@
 /*
  * many.c - the square dealt out to many processes, by PETSc and MPI.
  *
- * A step of backward Euler is that of step.c (guess, lift, chord rule, stop);
- * PETSc deals out the vertices (DMDA), sends what neighbours need, and has
- * Newton's method (SNES), conjugate gradients (KSP) and their preconditioner
- * (PC).
+ * A step of backward Euler is that of step.c (lift, chord rule, stop), from the
+ * parabola through the last three states.  PETSc deals out the vertices (DMDA),
+ * sends what neighbours need, and has Newton's method (SNES), conjugate
+ * gradients (KSP) and their preconditioner (PC).
  *
  * Run: sh tests/tools/mpirun.sh 4 build/figures/many/many --n 128
  *      PETSC_OPTIONS=... has more for PETSc, -log_view for example.
@@ -40,7 +40,6 @@ static PetscErrorCode matrix_make(struct piece *p, enum method method, Mat *K)
         const int a = entry.row / 2, b = entry.column / 2;
         const int both_free = !prescribed(p, a) && !prescribed(p, b);
         const int used = own(p, a) && (both_free || entry.i == entry.j);
-        p->used += (size_t)used;
         row[k] = used ? entry.row : -1;
         column[k] = used ? entry.column : -1;
     }
@@ -208,11 +207,6 @@ static PetscErrorCode run(const struct scene_setting *set, enum method method,
     if (serial)
         PetscCall(account_compare(set, steps, p.grid, past[0], &tally));
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-    if (p.wide * p.high == 1 && set->n >= 256 && method == GEOMETRIC) {
-        Mat K;
-        PetscCall(SNESGetJacobian(snes, &K, NULL, NULL, NULL));
-        PetscCall(account_memory(&p, K, last.memory - start.memory));
-    }
     if (rank == 0) account_print(&tally, &p, &start, &first, &last);
     return 0;
 }

@@ -30,8 +30,7 @@ struct piece {
     DMDALocalInfo box; /* own vertices: xs, xm, ys, ym; with ghosts: gxs ... */
     struct mesh *mesh; /* with ghosts; numbered row by row, as by DMDA */
     struct body *body; /* with its element matrices one by one */
-    size_t entries;    /* of these; those that are PETSc's as well */
-    size_t used;
+    size_t entries;    /* of these */
     double *value;     /* [entries] for MatSetValuesCOO */
     struct local u, w, q, diagonal; /* diagonal is that of K */
     Vec across, some;               /* (X1, 0); of use for a moment */

@@ -12,6 +12,17 @@
 #include "plane/body.h"
 #ifdef CHOLMOD
 #include <cholmod.h>
+
+/* On one thread a parallel region is a call.  CHOLMOD has thousands, and where
+ * libgomp makes a team of one for each, it takes three times as long. */
+void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
+                   unsigned flags);
+void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
+                   unsigned flags)
+{
+    (void)threads, (void)flags;
+    work(data);
+}
 #endif
 
 struct rival {
@@ -77,18 +88,24 @@ static inline void cholmod_answer(struct rival *c, double b[])
 #define MACHINE_CHOLMOD ""
 #endif
 
+/* The band of K, whatever the body holds. */
 static inline void band_make(struct rival *c, const struct body *body)
 {
-    const int *place = body->pattern->place;
-    const int n = body->mesh->n;
-    int next = 0;
-    c->number = allocate((size_t)body->pattern->n_vertex, sizeof *c->number);
+    const struct sparse *s = body->pattern;
+    const int *place = s->place, n = body->mesh->n;
+    int next = 0, p = 1;
+    c->number = allocate((size_t)s->n_vertex, sizeof *c->number);
     c->x = allocate((size_t)body->K->n, sizeof *c->x);
     for (int v = 0; v < body->mesh->n_vertex; v++) { /* rows from the right */
         const int at = place[v + n - 2 * (v % (n + 1))];
         if (at >= 0) c->number[at] = next++;
     }
-    c->band = matrix_alloc(BANDED, body->K->n, 2 * n - 1);
+    for (int v = 0; v < s->n_vertex; v++)
+        for (int b = s->start[v]; b < s->start[v + 1]; b++) {
+            const int apart = 2 * abs(c->number[s->row[b]] - c->number[v]) + 1;
+            if (apart > p) p = apart;
+        }
+    c->band = matrix_alloc(BANDED, body->K->n, p);
 }
 
 static inline void band_fill(struct rival *c, const struct sparse *s,

@@ -75,7 +75,7 @@ run() {
 
 # The rows of $out/one under those that are there: $out/$1TABLE.
 keep() {
-    for table in runs messages memory seconds; do
+    for table in runs messages seconds; do
         file=$out/$1$table
         head=1
         [ ! -f "$file" ] || head=0
@@ -161,7 +161,7 @@ test_all() {
 
 measure() {
     each "$all" ''
-    for table in runs messages memory; do
+    for table in runs messages; do
         printf '# %s\n' "$table"
         cat "$out/$table"
         printf '\n\n'
