@@ -2,8 +2,7 @@
 # [eq:roofline], and what an accuracy costs.
 # Expected: slope 4 in n for large n, where factoring is everything.
 # Reads   data  tables steps (method n samples median_ms real_time), roofline
-#               (n predicted_ms), accuracy (n rms *_ms), machine, and peer
-#               (method n step_ms) of figures/many/peer.c; from `make bench`
+#               (n predicted_ms), accuracy (n rms *_ms), machine; from `make bench`
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 600,900
@@ -19,9 +18,6 @@ has(k) = system(sprintf("grep -c '^%s\t' '%s'", Method[k], data)) > 0
 of(k) = strcol("method") eq Method[int(k)] ? column("n") : NaN
 there = ""
 do for [k = 1:5] { if (has(k)) { there = there." ".k } }
-
-peer = system(sprintf("grep -c '^# peer' '%s'", data)) > 0
-rows = peer ? "notes method" : ""
 
 # where the name of a method stands, right of its last point
 array Height[5] = [4500, 720, 205, 51, 12]
@@ -45,21 +41,11 @@ do for [k in there] {
     i = int(k)
     set label i sprintf("%s (%d)", Name[i], within(i)) at 150, Height[i] tc ls Style[i]
 }
-by(word) = strcol("method") eq word ? column("n") : NaN
-if (peer) {
-    set label 13 "PETSc, notes" at 156, 384 tc rgb "#666666" \
-        point pt 1 ps 0.9 lc rgb "#666666" offset 0.8, -0.3
-    set label 14 "PETSc, method" at 156, 104 tc rgb "#666666" \
-        point pt 2 ps 0.7 lc rgb "#666666" offset 0.8, -0.3
-}
 plot for [k in there] data index "steps" \
          using (of(k)):"median_ms" with linespoints ls Style[int(k)], \
      for [k in there] data index "steps" \
          using (column("samples") < 90 ? of(k) : NaN):"median_ms" \
          with points pt 7 ps 0.3 lc rgb "white", \
-     for [word in rows] data index "peer" using (by(word)):"step_ms" \
-         with points pt (word eq "notes" ? 1 : 2) \
-              ps (word eq "notes" ? 0.9 : 0.7) lc rgb "#666666", \
      data index "roofline" using "n":"predicted_ms" with lines ls 8 dt 4, \
      1000.0 / 30.0 with lines ls 8
 unset label

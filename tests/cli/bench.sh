@@ -17,8 +17,8 @@ page=figures/speed/README.md
 mkdir "$tmp/speed"
 printf '# machine: made up\n\n\n# large\n# a note\nsolver\tn\tns_per_unknown
 both\t1000000\t6.5\ngsl\t1000000\t40\n' >"$tmp/speed/chart.tsv"
-printf '# machine: made up\n\n\n# peer\n# PETSc 9.9\nmethod\tn\tstep_ms\tover_ours\tover_kept
-notes\t8\t7\t7\t14\nmethod\t8\t2\t2\t4\n' >"$tmp/speed/peer.tsv"
+printf '# machine: another\n\n\n# peer\n# PETSc 9.9\nmethod\tn\tstep_ms\tover_ours
+notes\t8\t7\t7\nmethod\t8\t2\t2\n' >"$tmp/speed/peer.tsv"
 printf '# machine: made up\n\n\n# steps\nmethod\tn\tmedian_ms
 best\t8\t1.2345\nblocked\t8\t5.5\n' >"$tmp/speed/step.tsv"
 printf '# machine: made up\n\n\n# solvers\nsolver\tn\tstep_ms
@@ -39,9 +39,10 @@ awk -f tests/tools/bench.awk -f tests/tools/seconds.awk "$tmp"/*/*.tsv "$page" \
     >"$tmp/page.md"
 has() { grep -qF -- "$1" "$tmp/page.md" || echo "not '$1'"; }
 rule 'the chapter gets what was measured, with its machine' \
-    "$(has '| 8 | - | 7.00 | 2.00 | 1.23 | - | 0.500 |'
-       has '| 8 | 3.50 | 2.00 | 7.00 | 14.0 |'
-       has '*made up; PETSc 9.9.*')"
+    "$(has '| 8 | - | 1.23 | - | 0.500 |'
+       has '| 8 | 3.50 | 2.00 | 7.00 |'
+       has '*made up.*'
+       has '*another; PETSc 9.9.*')"
 without() { sed '/^<!-- seconds [a-z]* -->/,/^<!-- seconds end -->/d' "$1"; }
 without "$page" >"$tmp/before"
 without "$tmp/page.md" >"$tmp/after"

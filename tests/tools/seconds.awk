@@ -10,26 +10,23 @@ function digits(x) {
         "%.3f", x)
 }
 function step(name, n) { return digits(of("step", "steps", name " " n, "median_ms")) }
-function peer(method, n, column) { return of("peer", "peer", method " " n, column) }
+function peer(method, n) { return of("peer", "peer", method " " n, "over_ours") }
 function print_step(    n) {
-    print "| $n$ | `readable` | PETSc, `notes` | PETSc, `method` | `best` | `sparse` | " \
-        "`sparse`, kept factors |"
-    print "|---:|---:|---:|---:|---:|---:|---:|"
+    print "| $n$ | `readable` | `best` | `sparse` | `sparse`, kept factors |"
+    print "|---:|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2)
         print "| " n " | " step("readable", n) " | " \
-            digits(peer("notes", n, "step_ms")) " | " \
-            digits(peer("method", n, "step_ms")) " | " \
             step("best", n) " | " step("sparse", n) " | " \
             digits(of("solvers", "solvers", "kept_single " n, "step_ms")) " |"
 }
 function print_rivals(    n, all, code) {
-    print "| $n$ | strategy | code | both | both, kept factors |"
-    print "|---:|---:|---:|---:|---:|"
+    print "| $n$ | strategy | code | both |"
+    print "|---:|---:|---:|---:|"
     for (n = 8; n <= 128; n *= 2) {
-        all = peer("notes", n, "over_ours")
-        code = peer("method", n, "over_ours")
+        all = peer("notes", n)
+        code = peer("method", n)
         print "| " n " | " digits(over(all, code)) " | " digits(code) " | " \
-            digits(all) " | " digits(peer("notes", n, "over_kept")) " |"
+            digits(all) " |"
     }
 }
 END {
@@ -38,10 +35,11 @@ END {
         if (!inside) print page[i]
         if (page[i] !~ /^<!-- seconds (step|rivals) -->$/) continue
         inside = 1
-        if (page[i] ~ / step /) print_step()
-        else print_rivals()
+        rivals = page[i] ~ / rivals /
+        if (rivals) print_rivals()
+        else print_step()
         for (file in machine)
-            if (file ~ /speed.step/) where = machine[file] "; " package
-        print "\n*" where ".*"
+            if (file ~ (rivals ? "peer" : "speed.step")) where = machine[file]
+        print "\n*" where (rivals ? "; " package : "") ".*"
     }
 }
