@@ -3,10 +3,10 @@
  *
  * The square with both ends held, consistent mass, cubic law.  readable: a loop
  * that asks for dP/dF in six directions (readable.h); both: the closed form of
- * body.h, residual and tangent of many at once (lanes.h); residual: without the
- * tangent; projected: with the negative eigenvalues of dP/dF clamped, which
- * about half of the elements have; clear: zeros into the band, which are part of
- * the others.
+ * body.h, residual and tangent of many at once (lanes.h); residual: without
+ * the tangent; projected: with the negative eigenvalues of dP/dF clamped, which
+ * about half of the elements have; clear: zeros into the band, which are part
+ * of the others.
  *
  * They take turns; medians, in ns per element.  An answer that is not that of
  * the others has none.

@@ -1,12 +1,12 @@
 /*
- * live.c - how long does a frame take in the hand, by what is done when Newton's
- * method fails?
+ * live.c - how long does a frame take in the hand, by what is done when
+ * Newton's method fails?
  *
  * The square of live.h, a patch in the hand, backward Euler.  A frame's time is
  * from its input to the new state.  Table systems: linear systems per frame and
- * milliseconds by the fallback of live.h, by that of lesson 14 and by the second
- * rung of live.h alone, for the same input and the same bounded hand, which
- * waits when a frame is lost; of `mad` several seeds.
+ * milliseconds by the fallback of live.h, by that of lesson 14 and by the
+ * second rung of live.h alone, for the same input and the same bounded hand,
+ * which waits when a frame is lost; of `mad` several seeds.
  */
 #include "base/clock.h"
 #include "motion/live.h"
