@@ -48,13 +48,13 @@ unset arrow
 unset logscale y
 set format y "%g"
 set grid noxtics
-set yrange [0:5.2]
+set yrange [0:4.5]
 set ytics 1
 set ylabel "solve with given factors, over dissection"
-set label 1 "single precision,\nrefined" at 11,4.7 left tc ls 6
-set label 2 "band" at 125,4.3 right tc ls 1
+set label 1 "single precision,\nrefined" at 14,2.5 left tc ls 6
+set label 2 "band" at 190,3.4 right tc ls 1
 set label 3 "dissection" at 280,0.74 right tc ls 3
-set label 4 (cholmod ? "CHOLMOD" : "") at 10.5,1.7 left tc ls 4
+set label 4 (cholmod ? "CHOLMOD" : "") at 17,3.75 left tc ls 4
 plot for [k in cholmod ? "1 3 4" : "1 3"] data index "solvers" \
          using (of(k)):(over(k)) with linespoints ls Style[int(k)], \
      1 with lines ls 3
