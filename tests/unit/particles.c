@@ -229,6 +229,8 @@ static void a_box_is_filled(void)
     close_to(p->x[2 * 13], 0.5, 1e-15);
     close_to(p->x[2 * 13 + 1], 0.125, 1e-15);
     particles_free(p);
+    particles_free(NULL);
+    grid_free(NULL);
 }
 
 /* Counts, angular momenta at the start, and what PIC leaves of them. */
@@ -314,9 +316,11 @@ static void a_wave_is_filtered_as_predicted(void)
 /* A cloud is the scene that its parts make, with B for APIC alone. */
 static void a_cloud_is_ready_to_go(void)
 {
+    static const char *const word[] = {"PIC", "FLIP", "APIC"};
     for (int how = PIC; how <= APIC; how++) {
         const enum transfer transfer = (enum transfer)how;
         const double k = acos(-1.0) / 4.0;
+        ck_assert_str_eq(transfer_name(transfer), word[how]);
         const struct cloud cloud[] = {cloud_seven(2, transfer),
                                       cloud_disc(3, 16, transfer),
                                       cloud_wave(2, 16, 4, k, transfer)};
