@@ -267,7 +267,7 @@ int main(int argc, char **argv)
             claim(ms[k] > 0.0, "%s finds the same u, n = %d", name[k], n);
             table_row(name[k], n, ms[k], ms[k] / ms[OURS], systems[k]);
         }
-        claim(fabs(systems[METHOD] - systems[OURS]) < 0.1,
+        claim(fabs(systems[METHOD] - systems[OURS]) < 1e-9,
               "with the same method as many systems, n = %d", n);
     }
     table_end();
