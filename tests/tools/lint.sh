@@ -62,6 +62,26 @@ rule 'names of common/ begin with their header, room or a stated noun' \
     "$(echo "$names" | sed -n 's/^name //p')"
 rule 'a noun of common/ belongs to one room' \
     "$(echo "$names" | grep '^noun' | sort -u | awk '{ print $2 }' | uniq -d)"
+# What the studies of one chapter call lies beside them; study.h is for studies,
+# and fibre_dpk1() stands with fibre_pk1().
+rule 'a function of common/ is called there, by a lesson, or by studies of two folders' \
+    "$(awk '
+        /^ *(\/\*|\*)/ { next }
+        FILENAME ~ /^common\/.*h$/ && /^[a-z].*[(]/ && !/^(typedef|static|INLINE)/ {
+            name = $0; sub(/[(].*/, "", name); sub(/.*[ *]/, "", name)
+            if (name != "") home[name] = FILENAME
+            next }
+        FILENAME ~ /^common/ && /^[a-z]/ { next } # where it is defined
+        { where = FILENAME
+          if (!sub(/\/[^\/]*[.][ch]$/, "", where) || where !~ /^figures/ ||
+              FILENAME ~ /hand[.]c$/) where = "lesson"
+          while (match($0, /[A-Za-z_][A-Za-z0-9_]*/)) {
+              word = substr($0, RSTART, RLENGTH); $0 = substr($0, RSTART + RLENGTH)
+              if (word in home && !((word, where) in seen)) {
+                  seen[word, where]; count[word] += where == "lesson" ? 2 : 1 } } }
+        END { for (name in home) if (count[name] < 2) print home[name] ": " name }' \
+        common/*/*.h common/*/*.[ch] solutions/*.c tests/checks/*.[ch] tests/oracle/*.h \
+        lessons/web/*.c tests/web/*.c figures/*/*.[ch] | grep -v '/study.h\| fibre_dpk1$')"
 rule 'all headers of common/ can be included together' \
     "$(for h in common/*/*.h; do echo "#include \"${h#common/}\""; done |
         ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
