@@ -30,9 +30,8 @@ $(WASI)/libgsl.a: $(WASM)/gsl/libgsl.a $(WASI)/usr tests/tools/web_gsl.sh
 	$(call say,wasi,GSL)
 	$(Q)BUILD='$(BUILD)' CC='$(WASI_CC)' sh tests/tools/web_gsl.sh wasi
 
-WASI_LIBRARY := $(patsubst %.c,$(WASI)/%.o,$(filter-out \
-                    %_sdl.c %/window_web.c %/choose.c,$(wildcard common/*/*.c)))
-WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/tests/%,$(WASI)/tests/checks/%, \
+WASI_LIBRARY := $(patsubst $(BUILD)/%,$(WASI)/%,$(filter $(BUILD)/common/%,$(OBJECTS)))
+WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/%,$(WASI)/%, \
                   $(filter-out %/child.o %/confine.o %/sight.o,$(JUDGE)))
 -include $(wildcard $(WASI)/*/*/*.d)
 $(WASI_LIBRARY) $(WASI_JUDGE) $(WASI)/tests/web/view.o: $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
@@ -77,13 +76,3 @@ $(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASI_SITE)
 	    cksum * | awk '{ all = all sprintf(",\n\"%s\": {\"bytes\": %d, \"sum\": %s}", $$3, $$2, $$1) } \
 	    END { print "{" substr(all, 2) "\n}" }' > $(@F).part && mv $(@F).part $(@F)
 web-pages: $(BUILD)/web/student/files.json
-$(T)/web-pages.result: tests/web_student.mk $(wildcard tests/web/*.[ch]) \
-        $(LESSONS:%=tests/mistakes/%.txt)
-
-# The judge in the page says what the native one says, by its button in a headless
-# Chromium, and by node alone; it is quick, can be stopped, and holds a scene.
-$(foreach t,judge panel student,$(eval $(call web_test,web-$t,node tests/web/$t.mjs \
-    $(BUILD)/web $(BUILD))))
-$(patsubst %,$(T)/web-%.result,judge panel student): tests/web/cases.mjs
-$(T)/web-judge.result: tests/web/student_node.mjs
-$(T)/web-student.result: $(LIB)

@@ -191,11 +191,11 @@ hostile='chmod("HERE/solutions/SLUG.c", 0600);
     if (f) fputs("ann\tSLUG\tOK\t-\t-\t-\n", f), fclose(f);
     if (system("cat HERE/solutions/SLUG.c >../../../0003.SLUG/SLUG.c")) {}'
 spoil fcntl sys/stat stdio stdlib unistd >"open/bob/$slug.c"
-rm build/tests/confine.o
+rm build/tests/checks/confine.o
 open() {
     "$MAKE" "$@" BUILD=build ANY_FLAGS=1 CFLAGS='-O0 -DWITHOUT_LANDLOCK' 2>&1
 }
-open build/tests/confine.o "build/solutions/$slug.judge" "mistakes-${slug%%_*}" >said
+open build/tests/checks/confine.o "build/solutions/$slug.judge" "mistakes-${slug%%_*}" >said
 state >before
 for FENCE in bwrap ''; do
     export FENCE

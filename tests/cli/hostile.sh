@@ -207,7 +207,7 @@ table() { # table COPY REMAINDER
     programs | grep -Ev "$hurried" | awk "NR % 2 == $2" | each 0
 }
 remade() { # remade FLAG: the judge, of which the parts that it concerns have it
-    set -- "$1" build/tests/child.o build/tests/confine.o build/tests/verdict.o
+    set -- "$1" build/tests/checks/child.o build/tests/checks/confine.o build/tests/checks/verdict.o
     rm "$2" "$3" "$4"
     "$MAKE" "$2" "$3" "$4" "build/solutions/$slug.judge" BUILD=build \
         CFLAGS="-O0 $1" >/dev/null 2>&1

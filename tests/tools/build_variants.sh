@@ -1,14 +1,14 @@
 #!/bin/sh
 # build_variants.sh KIND [whole] - build everything with other tools or flags.
 #
-# KIND is gcc or clang (no warning under the strict set), mac (nor with macOS's
-# headers, which zig has), sanitize (the library and the unit laws, with ASan and
+# KIND is main or clang (no warning under the strict set: what the compiler has said
+# of the main build, of which REST is no part, or what clang says), mac (nor with
+# macOS's headers, which zig has), sanitize (the library and the unit laws, with ASan and
 # UBSan), valgrind (of the solutions no leak, and nothing read that was not written).
 # The whole is all programs in both, however long they compute; of the solutions and
 # the studies same.mk runs what is theirs with sanitizers.
-# READY: objects that valgrind's build has in common with the main one; SEEN: what
-# gcc has compiled for the main build and clang for same.mk, and SAID: their words
-# on it.  Prints ok, FAIL, skip lines.
+# READY: objects that valgrind's build has in common with the main one; SAID: the
+# compiler's words on the main build.  Prints ok, FAIL, skip lines.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -24,15 +24,14 @@ have() { # have COMMAND ARGS...: it compiles a program that runs
 }
 mkdir -p "$dir"
 case $kind in
-gcc | clang)
-    if ! have "$kind"; then echo "skip $kind: not on this machine"; exit 0; fi
-    # some of gcc's warnings come with its optimizer, all of clang's before
-    look=-fsyntax-only
-    if [ $kind = gcc ]; then look='-S -o /dev/null'; fi
-    said=$("$MAKE" look BUILD="$dir" CC="$kind" CFLAGS=-O1 LOOK="$look" \
-        SEEN="${SEEN:-}" 2>&1 && for file in ${SAID:-}; do
-            [ ! -s "$file" ] || { cat "$file" && exit 1; }
-        done)
+main)
+    # some of gcc's warnings come with its optimizer
+    said=$("$MAKE" look BUILD="$dir" LOOKED="$REST" LOOK='-S -o /dev/null' 2>&1) &&
+        said=$(cat $SAID 2>&1) && [ -z "$said" ]
+    result $? 'everything compiles without a warning' "$said" ;;
+clang)
+    if ! have clang; then echo 'skip clang: not on this machine'; exit 0; fi
+    said=$("$MAKE" look BUILD="$dir" CC=clang CFLAGS=-O1 2>&1)
     result $? 'everything compiles without a warning' "$said" ;;
 mac)
     # the programs are not for this system: they are compiled, and that is all
@@ -77,13 +76,8 @@ valgrind)
     fi
     # without the flags for this machine: valgrind does not know AVX-512; what is
     # READY in the main build has none, and is taken from there
-    for object in ${READY:-}; do
-        to=$dir/${object#"$BUILD"/}
-        [ -d "${to%/*}" ] || mkdir -p "${to%/*}"
-        cp -p "$object" "$to"
-    done
-    if [ -n "${READY:-}" ]; then
-        cp -p "$BUILD/flags" "$dir"
+    if [ -z "${SANITIZED:-}" ]; then
+        sh tests/tools/ready.sh "$dir" $READY
         ANY_FLAGS=1
         export ANY_FLAGS
     fi

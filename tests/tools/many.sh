@@ -1,14 +1,17 @@
 #!/bin/sh
-# many.sh measure|test - the study on many processes, figures/many/.
+# many.sh measure|test|peer - the study on many processes, figures/many/.
 #
 # measure runs it all, writes figures/many/many.tsv (counts, no seconds), says
 # which goals hold, and, from runs on a machine that was free, compares seconds.
 # test makes the smallest runs and wrong programs, and prints "ok WHAT", "FAIL
-# WHAT: why" or "skip WHAT: why".  BUILD is the folder of the programs.
+# WHAT: why" or "skip WHAT: why".  peer measures what a step takes
+# beside PETSc.  Called by the Makefile with BUILD, OMPI_CC, FLAGS and LINK.
 set -u
 LC_ALL=C
 export LC_ALL
-programs=${BUILD:-build}/figures/many
+: "${BUILD:=build}"
+export OMPI_CC
+programs=$BUILD/figures/many
 program=$programs/many
 kept=figures/many/many.tsv
 out=$(mktemp -d) || exit 2
@@ -183,7 +186,52 @@ measure() {
     [ -s "$out/seconds" ] || echo 'The machine was busy: no seconds.'
 }
 
+# there: PETSc with MPI is here; without it say so
+there() {
+    pkg-config --exists petsc 2>/dev/null && command -v mpicc >/dev/null &&
+        command -v mpirun >/dev/null && return
+    echo "$1: no PETSc with MPI here; make deps-many installs it"
+    return 1
+}
+# compile FILE PROGRAM; the headers of PETSc are not ours to warn about; -rdynamic: a
+# library that starts threads finds our own start of them (peer.c)
+compile() {
+    mkdir -p "${2%/*}"
+    mpicc $FLAGS $(pkg-config --cflags petsc | sed 's/-I */-isystem /g') "$1" -o "$2" \
+        $LINK -rdynamic $(pkg-config --libs petsc)
+}
+# the program, and those with a known mistake
+compile_all() {
+    compile figures/many/many.c "$program" || return
+    for name in $(awk -f tests/tools/variant.awk -v list=mistake tests/many/mistakes.txt); do
+        to=$programs/$name
+        mkdir -p "$to" && cp figures/many/*.[ch] "$to"
+        file=$(awk -f tests/tools/variant.awk -v name="$name" -v get=file \
+            tests/many/mistakes.txt)
+        awk -f tests/tools/variant.awk -v name="$name" tests/many/mistakes.txt \
+            "figures/many/$file" >"$to/$file" && compile "$to/many.c" "$to/many" || return
+    done
+}
+
 case $1 in
-test) test_all ;;
-measure) measure ;;
+test)
+    there 'skip many' || exit 0
+    if compile_all >"$out/log" 2>&1; then test_all; else
+        echo 'FAIL many:'
+        cat "$out/log"
+    fi ;;
+measure)
+    there many || exit 0
+    compile figures/many/many.c "$program" && measure ;;
+peer)
+    peer=$BUILD/data/many/peer.tsv
+    mkdir -p "$BUILD/data/many"
+    if there peer >/dev/null; then
+        compile figures/many/peer.c "$programs/peer" || exit
+        printf '  %-8s %s\n' bench many/peer >&2
+        OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 OMP_THREAD_LIMIT=1 "$programs/peer" \
+            >"$out/peer" && cp "$out/peer" "$peer" && cp "$out/peer" figures/many/peer.tsv || exit
+    else
+        cp figures/many/peer.tsv "$peer"
+    fi ;;
 esac

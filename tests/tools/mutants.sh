@@ -1,5 +1,5 @@
 #!/bin/sh
-# mutants.sh lesson NN_slug - how many small mistakes in the slots of a solution
+# mutants.sh lesson NN_slug... - how many small mistakes in the slots of a solution
 #                             does its judge find?
 # mutants.sh common FILE... - and how many in common/ the unit programs?
 #
@@ -12,9 +12,10 @@
 set -u
 LC_ALL=C
 export LC_ALL
-: "${BUILD:=build}" "${SEED:=1}" "${N:=60}"
+: "${BUILD:=build}" "${SEED:=1}"
 kind=$1
 shift
+if [ $kind = common ]; then : "${N:=12}"; else : "${N:=60}"; fi
 rm_on_exit=
 trap 'rm -rf "$rm_on_exit"' EXIT
 trap 'exit 130' INT TERM HUP
@@ -150,17 +151,14 @@ score() {
     rm_on_exit=
 }
 
-head_() {
-    printf '  %-26s %6s %8s %10s %6s %5s %6s\n' '' tried compiled equivalent \
-        killed lived score
-}
-
+printf '  %-26s %6s %8s %10s %6s %5s %6s\n' '' tried compiled equivalent killed lived score
 case $kind in
-head) head_ ;;
 lesson)
     native=
-    file=solutions/$1.c
-    score ;;
+    for slug; do
+        file=solutions/$slug.c
+        score
+    done ;;
 common)
     for file; do
         name=$(basename "$file" .c)

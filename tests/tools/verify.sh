@@ -1,5 +1,8 @@
 #!/bin/sh
 # verify.sh KIND NN_slug - claims about a lesson's own material.
+# verify.sh book - the book is in step with the programs.
+# verify.sh figure PICTURE DATA - a figure is drawn from its data or can be; PICTURE
+# stays as it is, and the one that is drawn is $BUILD/test/PICTURE.
 #
 # Prints lines "ok WHAT" and "FAIL WHAT: why" and exits with 0; the Makefile
 # counts the lines.  KIND is solution, starter, mistakes or behave.
@@ -7,7 +10,7 @@ set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}"
-kind=$1 slug=$2 name=$2
+kind=$1 slug=${2:-} name=${2:-}
 nn=${slug%%_*}
 judge_one() { # judge_one JUDGE [OPTIONS]: its verdict block
     one=$1
@@ -20,6 +23,14 @@ result() { # result STATUS WHAT WHY
 }
 
 case $kind in
+book)
+    said=$(sh tests/tools/workbook.sh check)
+    result $? 'the book is in step with the programs' "$said" ;;
+figure)
+    script=${2%.*}.gp
+    cp "$2" "$BUILD/test/$2" &&
+        said=$(sh tests/tools/figure.sh "$script" "$3" "$BUILD/test/$2" 2>&1)
+    result $? "figure $script" "$said" ;;
 solution)
     # with a 1 for each prediction, which changes no verdict
     mkdir -p "$BUILD/test"
