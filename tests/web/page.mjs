@@ -3,6 +3,12 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import browsers from '../tools/browser.js';
 
+/* A line of a test, which fails if one of them does: it ends with process.exit(). */
+export function say(good, what, why) {
+    console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
+    if (!good) process.exitCode = 1;
+}
+
 /* browser.page(url): evaluate(text), errors, and until(text, seconds): true, or the
  * time is over. */
 export async function open() {

@@ -4,12 +4,8 @@
  */
 import { readFileSync, readdirSync } from 'node:fs';
 import small from '../tools/web_small.js';
+import { say } from './page.mjs';
 
-let failed = 0;
-function say(good, what, why) {
-    console.log(good ? 'ok web: ' + what : `FAIL web: ${what}: ${why}`);
-    failed += !good;
-}
 const names = readdirSync('figures', { recursive: true }).map(String)
     .filter(name => name.endsWith('.svg'));
 const refused = [];
@@ -27,4 +23,4 @@ for (const cut of ['<svg><path d="M0 0', '<svg><g></svg>', '']) {
     say(small.picture('cut.svg', cut) === cut && /^web: cut.svg is copied as it is: ./.test(refused),
         `a picture that is cut off, ${JSON.stringify(cut)}, is copied with a warning`, refused);
 }
-process.exit(failed ? 1 : 0);
+process.exit();

@@ -9,17 +9,12 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync, copyFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { open, serve } from './page.mjs';
+import { open, say, serve } from './page.mjs';
 
 const site = resolve(process.argv[2]);
 const LESSON = '03_dirichlet_correction', FILE = `${LESSON}.c`;
 const starter = readFileSync(`lessons/${FILE}`, 'utf8'), solution = readFileSync(`solutions/${FILE}`, 'utf8');
 const WRITE = "document.querySelector('.write')";
-let failed = 0;
-function say(good, what, why) {
-    console.log(good ? 'ok web: ' + what : 'FAIL web: ' + what + ': ' + why);
-    failed += !good;
-}
 const code = (text, slot) => new RegExp(`/\\* SLOT ${slot}\\b[^]*?\\*/\\n([^]*?)\\n *\\/\\* END ${slot}`).exec(text)[1];
 const bare = text => text.replace(/\s+/g, '');
 
@@ -238,4 +233,4 @@ try {
     server.close();
     rmSync(folder, { recursive: true });
 }
-process.exit(failed ? 1 : 0);
+process.exit();
