@@ -12,6 +12,13 @@
 int page_frame(const char *keys, double pointer[4]);
 void page_draw(const struct view_picture *picture, double seconds);
 
+/* Its picture() reads a struct view_picture at these places. */
+#define AT(place, member) \
+    _Static_assert(offsetof(struct view_picture, member) == (place), #member)
+AT(0, n_point); AT(4, x); AT(8, n_triangle); AT(12, triangle); AT(16, value);
+AT(20, held); AT(24, ring); AT(28, n_arrow); AT(32, arrow); AT(2080, n_curve);
+AT(2084, curve); AT(2088, alarm); AT(2092, caption); AT(2572, note);
+
 struct view *view_open(const char *title, int must)
 {
     (void)title, (void)must;
