@@ -33,7 +33,7 @@ $(WASI)/libgsl.a: $(WASM)/gsl/libgsl.a $(WASI)/usr tests/tools/web_gsl.sh
 WASI_LIBRARY := $(patsubst $(BUILD)/%,$(WASI)/%,$(filter $(BUILD)/common/%,$(OBJECTS)))
 WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/%,$(WASI)/%, \
                   $(filter-out %/child.o %/confine.o %/sight.o,$(JUDGE)))
--include $(wildcard $(WASI)/*/*/*.d)
+-include $(wildcard $(WASI)/*/*.d $(WASI)/*/*/*.d)
 $(WASI_LIBRARY) $(WASI_JUDGE) $(WASI)/tests/web/view.o: $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
         $(WASM)/gsl/libgsl.a
 	$(call say,wasi,$<)
@@ -49,11 +49,14 @@ $(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/
 	    -DPROGRAM='"$(word 2,$^)"' -c $< -o $@
 
 # Into the page: all that a lesson needs, and what all of them do.
+WASI_COMPILER := $(addprefix $(SITE)/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
+                     llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz)
 $(LESSONS:%=$(SITE)/%.tar.gz): $(SITE)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
-        $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/solutions/% $(BUILD)/solutions/%.judge \
-        $(BUILD)/mistakes/%/all.judge $$(wildcard figures/$$*/hand.c) tests/tools/web_lesson.sh tests/tools/web_kept.js
+        $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/mistakes/%/all.c $$(wildcard figures/$$*/hand.c) \
+        $(WASI_COMPILER) $(addprefix tests/,tools/web_lesson.sh tools/web_kept.mjs web/student_node.mjs) \
+        $(addprefix lessons/web/student,_compile.js _judge.js)
 	$(call say,wasi,$@)
-	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< > $(PART) && $(MOVED)
+	$(Q)$(WHOLE) BUILD='$(BUILD)' sh tests/tools/web_lesson.sh $* $< $(SITE) > $(PART) && $(MOVED)
 $(SITE)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)/lib,gsl.a workbook.a judge.a) \
         $(wildcard common/*/*.h tests/checks/*.h tests/oracle/*.h)
 	$(call say,wasi,$@)
@@ -61,8 +64,7 @@ $(SITE)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
 	    -C $(abspath $(WASI)) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
 	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@
-WASI_SITE := $(addprefix $(SITE)/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
-                 llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz $(LESSONS:%=%.tar.gz))
+WASI_SITE := $(WASI_COMPILER) $(LESSONS:%=$(SITE)/%.tar.gz)
 $(SITE)/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
 	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } | gzip -9n > $@
 $(SITE)/%.wasm.gz: $(YOWASP)/%.wasm

@@ -88,24 +88,25 @@ function treeOf(files) {
 const CODE = ["llvm.core.wasm", "llvm.core2.wasm", "llvm.core3.wasm", "llvm.core4.wasm"];
 const BYTES = 24e6; /* of all, packed; for the bar alone */
 
+/* Read a number of a module. */
+function numberAt(bytes, here) {
+    for (let value = 0, shift = 0;; shift += 7) {
+        const byte = bytes[here.at++];
+        value |= (byte & 127) << shift;
+        if (byte < 128) return value >>> 0;
+    }
+}
 /* Bound the compiler's memory: the second number of the memory section. */
 function bounded(bytes, megabytes) {
-    let at = 8;
-    const number = () => {
-        for (let value = 0, shift = 0;; shift += 7) {
-            const byte = bytes[at++];
-            value |= (byte & 127) << shift;
-            if (byte < 128) return value >>> 0;
-        }
-    };
-    while (at < bytes.length) {
-        const id = bytes[at++], size = number(), end = at + size;
+    const here = {at: 8}, number = () => numberAt(bytes, here);
+    while (here.at < bytes.length) {
+        const id = bytes[here.at++], size = number(), end = here.at + size;
         if (id === 5 && number() === 1 && number() === 1) {
             number();
             let pages = 16 * megabytes;
-            for (; at < end; at++, pages >>= 7) bytes[at] = pages & 127 | (at < end - 1 ? 128 : 0);
+            for (; here.at < end; here.at++, pages >>= 7) bytes[here.at] = pages & 127 | (here.at < end - 1 ? 128 : 0);
         }
-        at = end;
+        here.at = end;
     }
     return bytes;
 }
@@ -129,7 +130,7 @@ async function loadCompiler(base) {
                                   totalSize: 1}, instantiate, "llvm");
     progress("load", 1);
 }
-/* Unpack the output of the reference and of the known mistakes (tests/tools/web_kept.js). */
+/* Unpack the output of the reference and of the known mistakes (tests/tools/web_kept.mjs). */
 function kept({lines, files}) {
     const coder = new TextEncoder();
     return Object.fromEntries(Object.entries(files).map(([name, parts]) => {
@@ -262,33 +263,26 @@ function readProgram(text, path, lesson) {
 /* Read an object: its symbols, with the place of their flags, the names of its data
  * segments, the number of functions that run before main(), and its imports. */
 function readObject(bytes) {
-    let at = 8;
-    const number = () => {
-        for (let value = 0, shift = 0;; shift += 7) {
-            const byte = bytes[at++];
-            value |= (byte & 127) << shift;
-            if (byte < 128) return value >>> 0;
-        }
-    };
+    const here = {at: 8}, number = () => numberAt(bytes, here);
     const string = () => {
         const size = number();
-        at += size;
-        return new TextDecoder().decode(bytes.subarray(at - size, at));
+        here.at += size;
+        return new TextDecoder().decode(bytes.subarray(here.at - size, here.at));
     };
     const limits = () => { if (number() & 1) number(); number(); };
     const object = {symbols: [], segments: [], before: 0, imports: []};
     const names = {0: [], 2: [], 4: [], 1: []}; /* imported, by kind of symbol */
     const readImport = () => {
-        const from = string(), name = string(), kind = bytes[at++];
+        const from = string(), name = string(), kind = bytes[here.at++];
         object.imports.push({from, name});
         if (kind === 0) { number(); names[0].push(name); }
-        else if (kind === 1) { at++; limits(); names[1].push(name); }
+        else if (kind === 1) { here.at++; limits(); names[1].push(name); }
         else if (kind === 2) limits();
-        else if (kind === 3) { at += 2; names[2].push(name); }
-        else { at++; number(); names[4].push(name); }
+        else if (kind === 3) { here.at += 2; names[2].push(name); }
+        else { here.at++; number(); names[4].push(name); }
     };
     const readSymbol = () => {
-        const kind = bytes[at++], place = at, flags = number(), undefined_ = flags & 0x10;
+        const kind = bytes[here.at++], place = here.at, flags = number(), undefined_ = flags & 0x10;
         let name = "";
         if (kind === 1) {
             name = string();
@@ -301,22 +295,22 @@ function readObject(bytes) {
         }
         object.symbols.push({kind, place, flags, name, undefined: undefined_ !== 0});
     };
-    while (at < bytes.length) {
-        const id = bytes[at++], size = number(), end = at + size;
+    while (here.at < bytes.length) {
+        const id = bytes[here.at++], size = number(), end = here.at + size;
         if (id === 2) {
             for (let n = number(); n > 0; n--) readImport();
         } else if (id === 0 && string() === "linking") {
             number();
-            while (at < end) {
-                const type = number(), length = number(), stop = at + length;
+            while (here.at < end) {
+                const type = number(), length = number(), stop = here.at + length;
                 if (type === 8) for (let n = number(); n > 0; n--) readSymbol();
                 else if (type === 5)
                     for (let n = number(); n > 0; n--) { object.segments.push(string()); number(); number(); }
                 else if (type === 6) object.before = number();
-                at = stop;
+                here.at = stop;
             }
         }
-        at = end;
+        here.at = end;
     }
     return object;
 }

@@ -2,10 +2,11 @@
  * student_judge.js - a worker that runs a program linked for WASI: the judge of a
  * lesson, with the student's program compiled in.
  *
- * It is sent {code, args, files, ended}: a WebAssembly.Module, its arguments, what
- * files there are (paths without the first /, and bytes), and the children that have
- * an end already (see below).  It posts {out} and {err}, text as it is printed;
- * {begin: k, seconds} and {end: k} of each child; {result: {status, limit, files}}.
+ * It is sent {code, args, files, ended}: a WebAssembly.Module, its arguments, what files
+ * there are (paths without the first /, and bytes), and the children that have an end
+ * already (see below); from tests/tools/web_kept.mjs its environment, too.  It posts {out}
+ * and {err}, text as it is printed; {begin: k, seconds} and {end: k} of each child;
+ * {result: {status, limit, files}}.
  *
  * The program has files in memory alone, a clock, and nothing else of the machine.
  *
@@ -62,8 +63,8 @@ class File {
 
 /* The files, limits and children that all instances of a run share. */
 class World {
-    constructor({code, args, files, ended = {}}, post) {
-        Object.assign(this, {code, args, ended, post, children: 0, begun: performance.now()});
+    constructor({code, args, environment = [], files, ended = {}}, post) {
+        Object.assign(this, {code, args, environment, ended, post, children: 0, begun: performance.now()});
         this.spent = 0; /* by children that are not run again */
         this.files = new Map(Object.entries(files).map(([path, bytes]) => [path, new File(bytes)]));
         this.folders = new Set([""]);
@@ -173,8 +174,7 @@ class Process {
     }
     /* Copy a struct view_picture of view.h. */
     picture(at, seconds) {
-        const word = (k) => this.view.getInt32(at + k, true), ARROWS = 64;
-        const behind = 32 + 32 * ARROWS;
+        const word = (k) => this.view.getInt32(at + k, true), behind = 32 + 32 * 64;
         const numbers = (from, n) => new Float64Array(this.memory.buffer.slice(from, from + 8 * n));
         const whole = (from, n) => from ? new Int32Array(this.memory.buffer.slice(from, from + 4 * n)) : null;
         const text = (from, size) => this.string(from, size).replace(/\0[^]*$/, "");
@@ -187,7 +187,7 @@ class Process {
     }
 
     /* ---- WASI */
-    strings(list, pointers, at) {
+    args_get(pointers, at, list = this.world.args) {
         for (const text of list) {
             const bytes = new TextEncoder().encode(text + "\0");
             this.view.setUint32(pointers, at, true);
@@ -197,14 +197,13 @@ class Process {
         }
         return 0;
     }
-    args_get(pointers, at) { return this.strings(this.world.args, pointers, at); }
-    args_sizes_get(count, size) {
-        this.view.setUint32(count, this.world.args.length, true);
-        this.view.setUint32(size, new TextEncoder().encode(this.world.args.join("\0") + "\0").length, true);
+    args_sizes_get(count, size, list = this.world.args) {
+        this.view.setUint32(count, list.length, true);
+        this.view.setUint32(size, new TextEncoder().encode(list.join("\0") + "\0").length, true);
         return 0;
     }
-    environ_get() { return 0; }
-    environ_sizes_get(count, size) { return this.view.setUint32(count, 0, true), this.view.setUint32(size, 0, true), 0; }
+    environ_get(pointers, at) { return this.args_get(pointers, at, this.world.environment); }
+    environ_sizes_get(count, size) { return this.args_sizes_get(count, size, this.world.environment); }
     clock_time_get(clock, precision, to) {
         const ms = clock ? performance.now() : Date.now();
         this.view.setBigUint64(to, BigInt(Math.round(1e6 * ms)), true);

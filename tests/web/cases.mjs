@@ -9,7 +9,6 @@ import {execFileSync} from 'node:child_process';
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 
-export const SHOWN = ['03', '12', '16', '20', '24', '26'];
 export const lessons = fs.readdirSync('solutions').filter(name => /^\d\d_.*\.c$/.test(name)).map(name => name.slice(0, -2));
 export const read = path => fs.readFileSync(path, 'utf8');
 const awk = (...args) => execFileSync('awk', ['-f', 'tests/tools/variant.awk', ...args], {encoding: 'utf8'});
@@ -19,15 +18,15 @@ export const LOOP = 'for (volatile int spin = 0;; spin = 1) {}';
 export const withLine = (lesson, line) => read(`solutions/${lesson}.c`)
     .replace(/(\/\* SLOT [^]*?\*\/\n)/, (slot) => `${slot}${line}\n`);
 
+export const variant = (lesson, name) => awk('-v', `name=${name}`, `tests/mistakes/${lesson}.txt`, `solutions/${lesson}.c`);
+
 /* [what, verdict, text] of each. */
 export function nine(lesson) {
-    const mistakes = `tests/mistakes/${lesson}.txt`;
-    const names = kind => awk('-v', `list=${kind}`, mistakes).trim().split('\n');
-    const variant = name => awk('-v', `name=${name}`, mistakes, `solutions/${lesson}.c`);
+    const names = kind => awk('-v', `list=${kind}`, `tests/mistakes/${lesson}.txt`).trim().split('\n');
     return [['starter', 'UNFINISHED', read(`lessons/${lesson}.c`)],
         ['solution', 'OK', read(`solutions/${lesson}.c`)],
-        ...names('mistake').slice(0, 3).map(name => [`mistake ${name}`, /^(WRONG|NONFINITE)$/, variant(name)]),
-        ...names('equivalent').slice(0, 1).map(name => [`equivalent ${name}`, 'OK', variant(name)]),
+        ...names('mistake').slice(0, 3).map(name => [`mistake ${name}`, /^(WRONG|NONFINITE)$/, variant(lesson, name)]),
+        ...names('equivalent').slice(0, 1).map(name => [`equivalent ${name}`, 'OK', variant(lesson, name)]),
         ['a crash', 'CRASHED', withLine(lesson, 'int *volatile nowhere = (int *)-4096L; *nowhere = 1;')],
         ['an endless loop', 'TIMEOUT', withLine(lesson, LOOP)],
         ['a compile error', 'NOT COMPILED', withLine(lesson, 'this is not C')]];

@@ -3,6 +3,7 @@
  * program, which lessons/web/student_judge.js makes and runs to its end.
  */
 #include "child.h"
+#include "judge.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -20,6 +21,7 @@ double page_seconds(void);
 void page_limit(double seconds);
 _Noreturn void page_signal(int number);
 
+#pragma weak program_main /* a scene has none */
 static int handed;
 static double spent;
 
@@ -44,11 +46,14 @@ _Noreturn void page_body(void (*body)(void *), void *context)
 void child_hand_over(int descriptor) { handed = descriptor; }
 
 /* The judge of a known mistake is a file with what it says to the check that
- * catches it. */
+ * catches it.  Where that is made, the program is the one that is compiled in,
+ * with a mistake that the environment chooses (tests/tools/web_kept.mjs). */
 void child_become(const char *program, char *const argv[])
 {
     char text[1100], path[400];
     FILE *judge = fopen(program, "r");
+    for (int n = 0; !judge && getenv("MISTAKE"); n++)
+        if (!argv[n]) exit(program_main(n, (char **)argv));
     if (!judge || !argv[4]) return;
     text[fread(text, 1, sizeof text - 1, judge)] = '\0';
     snprintf(path, sizeof path, "%s/judge.message", argv[4]);
@@ -120,6 +125,13 @@ int madvise(void *at, size_t size, int advice)
 /* ---- how a program ends, in the words of glibc --------------------------- */
 
 void abort(void) { page_signal(6); }
+_Noreturn void __assert_fail(const char *claim, const char *file, int line,
+                             const char *function)
+{
+    fprintf(stderr, "judge: %s:%d: %s: Assertion `%s' failed.\n", file, line,
+            function, claim);
+    page_signal(6);
+}
 void __ubsan_handle_type_mismatch_minimal_abort(void) { page_signal(11); }
 
 char *strsignal(int number)

@@ -27,9 +27,17 @@ class Thread {
     postMessage(message) { this.thread.postMessage(message); }
     terminate() { this.thread.terminate(); }
 }
+export const thread = name => new Thread(name), urlOf = folder => pathToFileURL(path.resolve(folder)) + '/';
 
 /* A student for the files in this folder. */
 export function student(folder) {
     plain('student.js');
-    return globalThis.makeStudent({base: pathToFileURL(path.resolve(folder)) + '/', worker: name => new Thread(name)});
+    return globalThis.makeStudent({base: urlOf(folder), worker: thread});
 }
+/* Ask a thread for what answer() finds in one of its messages, within ten minutes. */
+export const ask = (who, message, answer) => new Promise((done, failed) => {
+    const late = setTimeout(failed, 6e5, Error('no answer'));
+    who.onmessage = ({data}) => { const its = answer(data); if (its) done(its, clearTimeout(late)); };
+    who.onerror = ({message}) => failed(Error(message));
+    who.postMessage(message);
+});
