@@ -1,15 +1,36 @@
 /*
  * hard.c - what each rung of the fallback is for: one is taken away at a time.
  *
- * The square, n = 8, a patch in the hand.  Table rungs: the script `hard`, 300
- * frames, backward Euler, every rung and both laws.  What it does not show is
- * in rare.c.
+ * The square, n = 8, a patch in the hand, backward Euler.  Tables: drag (the
+ * patch is pushed in, 60 frames, cubic law, without one of three rungs), rungs
+ * (the script `hard`, 300 frames, every rung and both laws).  What that does
+ * not show is in rare.c.
  */
 #include "base/study.h"
 #include "base/table.h"
 #include "without.h"
 
 #include <gsl/gsl_errno.h>
+
+/* A drag: the loop without one of the three rungs that it needs, and with. */
+static void print_drag(void)
+{
+    static const enum without less[4] = {SECOND_RUNG, SEARCH, ACCEPTING,
+                                         NOTHING};
+    struct pointers push = pointers_pull(-5.0);
+    table_begin("drag", "without lost freeze unfinished energy");
+    for (int k = 0; k < 4; k++) {
+        const struct without_result r =
+            without_play(less[k], 8, CUBIC, BACKWARD_EULER, &push);
+        table_row(without_word(less[k]), r.lost, r.freeze, r.unfinished,
+                  r.energy);
+        claim(less[k] == NOTHING ? r.lost == 0 : r.freeze > 40, "pushed in, "
+              "without %s: %d frames lost in a row", without_word(less[k]),
+              r.freeze);
+    }
+    table_end();
+    pointers_free(&push);
+}
 
 /* Each rung and each law. */
 static void print_rungs(struct without_result all[2][N_WITHOUT])
@@ -36,6 +57,7 @@ int main(void)
 {
     struct without_result all[2][N_WITHOUT];
     gsl_set_error_handler_off();
+    print_drag();
     print_rungs(all);
     for (int l = 0; l < 2; l++) {
         const struct without_result *a = all[l];

@@ -27,6 +27,7 @@ static const struct {
     enum tells tells;
 } RARE[] = {{FIRST_RUNG, LOG, IMPLICIT_MIDPOINT, 0, SWING},
             {PROJECTION, CUBIC, BACKWARD_EULER, 7, WAITS},
+            {DEMAND, CUBIC, BACKWARD_EULER, 7, UNFINISHED},
             {STOPPING, CUBIC, BACKWARD_EULER, 4, ENERGY},
             {HALVING, LOG, BACKWARD_EULER, 4, WAITS},
             {BOUND, CUBIC, BACKWARD_EULER, 4, ENERGY},

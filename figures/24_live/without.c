@@ -11,13 +11,11 @@ const char *without_word(enum without without)
 {
     static const char *const word[] = {
         "nothing", "first rung", "elastic lift", "second rung",
-        "projection of lift", "line search", "acceptance if unfinished",
-        "stop if unfinished", "halved moves", "bounded hand", "bound on leaps",
-        "memory of trouble"};
+        "projection of lift", "projection on demand", "line search",
+        "acceptance if unfinished", "stop if unfinished", "halved moves",
+        "bounded hand", "bound on leaps", "memory of trouble"};
     return word[without];
 }
-
-/* ---- a lift -------------------------------------------------------------- */
 
 static enum status leap(struct body *body, struct incremental Phi,
                         const double u0[], const double g[],
@@ -26,35 +24,12 @@ static enum status leap(struct body *body, struct incremental Phi,
     return live_lift_within(body, Phi, u0, g, tangent, DBL_MAX, u);
 }
 
-/* ---- second rungs -------------------------------------------------------- */
+/* The way of the second rung. */
+static struct live_way way;
 
-static enum status unprojected(struct live *live, double u[], double v[],
-                               struct live_report *report)
+static enum status by_way(struct live *live, double u[], double v[],
+                          struct live_report *report)
 {
-    const struct live_way way = {live_lift, EXACT, LIVE_TRIES, &LIVE_DOWNHILL};
-    return live_downhill_by(live, way, u, v, report);
-}
-
-static enum status unsearched(struct live *live, double u[], double v[],
-                              struct live_report *report)
-{
-    struct step_control control = LIVE_DOWNHILL;
-    control.line_search = 0;
-    const struct live_way way = {live_lift, PROJECTED, LIVE_TRIES, &control};
-    return live_downhill_by(live, way, u, v, report);
-}
-
-static enum status unhalved(struct live *live, double u[], double v[],
-                            struct live_report *report)
-{
-    const struct live_way way = {live_lift, PROJECTED, 1, &LIVE_DOWNHILL};
-    return live_downhill_by(live, way, u, v, report);
-}
-
-static enum status leaping(struct live *live, double u[], double v[],
-                           struct live_report *report)
-{
-    const struct live_way way = {leap, PROJECTED, LIVE_TRIES, &LIVE_DOWNHILL};
     return live_downhill_by(live, way, u, v, report);
 }
 
@@ -81,12 +56,15 @@ struct without_result without_play(enum without without, int n, enum law law,
                                    enum method method,
                                    const struct pointers *script)
 {
-    static live_rung *const second[N_WITHOUT] = {
-        [PROJECTION] = unprojected, [SEARCH] = unsearched,
-        [ACCEPTING] = unaccepted,   [STOPPING] = unstopped,
-        [HALVING] = unhalved,       [LEAPING] = leaping};
-    live_rung *const rung = second[without] ? second[without] : live_downhill;
+    live_rung *const rung = without == ACCEPTING  ? unaccepted
+                            : without == STOPPING ? unstopped
+                                                  : by_way;
     live_lifter *const lift = without == LEAPING ? leap : live_lift;
+    struct step_control control = LIVE_DOWNHILL;
+    if (without == DEMAND) control.projection = NEVER;
+    if (without == SEARCH) control.line_search = 0;
+    way = (struct live_way){lift, without == PROJECTION ? EXACT : PROJECTED,
+                            without == HALVING ? 1 : LIVE_TRIES, &control};
     const struct live_setting set = {n, law, method, PATCH,
                                      without == LIFT ? LAST_STATE : ELASTIC,
                                      without != SECOND_RUNG, LINEAR_TRIANGLE};

@@ -13,6 +13,7 @@ enum without {
     LIFT,        /* the first rung starts from the last state */
     SECOND_RUNG, /* the first rung alone; a frame is lost when it fails */
     PROJECTION,  /* the lift of the second rung is by the exact K */
+    DEMAND,      /* the second rung never projects after its lift */
     SEARCH,      /* the second rung has no line search */
     ACCEPTING,   /* an unfinished frame is lost */
     STOPPING,    /* v stays what it is after an unfinished frame */

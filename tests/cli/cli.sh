@@ -165,13 +165,13 @@ said=$(sh tests/tools/workbook.sh check lessons/ERRATA.md stale.md 2>&1)
 result $? 'a stale number in the book is noticed' "$said"
 printf '%s\n' '# words' 'name	value' 'NOT_SPD	1.25' 'stretch	-' '' '' \
     >build/data/words.tsv
-printf '%s\n' '<!-- table words words; name %d; value %.1f; value %s -->' \
+printf '%s\n' '<!-- table words words; name %d; value %.1f; value %s; value %.0f%% -->' \
     '<!-- end -->' >words.md
 sh tests/tools/workbook.sh fill words.md >/dev/null 2>&1
-grep -qxF '| NOT_SPD | 1.2 | 1.25 |' words.md &&
-    grep -qxF '| stretch | - | - |' words.md
+grep -qxF '| NOT_SPD | 1.2 | 1.25 | 125 % |' words.md &&
+    grep -qxF '| stretch | - | - | - |' words.md
 result $? 'a word in a table is printed as it is' "$(cat words.md)"
-grep -qxF '|---|---:|---:|' words.md
+grep -qxF '|---|---:|---:|---:|' words.md
 result $? 'words in a table stand on the left, numbers on the right' "$(cat words.md)"
 comma=$(locale -a 2>/dev/null | grep -iE '^(de_DE|fr_FR|tr_TR)\.utf-?8$' | head -n 1)
 if [ -n "$comma" ]; then

@@ -23,9 +23,9 @@
 #
 #   <!-- hours 1-2 9 11-13 -->13<!-- /hours -->
 #
-# FORMAT is that of printf; 1.5e+03 is written 1.5·10³.  A cell that is no number
-# (a word, or - where there is none) stands as it is, whatever its FORMAT.  Columns
-# stand on the right, those without a number on the left.
+# FORMAT is that of printf; 1.5e+03 is written 1.5·10³, and 0.2 by %.0f%% 20 %.  A
+# cell that is no number (a word, or - where there is none) stands as it is, whatever
+# its FORMAT.  Columns stand on the right, those without a number on the left.
 #
 # To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 
@@ -75,6 +75,7 @@ function is_number(text) {
 function cell(source, table, column, row, format,    text) {
     text = raw(source, table, column, row)
     if (!is_number(text)) return text
+    if (sub(/%%$/, " %%", format)) text *= 100
     if (format !~ /%[-0-9.]*s/) text = sprintf(format, text + 0)
     else text = sprintf(format, text)
     sub(/^-0(\.0*)?$/, "0&", text) # a rounded -1e-17 is 0
