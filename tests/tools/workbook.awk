@@ -26,7 +26,6 @@
 # FORMAT is that of printf; 1.5e+03 is written 1.5·10³, and 0.2 by %.0f%% 20 %.  A
 # cell that is no number (a word, or - where there is none) stands as it is, whatever
 # its FORMAT.  Columns stand on the right, those without a number on the left.
-#
 # To be run with LC_ALL=C: mawk takes the decimal point from the locale.
 
 BEGIN {
