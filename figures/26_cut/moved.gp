@@ -1,21 +1,24 @@
-# moved.gp - what is missing of the opening of a cut against flops, its mean and its
-# standard deviation over 24 slanting blades: along edges, and with moved vertices.
+# moved.gp - the error of the opening of a cut against flops, over 24 slanting blades,
+# and its standard deviation: along edges, and with moved vertices.
 # Reads   data  table opening
 # Writes  out   SVG
 load "figures/style.gp"
-set terminal svg size 600,330 enhanced font "Helvetica,15" background rgb "white"
+set terminal svg size 600,360 enhanced font "Helvetica,15" background rgb "white"
 set output out
-set logscale x
+set logscale xy
 set xrange [4e4:1.2e7]
 set format x "10^{%T}"
-set yrange [-0.05:0.5]
-set ytics 0.1
+set yrange [0.04:0.6]
+set ytics (0.05, 0.1, 0.2, 0.4)
 set xlabel "flops to factor K and to solve"
 set ylabel "missing part of the opening"
-plot data index "opening" using (0.94 * column("flops")):"edges":"edges_spread" \
-         with yerrorbars ls 1 title "along edges", \
-     "" index "opening" using (1.06 * column("flops")):"moved":"moved_spread" \
-         with yerrorbars ls 2 title "with moved vertices", \
-     "" index "opening" using "flops":(0.46):(sprintf("n = %d", column("n"))) \
-         with labels notitle, \
-     0 with lines ls 8 notitle
+set label 1 "root mean square" at 4e5,0.26
+set label 2 "standard deviation" at 3e5,0.068 right
+plot data index "opening" using "flops":"edges_rms" with linespoints ls 1 \
+         title "along edges", \
+     "" index "opening" using "flops":"moved_rms" with linespoints ls 2 \
+         title "with moved vertices", \
+     "" index "opening" using "flops":"edges_spread" with linespoints ls 1 dt 3 notitle, \
+     "" index "opening" using "flops":"moved_spread" with linespoints ls 2 dt 3 notitle, \
+     "" index "opening" using "flops":(0.5):(sprintf("n = %d", column("n"))) \
+         with labels notitle

@@ -31,9 +31,9 @@ struct opening {
     double angle;   /* the smallest one (degrees) */
 };
 
-/* What is missing of the opening, of all cuts. */
+/* The missing fraction of the opening, over all cuts. */
 struct openings {
-    double mean, spread; /* as a fraction; the standard deviation */
+    double mean, spread, rms; /* standard deviation; root mean square */
     double flops, seconds, angle;
 };
 
@@ -150,6 +150,7 @@ static struct openings openings(int n, int moved, int runs,
         all.angle = fmin(all.angle, cut.angle);
     }
     all.spread = sqrt(squares - all.mean * all.mean);
+    all.rms = sqrt(squares);
     return all;
 }
 
