@@ -61,7 +61,7 @@ seen(y) = y > 1e-13 ? y : 1e-13
 set mytics 1
 set format y "10^{%T}"
 set xlabel "iteration"
-set ylabel "max |q| / W (m)" offset 1
+set ylabel "max |q| / max A_{ii} (m)" offset 1
 set style textbox opaque noborder margins 0.4,0.4
 set label 2 "notes' method: fails" at 4.1, 0.8 tc rgb "#D55E00" front boxed
 set label 3 "projected\non demand" at 6.5, 6e-5 tc rgb "#009E73" front boxed
