@@ -59,15 +59,17 @@ static void weigh(void)
 {
 #ifndef __wasm__
     static long grown[16], most; /* kB, of each slot and of all */
-    struct rusage used = {.ru_maxrss = 0};
+    struct rusage used = {0};
     getrusage(RUSAGE_SELF, &used);
-#ifdef __APPLE__
-    used.ru_maxrss /= 1024; /* bytes there */
+#ifdef __APPLE__ /* bytes, and without a name where only POSIX is asked for */
+    const long peak = used.ru_opaque[0] / 1024;
+#else
+    const long peak = used.ru_maxrss;
 #endif
     const size_t n = strlen(slot_now);
     long *slot = &grown[n ? (slot_now[n - 1] - 'a') & 15 : 15];
-    *slot += used.ru_maxrss - most;
-    most = used.ru_maxrss;
+    *slot += peak - most;
+    most = peak;
     if (n && *slot > HAND_MEMORY)
         stop("CRASHED", "it leaks, more than a gigabyte by now", NULL);
 #endif
