@@ -17,6 +17,7 @@
 
 #include "base/clock.h"
 #include "base/study.h"
+#include "../speed/one_thread.h"
 #include "base/table.h"
 #include "plane/scene.h"
 
@@ -26,17 +27,6 @@
 
 /* The processor that OpenBLAS, if it is the BLAS, takes this one for. */
 extern char *openblas_get_corename(void) __attribute__((weak));
-
-/* On one thread a parallel region is a call.  CHOLMOD has thousands, and where
- * libgomp makes a team of one for each, it takes three times as long. */
-void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
-                   unsigned flags);
-void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
-                   unsigned flags)
-{
-    (void)threads, (void)flags;
-    work(data);
-}
 
 enum method { NOTES, METHOD, OURS, METHODS };
 static const char *const name[] = {"notes", "method", "ours"};

@@ -11,18 +11,9 @@
 #include "linear/sparse.h"
 #include "plane/body.h"
 #ifdef CHOLMOD
-#include <cholmod.h>
+#include "one_thread.h"
 
-/* On one thread a parallel region is a call.  CHOLMOD has thousands, and where
- * libgomp makes a team of one for each, it takes three times as long. */
-void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
-                   unsigned flags);
-void GOMP_parallel(void (*work)(void *), void *data, unsigned threads,
-                   unsigned flags)
-{
-    (void)threads, (void)flags;
-    work(data);
-}
+#include <cholmod.h>
 #endif
 
 struct rival {
