@@ -14,8 +14,8 @@
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
 STUDIED := $(if $(filter same,$(MAKECMDGOALS)),$(COUNTED))
 # the longest first
-RUNS := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%, \
-            $(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(HANDS) $(STUDIED)
+LONG := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%,$(STUDIED))
+RUNS := $(LONG) $(LESSONS) $(EXAMPLES:=/example) $(HANDS) $(filter-out $(LONG),$(STUDIED))
 SAME = BUILD='$(BUILD)' READY='$(READY)' ALL_NATIVE='$(ALL_NATIVE)' RUNS='$(RUNS)' \
        SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' sh tests/tools/same.sh
 $(T)/same-v8.result $(T)/same-$(NARROW).result: $(T)/same-%.result: \

@@ -40,6 +40,8 @@ log=$build/wasm/gsl.$1.log
 mkdir -p "$build/wasm/gsl/gsl" && : >"$log" || exit 1
 failed() {
     tail -n 3 "$log" >&2
+    # why a program of configure's was not compiled is said only there
+    cat "$work/config.log" >>"$log" 2>/dev/null && grep -m 3 'error:' "$work/config.log" >&2
     echo "web: GSL cannot be built; the whole log is $log" >&2
     exit 1
 }
