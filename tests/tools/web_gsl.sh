@@ -32,6 +32,7 @@ permutation/permutation permutation/permute randist/shuffle sys/coerce sys/hypot
 sys/fcmp sys/fdiv sys/infnan matrix/copy vector/swap vector/vector'
 : "${NODE_PATH:=/usr/share/nodejs}" # Debian's acorn, for any node
 export NODE_PATH
+unset LIBS LDFLAGS CPPFLAGS # this machine's, which configure would take
 # Far from here, because configure refuses a path with a blank or an apostrophe.
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' 0
