@@ -508,7 +508,7 @@ static const struct lesson lesson = {
     "from some n on more work makes the answer worse.",
     "Fix the right end by its row only, leave the column, and let measure() "
     "judge by the status alone: the run that is wrong by 0.8 then has a fine "
-    "time (figures/08_element_assembly/validity.c). Which other rule of a "
+    "time (figures/08_element_assembly/system.c). Which other rule of a "
     "chart would still stop it?",
     what_was_predicted};
 
