@@ -5,6 +5,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 const char *without_word(enum without without)
@@ -24,13 +25,30 @@ static enum status leap(struct body *body, struct incremental Phi,
     return live_lift_within(body, Phi, u0, g, tangent, DBL_MAX, u);
 }
 
-/* The way of the second rung. */
+static double kinetic(const struct live *live)
+{
+    double *momentum = allocate((size_t)live->n_dof, sizeof *momentum);
+    double energy = 0.0;
+    body_mass(live->body, live->now.v, momentum);
+    for (int r = 0; r < live->n_dof; r++)
+        energy += 0.5 * live->now.v[r] * momentum[r];
+    free(momentum);
+    return energy;
+}
+
+/* The way of the second rung, and what its velocity of 0 has taken away. */
 static struct live_way way;
+static struct without_stop stop;
 
 static enum status by_way(struct live *live, double u[], double v[],
                           struct live_report *report)
 {
-    return live_downhill_by(live, way, u, v, report);
+    const double energy = kinetic(live);
+    const enum status status = live_downhill_by(live, way, u, v, report);
+    if (status == OK && report->part == 1.0) return status;
+    stop.frames++;
+    stop.energy = fmax(stop.energy, energy);
+    return status;
 }
 
 static enum status unaccepted(struct live *live, double u[], double v[],
@@ -70,6 +88,7 @@ struct without_result without_play(enum without without, int n, enum law law,
                                      without != SECOND_RUNG, LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* trouble is chaotic */
+    stop = (struct without_stop){0};
     struct without_result sum = {0};
     struct times systems = {0};
     int frozen = 0;
@@ -96,6 +115,7 @@ struct without_result without_play(enum without without, int n, enum law law,
             sum.last = fmax(sum.last, fabs(live->now.u[r]));
         }
     }
+    sum.stop = stop;
     sum.p50 = times_median(&systems);
     sum.p99 = times_quantile(&systems, 0.99);
     sum.most = times_quantile(&systems, 1.0);

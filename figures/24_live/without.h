@@ -25,6 +25,13 @@ enum without {
 };
 const char *without_word(enum without without);
 
+/* Frames after which the second rung sets the velocity to 0, and the largest
+ * kinetic energy (J) before one of them. */
+struct without_stop {
+    int frames;
+    double energy;
+};
+
 struct without_result {
     int lost, freeze;      /* frames lost, and in a row at most */
     int stands;            /* frames in which a hand that holds goes nowhere */
@@ -32,6 +39,7 @@ struct without_result {
     double p50, p99, most; /* systems per frame */
     double energy, speed;  /* the largest (J), (m/s) */
     double last;           /* largest |u| at the end (m) */
+    struct without_stop stop;
 };
 
 /* The square of n x n, a patch in the hand, through the whole script. */
