@@ -4,10 +4,11 @@
  * X^2 and sin 2 pi X on n equal elements of (0, 1): F of an element is a mean
  * of phi' [eq:deformation-gradient].  sin 2 pi X inverts the elements whose
  * midpoint lies inside (1/4, 3/4) and collapses those with a midpoint at 1/4 or
- * 3/4.  X^2 inverts none, but its smallest F is 1/n, since phi'(0) = 0
- * (near_zero.c).
+ * 3/4.  X^2 inverts none, but its smallest F is 1/n, since phi'(0) = 0, and
+ * near 0 the stress of a law with a logarithm (lesson 02) has no limit.
  */
 #include "bar/poisson.h"
+#include "material/material.h"
 #include "base/study.h"
 #include "base/table.h"
 
@@ -62,6 +63,24 @@ static int print_refinement_row(int n)
     return broken + !(fabs(min_F * n - 1.0) < 1e-12);
 }
 
+static void print_near_zero(void)
+{
+    const struct material log_law = material_notes(LOG);
+    double before = 0.0;
+    int steep = 1;
+    table_begin("near_zero", "X log_stress");
+    for (int k = 1; k <= 3; k++) {
+        const double X = gsl_pow_int(10.0, -k);
+        const double stress = material1_pk1(&log_law, 2.0 * X);
+        table_row(X, stress);
+        if (k > 1) steep &= stress < 10.0 * before;
+        before = stress;
+    }
+    table_end();
+    claim(steep, "with each tenth of X the log law's compression grows by more "
+          "than 10");
+}
+
 int main(void)
 {
     int broken = 0;
@@ -84,6 +103,7 @@ int main(void)
     table_begin("refine", "n square_min_F inverted collapsed share");
     for (int n = 2; n <= N_MAX; n++) broken += print_refinement_row(n);
     table_end();
+    print_near_zero();
 
     claim(broken == 0, "the sine inverts by midpoints, and the smallest F of "
           "X^2 is 1/n (%d exceptions)", broken);
