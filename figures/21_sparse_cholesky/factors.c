@@ -1,28 +1,63 @@
 /*
- * precision.c - how many digits must a factor have?
+ * factors.c - what does a second right-hand side cost, and how many digits must
+ * a factor have?
  *
- * K of system.h and its right-hand side, by fronts, with factors in double and
- * in single precision: digits of the residual after one solve (12: or more), of
- * max K_ii max|x| + max|b|, and how many solves refining needs to 1e-12 of that
- * [eq:refine].  The first steps of the stretch, with factors kept within a step
- * [alg:chord]: how many systems, rounded and by the band, which is not, and how
- * far apart they end.  Megabytes: entries of K and L.
+ * Tables: second, K of the stretch, both ends held, in a band of half bandwidth
+ * 2 n - 1 and by nested dissection with the fronts of sparse.h: flops of a
+ * factorisation over those of a solve, and megabytes of the band and of K with
+ * L, counted.  precision, K of system.h and its right-hand side by fronts, with
+ * factors in double and in single precision: how many solves refining needs to
+ * 1e-12 of max K_ii max|x| + max|b| [eq:refine]; and how many systems the first
+ * steps of the stretch take with factors kept within a step [alg:chord],
+ * rounded, and by the band, which is not.
  */
 #include "linear/refine.h"
 #include "linear/residual.h"
 #include "linear/sparse.h"
-#include "base/study.h"
 #include "plane/system.h"
+#include "base/study.h"
 #include "base/table.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 6 };
+enum { LARGEST = 256, STEPS = 6 };
+
+static struct sparse *dissected(int n)
+{
+    struct mesh *mesh = mesh_square(n);
+    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
+    for (int a = 0; a < mesh->n_vertex; a++)
+        held[a] = a % (n + 1) == 0 || a % (n + 1) == n;
+    struct sparse *s = sparse_alloc(n + 1, n + 1, mesh->n_triangle,
+                                    mesh->triangle, held, SPARSE_LEAF);
+    mesh_free(mesh);
+    free(held);
+    return s;
+}
+
+static void print_second(void)
+{
+    double most = 0.0; /* megabytes with the room to work */
+    table_begin_note("second", "n band dissection band_megabytes megabytes",
+                     "flops of a factorisation over those of a solve");
+    for (int n = 32; n <= LARGEST; n *= 2) {
+        const struct matrix_cost band =
+            matrix_cost(BANDED, 2 * (n - 1) * (n + 1), 2 * n - 1);
+        struct sparse *s = dissected(n);
+        const double entries = 4.0 * s->start[s->n_vertex]; /* of K */
+        table_row(n, band.flops / band.solve, s->flops / s->solve,
+                  8e-6 * band.numbers, 8e-6 * (entries + s->numbers));
+        most = 8e-6 * (entries + (double)sparse_size(s, 0));
+        sparse_free(s);
+    }
+    table_end();
+    claim(most < 220.0, "n = %d in 220 megabytes (%g)", LARGEST, most);
+}
 
 struct found {
-    double residual, megabytes;
+    double residual;
     int solves;
 };
 
@@ -45,8 +80,6 @@ static struct found solve(struct system *system, int single)
                      (matrix_max_diagonal(K) * most + size);
     memcpy(x, b, bytes);
     claim(refine_solve(K, 1e-12, x, &found.solves) == OK, "refined");
-    found.megabytes = 1e-6 * (8.0 * (double)K->size +
-                              (single ? 4.0 : 8.0) * K->pattern->numbers);
     free(b);
     free(x);
     return found;
@@ -68,10 +101,9 @@ static int walk(struct scene *s, int single)
     return systems;
 }
 
-int main(void)
+static void print_precision(void)
 {
-    table_begin("precision", "factors n digits solves systems apart "
-                "megabytes");
+    table_begin("precision", "factors n solves systems");
     for (int n = 16; n <= 128; n *= 2) {
         struct scene_setting set = scene_notes(STRETCH, CUBIC, n);
         struct system *system = system_alloc(n);
@@ -88,9 +120,7 @@ int main(void)
         for (int r = 0; r < s[0]->n_dof; r++)
             apart = fmax(apart, fabs(s[0]->u[r] - s[1]->u[r]));
         for (int k = 0; k < 2; k++)
-            table_row(k ? "single" : "double", n,
-                      fmin(12.0, floor(-log10(f[k].residual))), f[k].solves,
-                      systems[k], cell_if(k, apart), f[k].megabytes);
+            table_row(k ? "single" : "double", n, f[k].solves, systems[k]);
         claim(f[0].solves == 1 && f[0].residual <= 1e-12, "double: no need");
         claim(f[1].residual < 1e-6 && f[1].residual > 1e-9 && f[1].solves == 2,
               "single: some seven digits, and twelve after a solve more");
@@ -100,5 +130,11 @@ int main(void)
         system_free(system);
     }
     table_end();
+}
+
+int main(void)
+{
+    print_second();
+    print_precision();
     return table_finish();
 }
