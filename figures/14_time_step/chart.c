@@ -137,10 +137,6 @@ int main(void)
     const struct result coarse = chart(8, "chart");
     const struct result fine = chart(16, "chart_16");
     const struct result *const both[] = {&coarse, &fine};
-    table_begin("reference", "levels error critical");
-    for (int i = 0; i < 2; i++)
-        table_row(LEVELS, both[i]->bound, both[i]->critical);
-    table_end();
 
     for (int i = 0; i < 2; i++) {
         const struct result *r = both[i];

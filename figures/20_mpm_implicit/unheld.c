@@ -14,7 +14,6 @@
 #include <math.h>
 
 enum { CELLS = 8 };
-static const char *const KERNEL[] = {"linear", "quadratic", "cubic"};
 
 /* A bar at rest, moved to where its particles shall be, after P2G. */
 static struct cloud bar(int order, int ppc, double offset)
@@ -44,21 +43,18 @@ static int zero_modes(struct cloud c)
     return zeros - 1;
 }
 
-static void print_modes(void)
+static void claim_modes(void)
 {
     const int due[][2] = {{0, 0}, {0, 1}, {2, 2}};
-    table_begin("modes", "kernel ppc offset zero_modes");
     for (int order = 1; order <= 3; order++)
         for (int ppc = 1; ppc <= 3; ppc++)
             for (int off = 0; off < 2; off++) {
                 const double offset = off ? 0.23 : 0.5;
                 struct cloud c = bar(order, ppc, offset);
                 const int zeros = zero_modes(c);
-                table_row(KERNEL[order - 1], ppc, offset, zeros);
                 claim(zeros == (ppc > 1 ? 0 : due[order - 1][off]), "two hold");
                 cloud_free(c);
             }
-    table_end();
 }
 
 /* The slope at the particle of cell i is 0 if u_(i+1) - u_i is -(1 - f) / f
@@ -97,7 +93,7 @@ static void print_field(void)
 
 int main(void)
 {
-    print_modes();
+    claim_modes();
     print_field();
     const struct material m = material_notes(CUBIC);
     for (int order = 1; order <= 3; order++)

@@ -9,10 +9,9 @@
  * is good enough.  The limit is extrapolated from three meshes of quadratic
  * triangles, as each halving of h leaves the same fraction.
  *
- * Tables: all runs, `-` for an error where the body inverts; how well the limit
- * is known; and the gains, for the errors that linear triangles reach and that
- * are five times what is not known of the limit, `-` where an element does not
- * get there; 0.03 only of the swing, which does not reach the smaller ones.
+ * Table: the gains, for the errors that linear triangles reach and that are
+ * five times what is not known of the limit, `-` where an element does not get
+ * there; 0.03 only of the swing, which does not reach the smaller ones.
  */
 #include "trial.h"
 
@@ -25,7 +24,7 @@
 enum { COMPARED = TRIAL_EXPLICIT + 1, TARGETS = 4 };
 static const double target[TARGETS] = {0.03, 0.01, 0.003, 0.001};
 
-/* Rows of all runs of a scene; flops of each element for each target. */
+/* The flops of each element for each target. */
 static void run(enum trial_scene scene, const struct work *limit,
                 double flops[TARGETS][TRIAL_KINDS])
 {
@@ -39,11 +38,6 @@ static void run(enum trial_scene scene, const struct work *limit,
                 trial_of(scene, kind->element, n, kind->m);
             error[j] = trial_apart(&trial.end, limit);
             cost[j] = trial.end.flops;
-            table_row(trial_name(scene), kind->name, kind->m, n,
-                      trial.unknowns,
-                      isfinite(error[j]) ? cell_rounded(3, error[j])
-                                         : cell_word(MISSING),
-                      cost[j]);
         }
         for (int t = 0; t < TARGETS; t++)
             flops[t][k] = trial_at(target[t], count, error, cost);
@@ -54,17 +48,10 @@ int main(void)
 {
     double floor[COMPARED], flops[COMPARED][TARGETS][TRIAL_KINDS];
 
-    table_begin("runs", "scene element m n unknowns error flops");
     for (enum trial_scene s = TRIAL_WEIGHT; s <= TRIAL_EXPLICIT; s++) {
         const struct work limit = trial_limit(s, &floor[s]);
         run(s, &limit, flops[s]);
     }
-    table_end();
-    table_begin("limits", "scene n m unknown");
-    for (enum trial_scene s = TRIAL_WEIGHT; s <= TRIAL_EXPLICIT; s++)
-        table_row(trial_name(s), trial_finest(s).n, trial_finest(s).m,
-                  cell_rounded(2, floor[s]));
-    table_end();
     table_begin("gains", "scene error linear graded quadratic both");
     for (enum trial_scene s = TRIAL_WEIGHT; s <= TRIAL_EXPLICIT; s++)
         for (int t = 0; t < TARGETS; t++) {
