@@ -267,6 +267,15 @@ static pid_t fork_apart(void)
     return fork();
 }
 
+/* Quit where the disk has no room for a file: the child could only end. */
+static void make_room(const char *path)
+{
+    const int file = open(path, O_WRONLY | O_CREAT | O_NONBLOCK, 0666);
+    if (file < 0 && errno == ENOSPC)
+        quit("cannot write %s: %s", path, strerror(errno));
+    if (file >= 0) close(file);
+}
+
 struct ending child_run(void (*body)(void *), void *context, const char *out,
                         const char *err)
 {
@@ -274,6 +283,8 @@ struct ending child_run(void (*body)(void *), void *context, const char *out,
     int status = 0;
 
     fflush(NULL);
+    make_room(out);
+    make_room(err);
     const double before = all_seconds();
     int report[2];
     if (pipe(report) < 0) quit("cannot make a pipe: %s", strerror(errno));

@@ -48,6 +48,20 @@ for program in "$BUILD"/solutions/[0-9][0-9]_*; do
     result $? "$name on a closed pipe is an error" "status 0"
 done
 
+# a disk with a place for so many files, the folder of the judge among them
+program=$BUILD/solutions/03_dirichlet_correction
+mkdir "$tmp/disk"
+for files in 2 3 4 5; do
+    unshare -rm true 2>/dev/null || break
+    unshare -rm sh -c "mount -t tmpfs -o nr_inodes=$files none '$tmp/disk' &&
+        exec '$program.judge' --file solutions/03_dirichlet_correction.c \
+            --reference '$program' --work '$tmp/disk/work'" >"$tmp/out" 2>&1
+    status=$?
+    [ $status = 2 ] && grep -q '^judge: cannot write .*: No space' "$tmp/out"
+    result $? "the judge names a disk with room for $files files" \
+        "status $status, $(tail -n 1 "$tmp/out")"
+done
+
 overflows() { # overflows NN_slug OPTIONS...: exit 1, the reason, no nan or inf
     program=$BUILD/solutions/$1
     shift
