@@ -8,58 +8,13 @@
  * distance from the extrapolation one level below bounds that error.
  */
 #include "swing.h"
-#include "base/clock.h"
 #include "plane/scene.h"
 #include "base/study.h"
 #include "base/table.h"
 
 #include <math.h>
 
-enum { LEVELS = 9, FINEST = 1 << (LEVELS - 1), FRAMES = 3 };
-static const double SWING = 0.3; /* (m) */
-
-struct run {
-    struct step_report total; /* status, and the sums of all steps */
-    int steps;                /* made: fewer than due when not OK */
-    double seconds, energy;   /* energy: over that of the start */
-    struct state end;
-};
-
-/* g: the ends stay where they are. */
-static struct run run_swing(struct model *model, const double g[],
-                            enum method method, int per_frame)
-{
-    const int due = FRAMES * per_frame;
-    struct run run = {.end = swing_start(model->body, SWING)};
-    struct state *s = &run.end;
-    const double E = model_energy(model, s->u, s->v), start = clock_seconds();
-    while (run.steps < due && run.total.status == OK) {
-        const struct step_report report = integrate_step(
-            model, method, 1.0 / 30.0 / per_frame, g, s);
-        run.total.status = report.status;
-        run.total.iterations += report.iterations;
-        run.total.factorisations += report.factorisations;
-        run.steps += report.status == OK;
-        /* explicit: what has gained this much energy has no end */
-        if (method == SYMPLECTIC_EULER && report.status == OK &&
-            (run.steps % 8 == 0 || run.steps == due) &&
-            !(model_energy(model, s->u, s->v) < 1e2 * E))
-            run.total.status = NONFINITE;
-    }
-    run.seconds = clock_seconds() - start;
-    run.energy = model_energy(model, s->u, s->v) / E;
-    return run;
-}
-
-/* (u - w).M(u - w) to the 1/2, over the same of the start; u is overwritten. */
-static double distance(const struct model *model, double u[], const double w[])
-{
-    struct state start = swing_start(model->body, SWING);
-    const double scale = swing_norm(model, start.u);
-    for (int i = 0; i < start.n; i++) u[i] -= w[i];
-    state_free(&start);
-    return swing_norm(model, u) / scale;
-}
+enum { LEVELS = 9, FINEST = 1 << (LEVELS - 1) };
 
 struct result {
     double bound, critical; /* of the reference's error; step (s) */
@@ -74,20 +29,13 @@ static struct result chart(int n, const char *table)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    struct run fine[3];
-    double *reference = scene->u, error[LEVELS];
+    double *reference = scene->u, *below = scene->v, error[LEVELS];
     struct result result = {0};
-    struct run run;
+    struct swing_run run;
 
-    for (int k = 0; k < 3; k++)
-        fine[k] = run_swing(model, scene->g, IMPLICIT_MIDPOINT, FINEST << k);
-    double *const u0 = fine[0].end.u, *const u1 = fine[1].end.u;
-    for (int i = 0; i < model->n_dof; i++) {
-        reference[i] = (4.0 * fine[2].end.u[i] - u1[i]) / 3.0;
-        u1[i] = (4.0 * u1[i] - u0[i]) / 3.0;
-    }
-    result.bound = distance(model, u1, reference);
-    for (int k = 0; k < 3; k++) state_free(&fine[k].end);
+    swing_limit(model, scene->g, 2 * FINEST, reference);
+    swing_limit(model, scene->g, FINEST, below);
+    result.bound = swing_distance(model, below, reference);
     result.critical = 2.0 / model_frequency(model);
     table_begin(table, "method per_frame dt status steps error energy "
                        "iterations factorisations seconds");
@@ -96,11 +44,11 @@ static struct result chart(int n, const char *table)
             struct times times = {0};
             for (int j = 0; j < 4 && !(times_best(&times) >= 3e-2); j++) {
                 if (j > 0) state_free(&run.end);
-                run = run_swing(model, scene->g, (enum method)m, 1 << k);
+                run = swing_run(model, scene->g, (enum method)m, 1 << k);
                 times_record(&times, run.seconds, 1);
             }
             const int ok = run.total.status == OK;
-            error[k] = distance(model, run.end.u, reference);
+            error[k] = swing_distance(model, run.end.u, reference);
             table_row(method_name((enum method)m), 1 << k, set.dt / (1 << k),
                       status_name(run.total.status), run.steps,
                       cell_if(ok, error[k]), cell_if(ok, run.energy),
@@ -121,8 +69,8 @@ static struct result chart(int n, const char *table)
     result.last = error[LEVELS - 1];
     const int due = n == 8 ? 30 : 45;
     for (int k = 0; k < 2; k++) {
-        run = run_swing(model, scene->g, IMPLICIT_MIDPOINT, due - k);
-        claim((distance(model, run.end.u, reference) < 0.01) == (k == 0),
+        run = swing_run(model, scene->g, IMPLICIT_MIDPOINT, due - k);
+        claim((swing_distance(model, run.end.u, reference) < 0.01) == (k == 0),
               "the midpoint rule needs %d steps for 1 %%", due);
         state_free(&run.end);
     }

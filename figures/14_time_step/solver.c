@@ -18,8 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FRAMES = 3, REFERENCE = 128 };
-static const double SWING = 0.3; /* (m) */
+enum { REFERENCE = 128 };
 
 enum setting { AS_IN_CHART, LAST, DOWNHILL, AS_ROBUST, N_SETTING };
 static const char *const NAME[] = {"plain", "last", "downhill", "robust"};
@@ -51,26 +50,6 @@ static struct step_report solve_as_set(struct model *model, double d,
     return report;
 }
 
-struct run {
-    enum status status;
-    int steps, systems;
-    struct state end;
-};
-
-static struct run run_swing(struct model *model, const double g[],
-                            enum method method, int per_frame)
-{
-    struct run run = {.status = OK, .end = swing_start(model->body, SWING)};
-    while (run.steps < FRAMES * per_frame && run.status == OK) {
-        const struct step_report report = integrate_step(
-            model, method, 1.0 / 30.0 / per_frame, g, &run.end);
-        run.status = report.status;
-        run.systems += report.iterations;
-        run.steps += report.status == OK;
-    }
-    return run;
-}
-
 /* Prints and checks a row: error and energy relative to the start. */
 static void measure(struct model *model, const double g[], int n,
                     enum setting setting, enum method method,
@@ -83,17 +62,14 @@ static void measure(struct model *model, const double g[], int n,
         "all get through", "all get through"};
     struct step_control control = control_of(setting);
     model->context = &control;
-    struct state start = swing_start(model->body, SWING);
-    struct run run = run_swing(model, g, method, 1);
-    const int ok = run.status == OK;
-    const double energy = model_energy(model, run.end.u, run.end.v) /
-                          model_energy(model, start.u, start.v);
-    for (int i = 0; i < start.n; i++) run.end.u[i] -= reference[i];
-    const double error = swing_norm(model, run.end.u) /
-                         swing_norm(model, start.u);
+    struct swing_run run = swing_run(model, g, method, 1);
+    const enum status status = run.total.status;
+    const int ok = status == OK, systems = run.total.iterations;
+    const double error = swing_distance(model, run.end.u, reference);
+    const double energy = run.energy;
     const char *name = method_name(method);
-    table_row(n, NAME[setting], name, status_name(run.status), run.steps,
-              cell_if(ok, run.systems), cell_if(ok, error),
+    table_row(n, NAME[setting], name, status_name(status), run.steps,
+              cell_if(ok, systems), cell_if(ok, error),
               cell_if(ok, energy));
     const int due = setting == AS_IN_CHART ? method == BACKWARD_EULER
                     : setting == LAST      ? method != BDF2 || n == 8
@@ -103,20 +79,19 @@ static void measure(struct model *model, const double g[], int n,
     claim(!ok || (fabs(error - error_due[method]) < 0.006 &&
                   fabs(energy - energy_due[method]) < 0.008),
           "%s, %s: %s then has the error %g and leaves %g of the energy",
-          NAME[setting], status_name(run.status), name, error, energy);
+          NAME[setting], status_name(status), name, error, energy);
     claim(setting != AS_ROBUST ||
-              (run.systems >= 5 * FRAMES && run.systems <= 6 * FRAMES),
-          "robust: 5 or 6 systems per step (%s: %d)", name, run.systems);
+              (systems >= 5 * SWING_FRAMES && systems <= 6 * SWING_FRAMES),
+          "robust: 5 or 6 systems per step (%s: %d)", name, systems);
     state_free(&run.end);
-    state_free(&start);
 }
 
 /* Does symplectic Euler get through? */
 static int explicit_passes(struct model *model, const double g[], int per_frame)
 {
-    struct run run = run_swing(model, g, SYMPLECTIC_EULER, per_frame);
+    struct swing_run run = swing_run(model, g, SYMPLECTIC_EULER, per_frame);
     state_free(&run.end);
-    return run.status == OK;
+    return run.total.status == OK;
 }
 
 static void compare(int n)
@@ -125,27 +100,18 @@ static void compare(int n)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    struct run coarse =
-        run_swing(model, scene->g, IMPLICIT_MIDPOINT, REFERENCE);
-    struct run fine =
-        run_swing(model, scene->g, IMPLICIT_MIDPOINT, 2 * REFERENCE);
-    double *reference = fine.end.u;
     const double critical = 2.0 / model_frequency(model);
     claim(n != 8 || (1.0 / 30.0 / 7.0 < critical &&
                      !explicit_passes(model, scene->g, 7) &&
                      explicit_passes(model, scene->g, 8)),
           "7 steps per frame of symplectic Euler are shorter than the critical "
           "step at rest (%g s) and fail, 8 get through", critical);
-    for (int i = 0; i < model->n_dof; i++)
-        reference[i] = (4.0 * fine.end.u[i] - coarse.end.u[i]) / 3.0;
-
+    swing_limit(model, scene->g, REFERENCE, scene->u);
     model->solve = solve_as_set;
     for (int m = BACKWARD_EULER; m < N_METHOD; m++)
         for (int k = 0; k < N_SETTING; k++)
             measure(model, scene->g, n, (enum setting)k, (enum method)m,
-                    reference);
-    state_free(&coarse.end);
-    state_free(&fine.end);
+                    scene->u);
     model_free(model);
     scene_free(scene);
 }
