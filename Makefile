@@ -188,9 +188,9 @@ gsl:
 
 # A program is linked with the objects whose headers it reaches (needs.awk), so that the
 # first lesson does not wait for all; tests are linked with the library, which has all
-# but what needs SDL2 or a page, and the program of `make choose`.  In figures/ a file
-# with a header of its name is what several studies share.  Before GNU make 4.3 a # within
-# a function begins a comment.
+# but what needs SDL2 or a page, and with what `make choose` is made of.  In figures/ a
+# file with a header of its name is what several studies share.  Before GNU make 4.3 a #
+# within a function begins a comment.
 hash := \#
 NEEDS := $(if $(LINKS),$(shell find -L common figures solutions lessons tests -type f \
              -name '*.[ch]' -exec grep -H '^$(hash)include "' {} + | awk \
@@ -202,25 +202,28 @@ SHARED_BY_STUDIES := $(filter $(patsubst %.h,%.c,$(wildcard figures/*/*.h)), \
                          $(wildcard figures/*/*.c))
 LIB     := $(BUILD)/libworkbook.a
 OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(SHARED_BY_STUDIES) $(filter-out %/view_sdl.c \
-               %/window_web.c %/choose.c,$(wildcard common/*/*.c)))
+               %/window_web.c,$(wildcard common/*/*.c)))
+CHOOSE  := $(patsubst %.h,$(BUILD)/%.o,$(wildcard lessons/choose/*.h))
 PROGRAMS := $(LESSONS:%=$(BUILD)/solutions/%)
 # A judge is a lesson's checks with the judged program compiled in.
 JUDGE := $(patsubst %,$(BUILD)/tests/checks/%.o,judge diagnose report verdict compare \
              cells tables claims guard output predict child confine sight kept)
 $(LIB): $(OBJECTS)
+$(BUILD)/libchoose.a: $(CHOOSE)
+$(LIB) $(BUILD)/libchoose.a:
 	$(call say,lib,$@)
-	$(Q)$(WHOLE) ar rcs $(PART) $(OBJECTS) && $(MOVED)
+	$(Q)$(WHOLE) ar rcs $(PART) $^ && $(MOVED)
 
 # Solutions are compiled and linked by themselves: `make test` links them with other
 # libraries, and with sanitizers, CHECKED.
 $(OBJECTS): OWN = -DBUILD_FLAGS='"$(CFLAGS)$(FAST)"' $(BARE) $(call native_for,$(notdir $*))
 $(JUDGE): OWN = $(QUICK) -Itests/checks
-$(PROGRAMS:=.o): OWN = $(or $(CHECKED),$(BARE))
-$(OBJECTS) $(JUDGE) $(PROGRAMS:=.o): $(BUILD)/%.o: %.c $(RULES)
+$(CHOOSE) $(PROGRAMS:=.o): OWN = $(or $(CHECKED),$(BARE))
+$(OBJECTS) $(CHOOSE) $(JUDGE) $(PROGRAMS:=.o): $(BUILD)/%.o: %.c $(RULES)
 	$(COMPILED)
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 	$(LINKED)
-$(BUILD)/choose: common/choice/choose.c $(LIB)
+$(BUILD)/choose: lessons/choose/choose.c $(BUILD)/libchoose.a $(LIB)
 	$(Q)$(COMPILE) $< $(PLACED)
 $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 	$(call PRINTED,$<)
@@ -315,7 +318,7 @@ export SANITIZED := $(findstring -fsanitize=,$(CC) $(CFLAGS) $(LDFLAGS))
 SHARED := $(if $(findstring n,$(filter-out --%,$(firstword -$(MAKEFLAGS)))),,+)
 ifneq ($(FOR_STUDENT),)
 ifneq ($(LINKS),)
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/mistakes/*/*.d $(OBJECTS:=.d))
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/mistakes/*/*.d $(OBJECTS:=.d) $(CHOOSE:=.d))
 endif
 else
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)

@@ -20,7 +20,7 @@ $(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
 	$(Q)$(HERE) && for flags in -fsanitize=address,undefined ''; do \
 	    $(COMPILE) $(UNIT_FLAGS) $$flags -c $< -o $@ && break; done
 mutants-common: $(UNITS:%=$(BUILD)/unit/%.o) $(BUILD)/unit/unit.o \
-                $(UNITS:%=$(BUILD)/mutants/unit/%.san.o) $(LIB)
+                $(UNITS:%=$(BUILD)/mutants/unit/%.san.o) $(LIB) $(BUILD)/libchoose.a
 	@UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
 	    NATIVE_BODY='$(call same_digits,$(NATIVE))' $(call MUTANTS,$(CFLAGS) \
-	    -Werror=return-type -DBUILD_FLAGS="\"\"") common $(OBJECTS:$(BUILD)/%.o=%.c)
+	    -Werror=return-type -DBUILD_FLAGS="\"\"") common $(patsubst $(BUILD)/%.o,%.c,$(OBJECTS) $(CHOOSE))

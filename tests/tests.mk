@@ -77,12 +77,12 @@ $(T)/behave.result: $(BUILD)/solutions/13_backward_euler_2d.judge $(JUDGE) $(LIB
 
 UNITS := $(filter-out unit,$(patsubst tests/unit/%.c,%,$(wildcard tests/unit/*.c)))
 UNIT_FLAGS = -I. -Itests/unit $(CHECK_CFLAGS)
-UNIT_LIBS  = $(LIB) $(filter-out -I% -D%,$(call once,check)) $(LIBS)
+UNIT_LIBS  = $(BUILD)/libchoose.a $(LIB) $(filter-out -I% -D%,$(call once,check)) $(LIBS)
 CHECK_CFLAGS = $(filter -I% -D% -pthread,$(call once,check))
 $(BUILD)/unit/%.o: OWN = $(QUICK) $(UNIT_FLAGS)
 $(BUILD)/unit/%.o: tests/unit/%.c $(RULES)
 	$(COMPILED)
-$(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB)
+$(BUILD)/unit/%: $(BUILD)/unit/%.o $(BUILD)/unit/unit.o $(LIB) $(BUILD)/libchoose.a
 	$(Q)$(CC) $(CFLAGS) $< $(BUILD)/unit/unit.o -o $@ $(UNIT_LIBS)
 $(T)/unit.%.result: $(BUILD)/unit/%
 	$(call RESULT,unit $*,{ $< || true; })
@@ -94,7 +94,7 @@ UNIT_MISTAKES := $(sort $(shell awk '$$1 == "file:" { file = $$2 } \
 units_of = $(patsubst $1$(comma)%,$(BUILD)/unit/%.o,$(filter $1$(comma)%,$(UNIT_MISTAKES)))
 UNIT_RESULTS := $(sort $(foreach m,$(UNIT_MISTAKES),$(patsubst %.c,$(T)/mistakes/%.result, \
                     $(firstword $(subst $(comma), ,$m)))))
-$(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) \
+$(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) $(BUILD)/libchoose.a \
         $(BUILD)/unit/unit.o $$(call units_of,$$*.c) tests/tools/unit_mistakes.sh \
         tests/tools/variant.awk
 	$(call RESULT,mistakes in $<,BUILD='$(BUILD)' LIBS='$(UNIT_LIBS)' \
@@ -105,7 +105,7 @@ $(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) \
 
 # what any test may rest on
 EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
-              lessons/*.c tests/*.mk tests/*/* figures/map.* figures/*.gp \
+              lessons/*.c lessons/choose/* tests/*.mk tests/*/* figures/map.* figures/*.gp \
               figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING)
 	$(call RESULT,lint,sh tests/tools/lint.sh)
@@ -160,8 +160,8 @@ studies: $(COUNTED:%=$(BUILD)/figures/%)
 
 # Does another compiler warn?  LOOK says how far it goes; nothing is linked.
 LOOK = -fsyntax-only
-HEADERS := $(wildcard common/*/*.h figures/*/*.h tests/*/*.h)
-LOOKED = $(OBJECTS:$(BUILD)/%.o=%) $(LESSONS:%=solutions/%) \
+HEADERS := $(wildcard common/*/*.h lessons/choose/*.h figures/*/*.h tests/*/*.h)
+LOOKED = $(patsubst $(BUILD)/%.o,%,$(OBJECTS) $(CHOOSE)) $(LESSONS:%=solutions/%) \
          $(STUDIES:%=figures/%) $(UNITS:%=tests/unit/%) tests/unit/unit \
          $(JUDGE:$(BUILD)/%.o=%) $(LESSONS:%=tests/checks/%) \
          $(LESSONS:%=$(BUILD)/starters/%)
@@ -176,8 +176,8 @@ look: $$(addprefix $(BUILD)/looked/,$$(LOOKED))
 # READY are the objects without flags for this machine, which other builds need not
 # compile again, SAID what the compiler has said of the main build.
 READY = $(foreach o,$(OBJECTS),$(if $(strip $(call native_for,$(basename $(notdir $o)))),,$o)) \
-        $(PROGRAMS:=.o) $(OWN_PROGRAMS:=.o)
-HEARD := $(OBJECTS) $(PROGRAMS:=.o) $(OWN_PROGRAMS:=.o) $(JUDGE) $(LESSONS:%=$(CHECKS)/%.s) \
+        $(CHOOSE) $(PROGRAMS:=.o) $(OWN_PROGRAMS:=.o)
+HEARD := $(OBJECTS) $(CHOOSE) $(PROGRAMS:=.o) $(OWN_PROGRAMS:=.o) $(JUDGE) $(LESSONS:%=$(CHECKS)/%.s) \
          $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit)
 VARIANTS = BUILD='$(BUILD)' READY='$(READY)' SAID='$(HEARD:=.said)' \
            REST='$(SPEED:%=figures/%)' sh tests/tools/build_variants.sh

@@ -20,9 +20,9 @@ $(WASM)/live.js: WASM_LINK += -sENVIRONMENT=web -sASYNCIFY=1 -sASYNCIFY_IGNORE_I
 $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 	$(call say,emcc,GSL)
 	$(Q)BUILD='$(BUILD)' sh tests/tools/web_gsl.sh build
-WASM_LIBRARY := $(patsubst $(BUILD)/%,$(WASM)/%,$(filter $(BUILD)/common/%, \
-                    $(filter-out %/hand.o,$(OBJECTS))))
-WASM_MAINS := $(patsubst %,$(WASM)/%.o,$(LESSONS:%=solutions/%) common/choice/choose)
+WASM_LIBRARY := $(patsubst $(BUILD)/%,$(WASM)/%,$(CHOOSE) $(filter \
+                    $(BUILD)/common/%,$(filter-out %/hand.o,$(OBJECTS))))
+WASM_MAINS := $(patsubst %,$(WASM)/%.o,$(LESSONS:%=solutions/%) lessons/choose/choose)
 WASM_SCENES := $(WASM)/solutions/24_live.o $(WASM)/lessons/web/tissue.o
 WASM_OBJECTS := $(sort $(WASM_LIBRARY) $(WASM_MAINS) $(WASM_SCENES) \
                     $(WASM)/common/motion/window_web.o)
@@ -100,7 +100,7 @@ test-web: $(WEB_RESULTS)
 	@if grep -h '^skip web: ' $^; then :; else cat $^ | sh tests/tools/count.sh; fi
 $(shell grep -lsE '^(FAIL|skip) ' $(WEB_RESULTS)): always
 $(T)/web-pages.result: $(BOOK) $(WEB_FILES) $(wildcard tests/web*.mk common/*/* solutions/*.c \
-        tests/checks/*.[ch] tests/tools/*web* lessons/scenes/* tests/web/*.[ch]) \
+        tests/checks/*.[ch] tests/tools/*web* lessons/scenes/* lessons/choose/* tests/web/*.[ch]) \
         $(call newer,$(WASM)/book/index.html) $(LESSONS:%=$(BUILD)/data/%.tsv) \
         $(LESSONS:%=$(BUILD)/solutions/%.judge) $(BUILD)/choose $(LESSONS:%=tests/mistakes/%.txt)
 	$(call RESULT,the pages for a browser,$(WEB) test)

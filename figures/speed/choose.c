@@ -9,7 +9,7 @@
  * Run from the top of the tree.  Tables: choose, within (a factor of 1.5).
  */
 #include "choice/climb.h"
-#include "choice/price.h"
+#include "../../lessons/choose/price.h"
 #include "choice/scene_file.h"
 #include "base/clock.h"
 #include "base/study.h"

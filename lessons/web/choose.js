@@ -1,6 +1,6 @@
 /*
  * choose.js - `make choose` as a page: the words of the scene file as a form,
- * the answer of common/choice/choose.c, and its picture.
+ * the answer of lessons/choose/choose.c, and its picture.
  *
  * Words, ranges, units and examples are those of choose_data.js, which `make web`
  * makes from the program.  What is wrong with a field the program says itself.

@@ -33,7 +33,7 @@ grep '^[0-9]' tests/budget.txt | while read -r most unit files; do
 done
 [ "$1" = table ] || exit 0
 # checks and laws are lists, and may be as long as they are
-wc -l Makefile tests/*.mk common/*/*.[ch] solutions/*.c figures/*/*.[ch] \
+wc -l Makefile tests/*.mk common/*/*.[ch] lessons/choose/* solutions/*.c figures/*/*.[ch] \
     tests/checks/[a-z]*.[ch] tests/tools/*.* tests/cli/* |
     awk '$1 > 450 && $2 != "total" { print "  long: " $2 ", " $1 " lines" }'
 awk 'FNR == 1 { start = 0 }
@@ -42,4 +42,4 @@ awk 'FNR == 1 { start = 0 }
     start && !body && /;$/ { start = 0 } # a declaration
     /^}/ { if (start && NR - start + 1 > 60)
                print "  long: " FILENAME ", " NR - start + 1 " lines: " name
-           start = 0 }' common/*/*.c solutions/*.c figures/*/*.c tests/*/*.c
+           start = 0 }' common/*/*.c lessons/choose/*.c solutions/*.c figures/*/*.c tests/*/*.c

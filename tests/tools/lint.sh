@@ -18,11 +18,10 @@ rule() { # rule NAME OFFENDERS
     set -- "$1" "$(printf '%s\n' "$2" | concerns)"
     if [ -z "$2" ]; then echo "ok lint: $1"; else echo "FAIL lint: $1: $2"; fi
 }
-many=$(ls figures/many/*.[ch]) # alone on PETSc, and a program with options
 # a C file with a header of its name is what several studies share
 studies=$(ls figures/*/*.c | grep -v '^figures/many/' | while read -r f; do
     [ -f "${f%c}h" ] || case $f in */hand.c) ;; *) echo "$f" ;; esac; done)
-sources=$(ls common/*/*.[ch] solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
+sources=$(ls common/*/*.[ch] lessons/choose/* solutions/*.c figures/*/*.[ch] tests/*/*.[ch])
 lessons=${only:-$(for f in solutions/[0-9][0-9]_*.c; do basename "$f" .c; done)}
 
 # ---- who may include whom ----------------------------------------------------
@@ -62,8 +61,7 @@ rule 'names of common/ begin with their header, room or a stated noun' \
     "$(echo "$names" | sed -n 's/^name //p')"
 rule 'a noun of common/ belongs to one room' \
     "$(echo "$names" | grep '^noun' | sort -u | awk '{ print $2 }' | uniq -d)"
-# What the studies of one chapter call lies beside them; study.h is for studies,
-# and fibre_dpk1() stands with fibre_pk1().
+# What the studies of one chapter call lies beside them, but for fibre_dpk1().
 rule 'a function of common/ is called there, by a lesson, or by studies of two folders' \
     "$(awk '
         /^ *(\/\*|\*)/ { next }
@@ -81,24 +79,23 @@ rule 'a function of common/ is called there, by a lesson, or by studies of two f
                   seen[word, where]; count[word] += where == "lesson" ? 2 : 1 } } }
         END { for (name in home) if (count[name] < 2) print home[name] ": " name }' \
         common/*/*.h common/*/*.[ch] solutions/*.c tests/checks/*.[ch] tests/oracle/*.h \
-        lessons/web/*.c tests/web/*.c figures/*/*.[ch] | grep -v '/study.h\| fibre_dpk1$')"
+        lessons/choose/*.c lessons/web/*.c tests/web/*.c figures/*/*.[ch] | grep -v '/study.h\| fibre_dpk1$')"
 rule 'all headers of common/ can be included together' \
     "$(for h in common/*/*.h; do echo "#include \"${h#common/}\""; done |
         ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
             $(gsl-config --cflags 2>/dev/null) -w -fsyntax-only -x c - 2>&1)"
 rule 'common/ knows no lesson' \
     "$(grep -nE '[0-9][0-9]_[a-z]|lessons/|solutions/' common/*/*.[ch])"
-rule 'solutions include libc, GSL and common/; studies also their own folder' \
+rule 'solutions include libc, GSL and common/; studies also what studies share, and lessons/choose/' \
     "$(included solutions/*.c $studies | while read -r file header; do
-        [ -f "common/$header" ] || { case $header in */*) false ;; esac &&
+        [ -f "common/$header" ] || { case $header in ../../lessons/choose/*) ;; ../../*) false ;; esac &&
             [ -f "${file%/*}/$header" ] && [ "${file%%/*}" = figures ]; } ||
-            echo "$file includes $header"
-    done)"
+            echo "$file includes $header"; done)"
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
-rule 'only options, pointer, study, table, status, hand, choose and chosen print in common/' \
+rule 'only options, pointer, study, table, status and hand print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*/*.c |
-        grep -vE '/(options|pointer|study|table|status|hand|choose|chosen)\.c')"
+        grep -vE '/(options|pointer|study|table|status|hand)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \
@@ -133,7 +130,7 @@ rule 'nothing is left to write (TODO)' \
         sed '1s/^/\
 /')"
 rule 'every header of common/ is once on the map of the library, with its room' \
-    "$({ ls common/*/*.h figures/*/*.h
+    "$({ ls common/*/*.h lessons/choose/*.h figures/*/*.h
         awk '/^## /{ on = /Map of the library/ } on' workbook.md |
             grep -oE '\]\([a-z0-9_/]+\.h\)' | sed 's/^](\(.*\))$/\1/' | sort -u
         awk '/^## /{ on = /Map of the library/ } on' workbook.md |
@@ -190,7 +187,7 @@ labels() { tr '\n' ' ' | grep -oE '\[(eq|alg):[A-Za-z0-9-]+\]' | tr -d '[]' | so
 undefined() { grep -vxF -e "$defined"; }
 equations=$(grep -l '^| label | equation' workbook.md lessons/*.md)
 defined=$(sed -n 's/^| \(<a [^>]*><.a>\)*\[\([a-z]*:[A-Za-z0-9-]*\)\] |.*/\2/p' "$equations")
-cited=$(cat common/*/*.[ch] solutions/*.c tests/checks/*.c $studies $many | labels)
+cited=$(cat common/*/*.[ch] lessons/choose/*.[ch] solutions/*.c tests/checks/*.c figures/*/*.[ch] | labels)
 rule 'no equation label is defined twice' "$(echo "$defined" | sort | uniq -d)"
 rule "every label cited by code is defined in $equations" \
     "$(echo "$cited" | undefined)"

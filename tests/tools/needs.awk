@@ -45,7 +45,7 @@ END {
         file = header = order[k]
         if (sub(/\.c$/, ".h", header)) {
             beside[header] = file
-            if (file ~ /^(common|figures)\//)
+            if (file ~ /^(common|figures|lessons)\//)
                 object[file] = substr(header, 1, length(header) - 1) "o"
         }
         is_header[header]

@@ -1,9 +1,9 @@
-/* cells.c - laws of common/choice/cells.h and price.h, and of the loads and the
- * price of other triangles. */
-#include "choice/cells.h"
+/* cells.c - laws of lessons/choose/cells.h and price.h, and of the loads and
+ * the price of other triangles. */
+#include "lessons/choose/cells.h"
 
 #include "base/clock.h"
-#include "choice/price.h"
+#include "lessons/choose/price.h"
 #include "choice/relax.h"
 #include "choice/rung.h"
 

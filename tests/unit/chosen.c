@@ -1,5 +1,5 @@
-/* chosen.c - laws of common/choice/chosen.h: the words are the state's. */
-#include "choice/chosen.h"
+/* chosen.c - laws of lessons/choose/chosen.h: the words are the state's. */
+#include "lessons/choose/chosen.h"
 
 #include "unit.h"
 

@@ -1,5 +1,5 @@
 /* chosen.c - see chosen.h. */
-#include "choice/chosen.h"
+#include "chosen.h"
 
 #include "linear/sparse.h"
 

@@ -6,9 +6,9 @@
  * printed is the last rung.  Seconds are those of price.h, which calibrates for
  * a second at most.
  */
-#include "choice/cells.h"
-#include "choice/chosen.h"
-#include "choice/price.h"
+#include "cells.h"
+#include "chosen.h"
+#include "price.h"
 #include "base/clock.h"
 #include "base/options.h"
 

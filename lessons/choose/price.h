@@ -7,8 +7,8 @@
  * longer than high, so that seconds are in proportion to the columns of cells
  * and to the linear systems, of which the scene's own run knows the number.
  */
-#ifndef COMMON_PRICE_H
-#define COMMON_PRICE_H
+#ifndef CHOOSE_PRICE_H
+#define CHOOSE_PRICE_H
 
 #include "choice/ladder.h"
 

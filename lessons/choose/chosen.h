@@ -2,10 +2,10 @@
  * chosen.h - what `make choose` says of a scene and of the models that it has
  * tried, in words: each with its reason and the lesson that it rests on.
  */
-#ifndef COMMON_CHOSEN_H
-#define COMMON_CHOSEN_H
+#ifndef CHOOSE_CHOSEN_H
+#define CHOOSE_CHOSEN_H
 
-#include "choice/cells.h"
+#include "cells.h"
 #include "choice/climb.h"
 #include "choice/scene_file.h"
 

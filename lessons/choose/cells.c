@@ -1,5 +1,5 @@
 /* cells.c - see cells.h. */
-#include "choice/cells.h"
+#include "cells.h"
 
 #include "choice/relax.h"
 #include "choice/rung.h"

@@ -9,8 +9,8 @@
  * 2^1.42 - 1, 1.42 being the order that a held corner leaves [eq:corner], and
  * is added to that of each.
  */
-#ifndef COMMON_CELLS_H
-#define COMMON_CELLS_H
+#ifndef CHOOSE_CELLS_H
+#define CHOOSE_CELLS_H
 
 #include "choice/ladder.h"
 

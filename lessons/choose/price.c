@@ -1,5 +1,5 @@
 /* price.c - see price.h. */
-#include "choice/price.h"
+#include "price.h"
 
 #include "base/clock.h"
 #include "choice/rung.h"
