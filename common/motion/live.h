@@ -166,10 +166,6 @@ typedef enum status live_rung(struct live *live, double u[], double v[],
 struct live_report live_frame_by(struct live *live, live_lifter *lift,
                                  live_rung *downhill, const double to[2]);
 
-/* Make one frame by integrate_frame(), whole ("parts" as well) or in sub-steps,
- * by backward Euler; in a frame that is "lost" the hand waits. */
-struct live_report live_frame_in_parts(struct live *live, const double to[2]);
-
 /* Count the vertices inside the body round which the angles of their triangles
  * do not add up to 2 pi: it is wound twice there, or inside out [eq:winding].
  * knot[a] := is vertex a one?  NULL: do not say.  The triangles are those of

@@ -59,11 +59,4 @@ double model_energy(const struct model *model, const double u[],
  * it should be; q stays as it was. */
 struct step_report model_newton(struct model *model, double dt, double q[]);
 
-/*
- * Return the largest frequency omega at rest (1/s): M - A / s is positive
- * definite if and only if s > omega^2.  Bisection, in which Cholesky decides
- * [eq:critical-step].
- */
-double model_frequency(const struct model *model);
-
 #endif

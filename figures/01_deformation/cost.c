@@ -9,7 +9,7 @@
  * operations + - x / of the mesh, and what the linear strain of the arc itself
  * is off by, which no mesh mends.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "material/tensor.h"
 

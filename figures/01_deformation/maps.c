@@ -9,7 +9,7 @@
  */
 #include "bar/poisson.h"
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

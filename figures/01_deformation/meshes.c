@@ -5,7 +5,7 @@
  * the middle 3 m of it bent into an arc, J = 1 - Y angle / 3; its tails cross.
  */
 #include "base/status.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

@@ -9,7 +9,7 @@
  */
 #include "plane/mesh.h"
 #include "base/status.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

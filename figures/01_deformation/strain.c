@@ -9,7 +9,7 @@
  */
 #include "material/material.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

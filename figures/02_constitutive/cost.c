@@ -8,7 +8,7 @@
  * Table: the error of F - 1 after each solve, relative to the log law's.
  */
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

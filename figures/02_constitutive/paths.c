@@ -6,7 +6,7 @@
  * P is P12 in shear and P11 elsewhere; rows only where the law is defined.
  */
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

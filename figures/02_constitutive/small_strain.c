@@ -7,7 +7,7 @@
  * laws; and what a rotation by 30 degrees costs.
  */
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

@@ -13,7 +13,7 @@
  */
 #include "material/material.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

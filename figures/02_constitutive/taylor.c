@@ -12,7 +12,7 @@
  * the cofactor is due) and with a wrong tangent (that of rest).
  */
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -10,9 +10,9 @@
  * scale, which does not change u: the largest error when |r| <= 1e-6 |b|).
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
-#include "linear/cg.h"
+#include "../22_multigrid/conjugate.h"
 
 #include <math.h>
 #include <stdlib.h>

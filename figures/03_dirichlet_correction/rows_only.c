@@ -8,7 +8,7 @@
 #include "material/material.h"
 #include "linear/matrix.h"
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

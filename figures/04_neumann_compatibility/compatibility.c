@@ -8,7 +8,7 @@
  * elements [eq:order].
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

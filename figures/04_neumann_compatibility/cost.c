@@ -11,7 +11,7 @@
  */
 #include "bar/poisson.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

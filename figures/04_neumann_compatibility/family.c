@@ -7,7 +7,7 @@
  * nodal mean; their energy v^T A v [eq:quadratic-form], norm and integral.
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -9,7 +9,7 @@
  * exact solution, both in the energy norm and relative to that of u.
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

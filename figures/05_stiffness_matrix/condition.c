@@ -8,7 +8,7 @@
  * with h_n / h_1 = grading.
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

@@ -10,7 +10,7 @@
  * |u|) in epsilons.  Then the n with the least error, and the largest residual.
  */
 #include "linear/matrix.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

@@ -11,7 +11,7 @@
 #include "base/clock.h"
 #include "bar/poisson.h"
 #include "linear/residual.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

@@ -7,7 +7,7 @@
  * c.  Orders [eq:order]: over a factor 4 of h.
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

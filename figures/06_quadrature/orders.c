@@ -8,7 +8,7 @@
  * times coarser [eq:order].
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * n + 1 and Gauss 2 n.
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 enum { FINEST = 256 };

@@ -6,7 +6,7 @@
  * [alg:element-assembly].
  */
 #include "bar/poisson.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

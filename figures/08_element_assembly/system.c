@@ -14,7 +14,7 @@
 #include "exercise.h"
 #include "bar/poisson.h"
 #include "linear/residual.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

@@ -7,7 +7,7 @@
  * converged log law.  The first solve from rest is the linear bar [alg:newton].
  */
 #include "bar/bar_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  * held, and the force that it needs tells whether there is a solution.
  */
 #include "bar/bar_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

@@ -8,7 +8,7 @@
  * slope (mu + 3/2 lambda) / (2 mu + lambda) of both for small strains.
  */
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

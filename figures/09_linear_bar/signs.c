@@ -7,7 +7,7 @@
  * the other, with the printed modulus and with the printed sign of that load.
  */
 #include "bar/bar_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <float.h>

@@ -12,7 +12,7 @@
 #include "bar_gsl.h"
 #include "bar/bar_scene.h"
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <limits.h>

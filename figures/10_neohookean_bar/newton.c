@@ -9,7 +9,7 @@
  * errors below 1e-10, there is no ratio, and the table ends.
  */
 #include "bar/bar_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
  */
 #include "bar/bar_scene.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

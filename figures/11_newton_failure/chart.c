@@ -6,7 +6,7 @@
  * systems and no more.  Load stepping is measured at its last equilibrium.
  */
 #include "element.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

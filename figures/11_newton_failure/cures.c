@@ -7,7 +7,7 @@
  * cubic law.
  */
 #include "element.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

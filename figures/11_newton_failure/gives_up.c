@@ -7,7 +7,7 @@
  */
 #include "limit.h"
 #include "bar/bar.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* limit.c - see limit.h. */
 #include "limit.h"
-#include "base/study.h"
+#include "../study/study.h"
 
 #include <math.h>
 

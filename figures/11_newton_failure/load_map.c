@@ -6,7 +6,7 @@
  * [eq:first-step].
  */
 #include "element.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

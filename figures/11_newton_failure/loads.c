@@ -13,7 +13,7 @@
  */
 #include "element.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

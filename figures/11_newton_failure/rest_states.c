@@ -9,7 +9,7 @@
  */
 #include "limit.h"
 #include "element.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

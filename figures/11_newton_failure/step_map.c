@@ -8,7 +8,7 @@
  * when pushed, by less than exp(1/2 + mu / lambda) - 1 when pulled.
  */
 #include "element.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
  * for three of Poisson's ratios.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

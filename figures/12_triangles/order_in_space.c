@@ -7,7 +7,7 @@
  * norms of the errors of u, of its gradient, and of the interpolant's gradient.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

@@ -8,7 +8,7 @@
  * A pivot that is not positive ends it.  Table: residuals, free vertices (N/m).
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

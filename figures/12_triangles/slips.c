@@ -13,7 +13,7 @@
 #include "linear/dense.h"
 #include "plane/mesh.h"
 #include "material/material.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

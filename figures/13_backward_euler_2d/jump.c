@@ -10,7 +10,7 @@
  */
 #include "base/options.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -5,7 +5,7 @@
  * backward Euler with dt = 1/30.  Table: its triangles after every step.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

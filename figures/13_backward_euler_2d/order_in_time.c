@@ -9,7 +9,7 @@
  * error is less.  Tables: orders_time, in_space.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -8,7 +8,7 @@
  * the step at which backward Euler takes 1 % per period.
  */
 #include "motion/integrate.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_eigen.h>

@@ -6,7 +6,7 @@
  * (1 + omega^2 dt^2)^-k for backward Euler.
  */
 #include "motion/integrate.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -7,9 +7,10 @@
  * Richardson's extrapolation (4 u_4 - u_2) / 3, whose error is O(dt^4); its
  * distance from the extrapolation one level below bounds that error.
  */
+#include "frequency.h"
 #include "swing.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -36,7 +37,7 @@ static struct result chart(int n, const char *table)
     swing_limit(model, scene->g, 2 * FINEST, reference);
     swing_limit(model, scene->g, FINEST, below);
     result.bound = swing_distance(model, below, reference);
-    result.critical = 2.0 / model_frequency(model);
+    result.critical = 2.0 / frequency_largest(model);
     table_begin(table, "method per_frame dt status steps error energy "
                        "iterations factorisations seconds");
     for (int m = 0; m < N_METHOD; m++)

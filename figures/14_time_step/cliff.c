@@ -8,9 +8,10 @@
  * [eq:amplification]; below, an invariant bounds the energy by (1 + 0.99) /
  * (1 - 0.99) [eq:critical-step].
  */
+#include "frequency.h"
 #include "motion/integrate.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -25,7 +26,7 @@ struct run {
 /* At `side` of the critical step of the model. */
 static struct run print_run(struct model *model, double side, const char *name)
 {
-    const double dt = side * 2.0 / model_frequency(model);
+    const double dt = side * 2.0 / frequency_largest(model);
     const double half_trace = 2.0 * side * side - 1.0;
     struct state s = state_ripple(model);
     const double start = model_energy(model, s.u, s.v);

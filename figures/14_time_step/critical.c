@@ -7,9 +7,10 @@
  * And how many steps survive in a swing, with half of the step that is critical
  * at rest?  A swing of 0.3 m is chaotic, so that their number is not printed.
  */
+#include "frequency.h"
 #include "swing.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -56,7 +57,7 @@ static double print_bars(double c)
             const double bound =
                 1.0 / (n * c) / (mass == LUMPED ? 1.0 : sqrt(3.0));
             struct model *model = model_bar(n, (enum mass)mass);
-            const double predicted = 2.0 / model_frequency(model);
+            const double predicted = 2.0 / frequency_largest(model);
             const double measured = measured_step(model, 2.0 / (n * c), 600);
             table_row(n, mass_word[mass], bound, predicted, measured,
                       ceil(1.0 / 30.0 / predicted));
@@ -96,7 +97,7 @@ static double print_squares(double c)
         set.mass = (enum mass)mass;
         struct scene *scene = scene_alloc(&set);
         struct model *model = model_body(scene->body);
-        const double omega = model_frequency(model);
+        const double omega = frequency_largest(model);
         const double measured = measured_step(model, 4.0 / (n * c), 300);
         table_row(n, mass_word[mass], omega, 2.0 / omega, measured,
                   ceil(omega / 60.0));
@@ -116,7 +117,7 @@ static int lifetime(double size, int most)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    const double dt = 1.0 / model_frequency(model);
+    const double dt = 1.0 / frequency_largest(model);
     struct state s = swing_start(model->body, size);
     enum status status = OK;
     int steps = 0;

@@ -7,7 +7,7 @@
  */
 #include "base/clock.h"
 #include "motion/integrate.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "motion/user.h"
 

@@ -7,9 +7,10 @@
  * not chaotic; one of 0.3 m is, so that only bounds of it are claimed, and
  * critical.c shows what becomes of symplectic Euler.
  */
+#include "frequency.h"
 #include "swing.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -56,7 +57,7 @@ int main(void)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    const double dt = 1.0 / model_frequency(model);
+    const double dt = 1.0 / frequency_largest(model);
     struct range r[N_METHOD][BLOCKS], large[BLOCKS];
 
     table_begin("long", "method steps t least most");

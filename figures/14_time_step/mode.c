@@ -7,7 +7,7 @@
  * that it should have [eq:mode-constants].
  */
 #include "motion/integrate.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

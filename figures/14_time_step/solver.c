@@ -9,9 +9,10 @@
  * start, in the norm of M; the reference is the midpoint rule with 128 and 256
  * steps per frame and Richardson's extrapolation.  Symplectic Euler needs 8.
  */
+#include "frequency.h"
 #include "swing.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
@@ -100,7 +101,7 @@ static void compare(int n)
     set.mass = LUMPED;
     struct scene *scene = scene_alloc(&set);
     struct model *model = model_body(scene->body);
-    const double critical = 2.0 / model_frequency(model);
+    const double critical = 2.0 / frequency_largest(model);
     claim(n != 8 || (1.0 / 30.0 / 7.0 < critical &&
                      !explicit_passes(model, scene->g, 7) &&
                      explicit_passes(model, scene->g, 8)),

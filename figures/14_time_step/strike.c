@@ -10,7 +10,7 @@
  */
 #include "motion/integrate.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  * squares; the shape at the last load.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

@@ -5,7 +5,7 @@
  * flip change sign.  P' of uniaxial strain says nothing of it.
  */
 #include "material/modes.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  * in all and per step; distance after k systems (0: < 1e-13); its order.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
  * it.  Tables: stretches; factors, and the curvature by differences; corners.
  */
 #include "material/modes.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

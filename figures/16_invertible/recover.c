@@ -8,7 +8,7 @@
  */
 #include "plane/release.h"
 #include "plane/step.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -9,7 +9,7 @@
  * storage: its digits are the same on every machine, as a chaotic path needs.)
  */
 #include "plane/release.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

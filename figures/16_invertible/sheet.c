@@ -9,7 +9,7 @@
  * (SADDLE), its energy and least J, and does the moved square come back?
  */
 #include "plane/release.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_math.h>

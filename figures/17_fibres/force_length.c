@@ -9,7 +9,7 @@
  * per cent of the fullest; errors at full activation, of length and shortening.
  */
 #include "plane/fibre.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -14,7 +14,7 @@
  */
 #include "plane/fibre.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

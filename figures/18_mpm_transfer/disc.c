@@ -6,7 +6,7 @@
  * use against FLIP's noise, 95 % FLIP and 5 % PIC.
  */
 #include "particles/particle_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

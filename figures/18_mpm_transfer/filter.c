@@ -7,7 +7,7 @@
  * (p + 1) h^2 / (12 dt), p the order of the kernel.
  */
 #include "particles/particle_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
  * quadratic pieces with the wrong first node, floor(x/h).
  */
 #include "particles/particles.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

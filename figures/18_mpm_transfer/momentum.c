@@ -6,7 +6,7 @@
  * about 0; B belongs to it in APIC [eq:apic].
  */
 #include "particles/particle_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -11,7 +11,7 @@
  * has a product of 2 x 2 numbers with the vector to the node, on either way.
  */
 #include "particles/particle_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

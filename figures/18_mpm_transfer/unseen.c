@@ -7,7 +7,7 @@
  * singular values; the unseen part of a zigzag is what is orthogonal to it.
  */
 #include "particles/particles.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_linalg.h>

@@ -12,7 +12,7 @@
 #include "particles/particle_force.h"
 #include "particles/particle_scene.h"
 #include "linear/matrix.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
  */
 #include "particles/particle_force.h"
 #include "particles/particle_scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

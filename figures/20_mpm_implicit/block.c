@@ -6,8 +6,9 @@
  * point fall, y = y_0 + k dt v_0 - g dt^2 k (k + 1) / 2, whatever the scheme.
  * L is its angular momentum about its centre.
  */
+#include "whole_step.h"
 #include "particles/particle_bodies.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

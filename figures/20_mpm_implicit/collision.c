@@ -8,8 +8,9 @@
  * of particles of different discs; at the end the left disc's velocity, how
  * much kinetic energy is left, and how much of that disc is in the other.
  */
+#include "whole_step.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "particles/particle_bodies.h"
 #include "plane/mesh.h"

@@ -7,9 +7,10 @@
  * better).  Implicit is backward Euler, to 1e-10 h, or to 1e-2 h (loose);
  * midpoint_times: FLIP by the midpoint rule (loose) over the explicit steps.
  */
+#include "whole_step.h"
 #include "free_bar.h"
 #include "ringing.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

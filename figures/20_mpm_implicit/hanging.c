@@ -7,9 +7,10 @@
  * the middles of all elements [eq:hanging-bar]; the work, what a loop over the
  * particles visits: particles times nodes per particle.
  */
+#include "whole_step.h"
 #include "bar/bar_scene.h"
 #include "step_flops.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -1,10 +1,11 @@
 /* ringing.c - see ringing.h. */
 #include "ringing.h"
 
+#include "whole_step.h"
 #include "free_bar.h"
 #include "motion/integrate.h"
 #include "step_flops.h"
-#include "base/study.h"
+#include "../study/study.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,12 +8,13 @@
  * each from the same particles.  systems: linear systems of the implicit step;
  * flops_times: implicit over explicit by step_flops.h; times: in microseconds.
  */
+#include "whole_step.h"
 #include "free_bar.h"
 #include "ringing.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -9,9 +9,10 @@
  * particles, compared with the static bar [eq:hanging-bar], at each tenth of
  * the load.  FLIP, which damps least; implicit steps to 1e-10 h.
  */
+#include "whole_step.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

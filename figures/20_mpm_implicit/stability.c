@@ -10,11 +10,12 @@
  * the light node moves far); flops: of either; times: implicit over explicit,
  * with these systems and (times_one) with one; explicit_times: of 1/30 s.
  */
+#include "whole_step.h"
 #include "free_bar.h"
 #include "ringing.h"
 #include "step_flops.h"
 #include "particles/particle_bodies.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_complex_math.h>

@@ -1,7 +1,7 @@
 /* step_flops.c - see step_flops.h. */
 #include "step_flops.h"
 
-#include "base/study.h"
+#include "../study/study.h"
 
 double step_flops_look(int order, int n) { return 17.0 * (order + 1) * n; }
 

@@ -7,8 +7,9 @@
  * modes of the tangent beside the translation.  `field` is one, quadratic
  * kernel.  And what does a hanging bar say in two load steps?
  */
+#include "whole_step.h"
 #include "particles/particle_bodies.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

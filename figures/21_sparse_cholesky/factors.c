@@ -11,11 +11,11 @@
  * steps of the stretch take with factors kept within a step [alg:chord],
  * rounded, and by the band, which is not.
  */
-#include "linear/refine.h"
+#include "refine.h"
 #include "linear/residual.h"
 #include "linear/sparse.h"
 #include "plane/system.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -12,7 +12,7 @@
 #include "linear/matrix.h"
 #include "linear/sparse.h"
 #include "plane/mesh.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -12,7 +12,7 @@
  */
 #include "linear/sparse.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
  */
 #include "linear/sparse.h"
 #include "plane/mesh.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <stdlib.h>

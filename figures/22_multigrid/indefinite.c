@@ -7,9 +7,9 @@
  * the diagonal; Cholesky's word; how CG ends to three tolerances, and after how
  * many iterations), limits (the least squeeze that each of them refuses).
  */
-#include "linear/cg.h"
+#include "conjugate.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "plane/system.h"
 #include "base/table.h"
 

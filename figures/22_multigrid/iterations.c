@@ -7,9 +7,9 @@
  * sweep counts one, on a coarser grid as much as it has entries).
  */
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
-#include "linear/cg.h"
+#include "conjugate.h"
 #include "linear/multigrid.h"
 #include "plane/system.h"
 

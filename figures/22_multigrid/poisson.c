@@ -6,9 +6,9 @@
  * to 1e-10 for n = 16, 32, 64, 128, and, rough, to 1e-4 for n = 32.
  */
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
-#include "linear/cg.h"
+#include "conjugate.h"
 #include "linear/multigrid.h"
 #include "plane/system.h"
 

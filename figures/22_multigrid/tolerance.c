@@ -9,9 +9,9 @@
  * products (what a step without the chord rule costs, in products with K).
  */
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
-#include "linear/cg.h"
+#include "conjugate.h"
 #include "linear/multigrid.h"
 #include "plane/system.h"
 

@@ -10,7 +10,7 @@
 #include "compression.h"
 #include "choice/rung.h"
 #include "drawn.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -13,7 +13,7 @@
  * saves of the richest one with dense factors.  Tables: choice, chart, right.
  */
 #include "prices.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

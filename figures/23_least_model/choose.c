@@ -9,7 +9,7 @@
  */
 #include "numbers.h"
 #include "prices.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

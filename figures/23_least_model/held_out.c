@@ -19,7 +19,7 @@
  */
 #include "choice/estimate.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "drawn.h"
 #include "judged.h"

@@ -1,7 +1,7 @@
 /* prices.c - see prices.h. */
 #include "prices.h"
 
-#include "base/study.h"
+#include "../study/study.h"
 #include "compression.h"
 #include "choice/climb.h"
 

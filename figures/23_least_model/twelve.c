@@ -8,7 +8,7 @@
  * linear u above the buckling load says by itself, in %).
  */
 #include "choice/climb.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -6,8 +6,9 @@
  * Tables: systems (per frame; frames unfinished, lost, and in which the hand
  * waits; how far (m) unfinished ones are from their end without it), sizes.
  */
+#include "in_parts.h"
 #include "motion/live.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

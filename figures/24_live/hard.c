@@ -12,7 +12,7 @@
  * velocity is 0, and the kinetic energy (J) that one takes at most).
  */
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "without.h"
 

@@ -10,7 +10,7 @@
  * with J, and its knots, with J = 0).
  */
 #include "motion/live.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

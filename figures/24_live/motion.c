@@ -6,7 +6,7 @@
  * vertices in the hand then; and the rungs by which all frames went.
  */
 #include "motion/film.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -16,7 +16,7 @@
  */
 #include "motion/live.h"
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

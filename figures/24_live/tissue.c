@@ -12,7 +12,7 @@
 #include "strip.h"
 
 #include "motion/live.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

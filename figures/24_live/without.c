@@ -1,7 +1,7 @@
 /* without.c - see without.h. */
 #include "without.h"
 
-#include "base/study.h"
+#include "../study/study.h"
 
 #include <float.h>
 #include <math.h>

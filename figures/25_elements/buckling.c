@@ -10,7 +10,7 @@
  * quadratic triangles with n = 128, graded towards the sides with m = 3.
  */
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "plane/body.h"
 #include "plane/quadratic.h"

@@ -12,7 +12,7 @@
 #include "trial.h"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

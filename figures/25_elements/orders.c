@@ -14,7 +14,7 @@
 #include "hang.h"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "material/material.h"
 #include "plane/quadratic.h"

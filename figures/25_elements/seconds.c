@@ -13,7 +13,7 @@
 #include "trial.h"
 
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -16,7 +16,7 @@
 #include "trial.h"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
 #include "material/material.h"

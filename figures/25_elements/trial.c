@@ -1,6 +1,7 @@
 /* trial.c - see trial.h. */
 #include "trial.h"
 
+#include "../14_time_step/frequency.h"
 #include "linear/sparse.h"
 
 #include <math.h>
@@ -105,7 +106,7 @@ static void move(struct scene *s, enum trial_scene trial, double fraction,
     if (scene == PUSH) model->solve = downhill;
     if (scene == SWING) work_pluck(s, now.u);
     if (trial == TRIAL_EXPLICIT) {
-        steps = (int)ceil(last / (fraction * 2.0 / model_frequency(model)));
+        steps = (int)ceil(last / (fraction * 2.0 / frequency_largest(model)));
         half_a_step_back(model, last / steps, &now);
     }
     while (end->status == OK && end->steps < steps) {
@@ -223,7 +224,7 @@ double trial_longest_step(enum element element, int n, double m)
 {
     struct scene *s = trial_alloc(TRIAL_EXPLICIT, element, n, m);
     struct model *model = model_body(s->body);
-    const double longest = 2.0 / model_frequency(model);
+    const double longest = 2.0 / frequency_largest(model);
     model_free(model);
     scene_free(s);
     return longest;

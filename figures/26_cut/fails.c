@@ -20,7 +20,7 @@ int program_main(int argc, char *argv[]);
 #undef main
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "plane/step.h"
 #include "plane/tissue.h"

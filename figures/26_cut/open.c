@@ -17,7 +17,7 @@
  * Source: Tada, Paris & Irwin, The Stress Analysis of Cracks Handbook, the
  *         single edge notch test specimen.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "plane/body.h"
 

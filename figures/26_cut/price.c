@@ -14,7 +14,7 @@
  * the cut, has rows of both its lips, or lies above such a one in the
  * elimination tree.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "linear/dissection.h"
 #include "plane/body.h"

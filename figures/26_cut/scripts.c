@@ -11,7 +11,7 @@
 #include "hand.c"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "motion/hand.h"
 #include "plane/step.h"

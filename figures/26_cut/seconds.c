@@ -9,7 +9,7 @@
 #include "opening.h"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 enum { RUNS = 41 };

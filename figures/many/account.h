@@ -6,7 +6,7 @@
 #define MANY_ACCOUNT_H
 
 #include "piece.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

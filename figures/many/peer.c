@@ -16,7 +16,7 @@
 #include "elements.h"
 
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "../speed/one_thread.h"
 #include "base/table.h"
 #include "plane/scene.h"

@@ -12,7 +12,7 @@
 #include "base/clock.h"
 #include "plane/release.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -9,7 +9,7 @@
  * at a saddle, and the steps of four with n = 8.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

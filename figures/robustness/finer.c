@@ -9,7 +9,7 @@
  * the systems of the cubic run; and how far each law comes from each state.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

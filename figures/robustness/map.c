@@ -8,7 +8,7 @@
  * of n = 16, and how many of the steps a lift takes.
  */
 #include "first_step.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -8,7 +8,7 @@
  * says that none does below 2 h.  Between these steps a jump may fail earlier.
  */
 #include "first_step.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

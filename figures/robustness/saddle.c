@@ -12,7 +12,7 @@
  */
 #include "first_step.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <stdlib.h>

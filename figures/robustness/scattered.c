@@ -10,7 +10,7 @@
 #include "first_step.h"
 #include "motion/live.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_cblas.h>

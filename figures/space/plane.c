@@ -17,9 +17,9 @@
  * Source: Kuhn, IBM J. Res. Dev. 4 (1960); Timoshenko and
  *         Goodier, Theory of Elasticity, sec. 16 to 18.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
-#include "linear/cg.h"
+#include "../22_multigrid/conjugate.h"
 #include "material/material.h"
 #include "plane/scene.h"
 

@@ -14,7 +14,7 @@
 #include "base/clock.h"
 #include "readable.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -13,7 +13,7 @@
 #include "base/clock.h"
 #include "machine.h"
 #include "linear/residual.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

@@ -12,7 +12,7 @@
 #include "../../lessons/choose/price.h"
 #include "choice/scene_file.h"
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

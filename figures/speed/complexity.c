@@ -11,13 +11,13 @@
  * product, sweep and triangle, 10 per unknown in each iteration, and what makes
  * the preconditioner.  Tables: solvers, exponents (of the last doubling of n).
  */
-#include "linear/cg.h"
+#include "../22_multigrid/conjugate.h"
 #include "base/clock.h"
 #include "machine.h"
 #include "solved.h"
 #include "linear/multigrid.h"
 #include "linear/sparse.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "plane/system.h"
 #include "base/table.h"
 

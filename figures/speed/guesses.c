@@ -8,7 +8,7 @@
  * [alg:chord].  Counts, no seconds; every run has to end in the same u.
  */
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

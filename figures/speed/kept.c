@@ -12,7 +12,7 @@
 #include "plane/scene.h"
 
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

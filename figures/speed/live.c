@@ -8,9 +8,10 @@
  * second rung of live.h alone, for the same input and the same bounded hand,
  * which waits when a frame is lost; of `mad` several seeds.
  */
+#include "../24_live/in_parts.h"
 #include "base/clock.h"
 #include "motion/live.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>

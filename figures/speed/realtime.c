@@ -15,7 +15,7 @@
 #include "exact.h"
 #include "base/clock.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -13,9 +13,9 @@
 #include "machine.h"
 #include "rival.h"
 #include "solved.h"
-#include "linear/refine.h"
+#include "../21_sparse_cholesky/refine.h"
 #include "linear/sparse.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "plane/system.h"
 #include "base/table.h"
 

@@ -16,7 +16,7 @@
 #include "machine.h"
 #include "readable.h"
 #include "plane/scene.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <string.h>

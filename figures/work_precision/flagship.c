@@ -10,7 +10,7 @@
  * once more in the motion with tiny steps, whose waves the static answer lacks.
  */
 #include "work.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 /* away[k] := how far the soft pull in 30 2^k steps is from the static answer */

@@ -4,7 +4,7 @@
  * The settings of trials.h in six scenes once more, error against milliseconds
  * to the answer, the best of four runs.  A run that is not OK has no time.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "trials.h"
 #include "base/table.h"
 

@@ -14,7 +14,7 @@
  * between a held and a free side [eq:corner].
  */
 #include "work.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "particle_price.h"
 
 #include "base/options.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

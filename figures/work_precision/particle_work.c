@@ -1,6 +1,7 @@
 /* particle_work.c - see particle_work.h. */
 #include "particle_work.h"
 
+#include "../20_mpm_implicit/whole_step.h"
 #include "bar/bar_scene.h"
 #include "base/clock.h"
 

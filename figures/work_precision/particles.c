@@ -11,7 +11,7 @@
  */
 #include "particle_price.h"
 #include "particle_work.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>

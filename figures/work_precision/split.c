@@ -8,7 +8,7 @@
  * other errors driven below a tenth of it: `others` is what is left of them,
  * over the part, for the largest part of a setting.
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "trials.h"
 #include "base/table.h"
 

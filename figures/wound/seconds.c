@@ -10,7 +10,7 @@ int wound_main(void);
 #include "wound.c"
 #undef main
 
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
 #include "motion/integrate.h"

@@ -16,7 +16,7 @@
  * largest load in one frame that a step survives).
  */
 #include "base/clock.h"
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
 #include "motion/integrate.h"

@@ -61,7 +61,8 @@ rule 'names of common/ begin with their header, room or a stated noun' \
     "$(echo "$names" | sed -n 's/^name //p')"
 rule 'a noun of common/ belongs to one room' \
     "$(echo "$names" | grep '^noun' | sort -u | awk '{ print $2 }' | uniq -d)"
-# What the studies of one chapter call lies beside them, but for fibre_dpk1().
+# What the studies of one chapter call lies beside them; fibre_dpk1() stands with
+# fibre_pk1(), and the tests have another clock (tests/tools/clock.c).
 rule 'a function of common/ is called there, by a lesson, or by studies of two folders' \
     "$(awk '
         /^ *(\/\*|\*)/ { next }
@@ -79,7 +80,7 @@ rule 'a function of common/ is called there, by a lesson, or by studies of two f
                   seen[word, where]; count[word] += where == "lesson" ? 2 : 1 } } }
         END { for (name in home) if (count[name] < 2) print home[name] ": " name }' \
         common/*/*.h common/*/*.[ch] solutions/*.c tests/checks/*.[ch] tests/oracle/*.h \
-        lessons/choose/*.c lessons/web/*.c tests/web/*.c figures/*/*.[ch] | grep -v '/study.h\| fibre_dpk1$')"
+        lessons/choose/*.c lessons/web/*.c tests/web/*.c figures/*/*.[ch] | grep -v ' fibre_dpk1$\| clock_machine$')"
 rule 'all headers of common/ can be included together' \
     "$(for h in common/*/*.h; do echo "#include \"${h#common/}\""; done |
         ${CC:-cc} -std=c17 -D_POSIX_C_SOURCE=200809L -Icommon \
@@ -93,9 +94,9 @@ rule 'solutions include libc, GSL and common/; studies also what studies share, 
             echo "$file includes $header"; done)"
 rule 'only figures/many/ needs PETSc or MPI' \
     "$(grep -lE '#include <(petsc|mpi)' $sources | grep -v '^figures/many/')"
-rule 'only options, pointer, study, table, status and hand print in common/' \
+rule 'only options, pointer, table, status and hand print in common/' \
     "$(grep -lE '\b(printf|puts|putchar|fputs|fprintf)\(' common/*/*.c |
-        grep -vE '/(options|pointer|study|table|status|hand)\.c')"
+        grep -vE '/(options|pointer|table|status|hand)\.c')"
 
 # ---- shape of the code --------------------------------------------------------
 rule 'lines of at most 80 columns' \

@@ -1,7 +1,7 @@
 /* body.c - laws of common/plane/mesh.h, body.h and step.h. */
 #include "plane/step.h"
 #include "plane/triangles.h"
-#include "base/study.h"
+#include "figures/study/study.h"
 
 #include "unit.h"
 

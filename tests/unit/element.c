@@ -1,7 +1,7 @@
 /* element.c - laws of figures/11_newton_failure/element.h. */
 #include "figures/11_newton_failure/element.h"
 
-#include "base/study.h"
+#include "figures/study/study.h"
 #include "unit.h"
 
 #include "../oracle/11_newton_failure.h"

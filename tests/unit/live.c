@@ -1,5 +1,6 @@
 /* live.c - laws of common/motion/live.h and pointer.h. */
 #define _DARWIN_C_SOURCE /* mkdtemp, on macOS */
+#include "figures/24_live/in_parts.h"
 #include "motion/live.h"
 
 #include "unit.h"

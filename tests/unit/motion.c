@@ -1,5 +1,6 @@
 /* motion.c - quadratic triangles in motion: laws of model.h, integrate.h and
  * live.h. */
+#include "figures/14_time_step/frequency.h"
 #include "figures/14_time_step/swing.h"
 #include "motion/live.h"
 
@@ -55,7 +56,7 @@ static void the_fastest_mode_is_that_of_the_matrices(void)
             matrix_add(A, j, k, y[j] / sqrt(mass[j] * mass[k]));
     }
     ck_assert_int_eq(matrix_eigenvalues(A, value), OK);
-    close_to(model_frequency(model) / sqrt(value[n - 1]), 1.0, 1e-9);
+    close_to(frequency_largest(model) / sqrt(value[n - 1]), 1.0, 1e-9);
     matrix_free(K), matrix_free(A);
     free(rest), free(value), free(x), free(y), free(mass);
     forget(model);

@@ -1,5 +1,5 @@
 /* multigrid.c - laws of common/linear/cg.h and common/linear/multigrid.h. */
-#include "linear/cg.h"
+#include "figures/22_multigrid/conjugate.h"
 #include "linear/multigrid.h"
 #include "plane/system.h"
 

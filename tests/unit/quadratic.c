@@ -1,6 +1,6 @@
 /* quadratic.c - laws of common/plane/quadratic.h, and of mesh_grade(). */
 #include "plane/quadratic.h"
-#include "base/study.h"
+#include "figures/study/study.h"
 #include "linear/sparse.h"
 #include "plane/body.h"
 

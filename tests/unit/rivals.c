@@ -1,7 +1,7 @@
 /* rivals.c - laws of figures/work_precision/particle_work.h: what particles
  * cost and have wrong beside finite elements. */
 #include "figures/work_precision/particle_work.h"
-#include "base/study.h"
+#include "figures/study/study.h"
 
 #include "unit.h"
 

@@ -3,7 +3,7 @@
 #include "figures/robustness/first_step.h"
 #include "linear/front.h"
 #include "linear/matrix.h"
-#include "linear/refine.h"
+#include "figures/21_sparse_cholesky/refine.h"
 #include "linear/residual.h"
 #include "plane/scene.h"
 #include "linear/sparse.h"

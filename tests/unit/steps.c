@@ -1,5 +1,6 @@
 /* steps.c - laws of particle_step.h and particle_bodies.h, and of lesson 20's
  * free_bar.h. */
+#include "figures/20_mpm_implicit/whole_step.h"
 #include "figures/20_mpm_implicit/free_bar.h"
 #include "particles/particle_bodies.h"
 

@@ -1,5 +1,5 @@
 /* work.c - laws of work.h and trials.h of figures/work_precision/. */
-#include "base/study.h"
+#include "figures/study/study.h"
 #include "base/table.h"
 #include "figures/work_precision/trials.h"
 

@@ -4,7 +4,7 @@
  * The example: how fast does the error of the trapezium rule for x^2 on (0, 1)
  * fall with the number of pieces?
  */
-#include "base/study.h"
+#include "../study/study.h"
 #include "base/table.h"
 
 static double error_of(int n)

@@ -11,8 +11,8 @@
  * Source: Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
  *         chapter 12.
  */
-#ifndef COMMON_REFINE_H
-#define COMMON_REFINE_H
+#ifndef FIGURES_REFINE_H
+#define FIGURES_REFINE_H
 
 #include "linear/matrix.h"
 

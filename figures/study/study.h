@@ -1,11 +1,9 @@
 /*
  * study.h - what the studies in figures/ share: a root, an order, seconds that
  * can be trusted, and the claim that a study ends with.
- *
- * Names: times_, rate_.
  */
-#ifndef COMMON_STUDY_H
-#define COMMON_STUDY_H
+#ifndef FIGURES_STUDY_H
+#define FIGURES_STUDY_H
 
 /* A function of one number and its context. */
 typedef double study_function(double x, void *context);
@@ -67,7 +65,6 @@ void times_record(struct times *t, double seconds, int valid);
 double times_best(const struct times *t);
 double times_median(const struct times *t);
 double times_quantile(const struct times *t, double fraction);
-double times_spread(const struct times *t); /* (largest - smallest) / median */
 
 /* Print "# machine: ..." at the top of the output, for tables with seconds. */
 void study_machine(void);

@@ -1,5 +1,5 @@
 /* refine.c - see refine.h. */
-#include "linear/refine.h"
+#include "refine.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* study.c - see study.h. */
-#include "base/study.h"
+#include "study.h"
 
 #include "base/clock.h"
 #include "base/status.h"
@@ -97,11 +97,6 @@ double times_best(const struct times *t)
 double times_median(const struct times *t)
 {
     return times_quantile(t, 0.5);
-}
-
-double times_spread(const struct times *t)
-{
-    return (times_quantile(t, 1.0) - times_quantile(t, 0.0)) / times_median(t);
 }
 
 void study_machine(void)
