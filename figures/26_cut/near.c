@@ -37,38 +37,43 @@ static double draw(int k, double blade[4])
     return k % 2 ? length : length / 2.0;
 }
 
-/* to := u + K^-1 (f - K u), of the vertices within R of the blade; linear
- * elasticity. */
+/* A body with K of linear elasticity, whose vertices within R of the blade are
+ * free. */
+static struct body *linear_body(const struct tissue *s, const double blade[4],
+                                double R)
+{
+    const double *X = s->mesh->X;
+    const size_t vertices = (size_t)s->mesh->n_vertex;
+    double *rest = allocate(2 * vertices, sizeof *rest);
+    int *held = allocate(vertices, sizeof *held);
+    for (int a = 0; a < s->mesh->n_vertex; a++)
+        held[a] = s->held[a] || distance(blade, X[2 * a], X[2 * a + 1]) > R;
+    struct body *body =
+        body_alloc(s->mesh, material_notes(CUBIC), 1.0, LUMPED, held);
+    if (body_stiffness(body, rest, EXACT, body->K) != OK) die("no K");
+    free(rest);
+    free(held);
+    return body;
+}
+
+/* to := u + K^-1 (f - K u), of the vertices within R of the blade. */
 static void relax(const struct tissue *s, const double blade[4], double R,
                   const double u[], double to[])
 {
-    const int vertices = s->mesh->n_vertex;
-    const size_t n = 2 * (size_t)vertices;
-    double *rest = allocate(n, sizeof *rest), *q = allocate(n, sizeof *q);
-    double *some = allocate(n, sizeof *some);
-    int *held = allocate((size_t)vertices, sizeof *held);
-    for (int near = 0; near < 2; near++) { /* q = K u - f; the increment */
-        for (int a = 0; a < vertices; a++)
-            held[a] = s->held[a] ||
-                      (near && distance(blade, s->mesh->X[2 * a],
-                                        s->mesh->X[2 * a + 1]) > R);
-        struct body *body = body_alloc(s->mesh, material_notes(CUBIC), 1.0,
-                                       LUMPED, held);
-        if (body_stiffness(body, rest, EXACT, body->K) != OK) die("no K");
-        if (near == 0) {
-            body_gather(body, u, some);
-            matrix_multiply(body->K, some, to);
-            body_scatter(body, to, q);
-            for (size_t i = 0; i < n; i++) q[i] -= s->f[i];
-        } else if (body_increment(body, body->K, q, to) != OK)
-            die("not definite");
-        body_free(body);
-    }
+    const size_t n = 2 * (size_t)s->mesh->n_vertex;
+    struct body *all = linear_body(s, blade, INFINITY);
+    struct body *near = linear_body(s, blade, R);
+    double *q = allocate(n, sizeof *q), *some = allocate(n, sizeof *some);
+    body_gather(all, u, some);
+    matrix_multiply(all->K, some, to);
+    body_scatter(all, to, q);
+    for (size_t i = 0; i < n; i++) q[i] -= s->f[i];
+    if (body_increment(near, near->K, q, to) != OK) die("not definite");
     for (size_t i = 0; i < n; i++) to[i] += u[i];
-    free(rest);
+    body_free(all);
+    body_free(near);
     free(q);
     free(some);
-    free(held);
 }
 
 /* What is missing of the opening of cut k at R = c, 2 c, 4 c. */
