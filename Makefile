@@ -223,7 +223,7 @@ $(OBJECTS) $(CHOOSE) $(JUDGE) $(PROGRAMS:=.o): $(BUILD)/%.o: %.c $(RULES)
 	$(COMPILED)
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/%.o $$(call needs,$$*.c)
 	$(LINKED)
-$(BUILD)/choose: lessons/choose/choose.c $(BUILD)/libchoose.a $(LIB)
+$(BUILD)/choose: lessons/choose/choose.c $$(call needs,lessons/choose/choose.c)
 	$(Q)$(COMPILE) $< $(PLACED)
 $(LESSONS:%=$(BUILD)/data/%.tsv): $(BUILD)/data/%.tsv: $(BUILD)/solutions/%
 	$(call PRINTED,$<)

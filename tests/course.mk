@@ -96,7 +96,7 @@ $(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
 	$(Q)$(WHOLE) $< --file solutions/$*.c --reference $(BUILD)/solutions/$* \
 	    > $(PART) || { cat $(PART); exit 1; }; $(MOVED)
 # the longest first, so that no processor is without one at the end
-LONGEST := $(filter 24_live/hard %/push %/pull %/front %/kept %/held_out,$(COUNTED))
+LONGEST := $(filter 24_live/hard robustness/saddle %/pull %/front %/kept %/held_out,$(COUNTED))
 course: $(LONGEST:%=$(BUILD)/data/%.tsv) $(PROGRAMS:=.verdict) figures \
         $(COUNTED:%=$(BUILD)/data/%.tsv)
 	@echo 'course: $(words $(LESSONS)) solutions run and judged OK,' \

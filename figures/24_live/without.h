@@ -26,7 +26,7 @@ enum without {
 const char *without_word(enum without without);
 
 /* Frames after which the second rung sets the velocity to 0, and the largest
- * kinetic energy (J) before one of them. */
+ * kinetic energy (J) before one of them; 0 with ACCEPTING and STOPPING. */
 struct without_stop {
     int frames;
     double energy;

@@ -193,11 +193,12 @@ there() {
     echo "$1: no PETSc with MPI here; make deps-many installs it"
     return 1
 }
-# compile FILE PROGRAM; the headers of PETSc are not ours to warn about; -rdynamic: a
-# library that starts threads finds our own start of them (peer.c)
+# compile FILE PROGRAM: FILE may be a copy elsewhere.  The headers of PETSc are not ours
+# to warn about; with -rdynamic a library that starts threads finds our own start of
+# them (peer.c).
 compile() {
     mkdir -p "${2%/*}"
-    mpicc $FLAGS $(pkg-config --cflags petsc | sed 's/-I */-isystem /g') "$1" -o "$2" \
+    mpicc $FLAGS -Ifigures/many $(pkg-config --cflags petsc | sed 's/-I */-isystem /g') "$1" -o "$2" \
         $LINK -rdynamic $(pkg-config --libs petsc)
 }
 # the program, and those with a known mistake
