@@ -4,8 +4,8 @@
  * The square of lesson 26, linear, is held on its left side, pulled at its
  * right one with 1 N/m, and cut once: within, or from its upper side.  The
  * least model after the cut moves only the vertices within R of the blade, and
- * leaves the others where they were.  Table misses: how often, over all cuts and
- * R = c, 2 c, 4 c, the opening misses more than 1.5 times the estimate
+ * leaves the others where they were.  Table misses: how often, over all cuts
+ * and R = c, 2 c, 4 c, the opening misses more than 1.5 times the estimate
  * c / (2 R), where c is half the length of a cut within, and the length of one
  * from the side, behind which its image would be.
  */
