@@ -270,8 +270,8 @@ static pid_t fork_apart(void)
 /* Quit where the disk has no room for a file: the child could only end. */
 static void make_room(const char *path)
 {
-    const int file =
-        open(path, O_WRONLY | O_CREAT | O_NONBLOCK | O_NOFOLLOW, 0666);
+    unlink(path); /* it may be a link */
+    const int file = open(path, O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (file < 0 && (errno == ENOSPC || errno == EDQUOT))
         quit("cannot write %s: %s", path, strerror(errno));
     if (file >= 0) close(file);
