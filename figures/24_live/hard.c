@@ -2,7 +2,8 @@
  * hard.c - what each rung of the fallback is for: one is taken away at a time.
  *
  * The square, n = 8, a patch in the hand, backward Euler.  Tables: drag (the
- * patch is pushed in, 60 frames, cubic law, without one of three rungs), rungs
+ * patch is pushed in, 60 frames, cubic law, by the simple frame of lesson 24,
+ * built up one safeguard at a time; first: the first frame lost), rungs
  * (the script `hard`, 300 frames, every rung and both laws); of the rungs that
  * `hard` hardly needs, mad (16 scripts `mad` by both laws, with all of them)
  * and rare (of each of these rungs the number that tells, with all rungs and
@@ -19,23 +20,29 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-/* A drag: the loop without one of the three rungs that it needs, and with. */
+/* A drag: the simple frame, built up from the loop of lesson 13. */
 static void print_drag(void)
 {
-    static const enum without less[4] = {SECOND_RUNG, SEARCH, ACCEPTING,
-                                         NOTHING};
     struct pointers push = pointers_pull(-5.0);
-    table_begin("drag", "without lost unfinished energy");
-    for (int k = 0; k < 4; k++) {
-        const struct without_result r =
-            without_play(less[k], 8, CUBIC, BACKWARD_EULER, &push);
-        table_row(without_word(less[k]), r.lost, r.unfinished, r.energy);
-        claim(less[k] == NOTHING ? r.lost == 0 : r.freeze > 40, "pushed in, "
-              "without %s: %d frames lost in a row", without_word(less[k]),
-              r.freeze);
+    struct without_result with[SIMPLE + 1];
+    table_begin("drag", "with lost first most");
+    for (int k = LOOP; k <= SIMPLE; k++) {
+        with[k] = without_play((enum without)k, 8, CUBIC, BACKWARD_EULER,
+                               &push);
+        table_row(without_word((enum without)k), with[k].lost,
+                  cell_if(with[k].lost, with[k].first), with[k].most);
     }
     table_end();
     pointers_free(&push);
+    claim(with[LOOP].lost > with[LIFTED].lost && with[LIFTED].lost >= 50 &&
+              with[DESCENDING].lost > 0 && with[DESCENDING].lost < 10,
+          "the lift (%d, %d) and projection (%d) save frames",
+          with[LOOP].lost, with[LIFTED].lost, with[DESCENDING].lost);
+    claim(with[SEARCHING].lost == 0 && with[SEARCHING].most > FRAME_SYSTEMS &&
+              with[HURRIED].lost >= 50 && with[SIMPLE].lost == 0,
+          "a line search saves the rest, in up to %g systems; in %d at most "
+          "only acceptance does (%d, %d)", with[SEARCHING].most, FRAME_SYSTEMS,
+          with[HURRIED].lost, with[SIMPLE].lost);
 }
 
 static void judge_rungs(struct without_result all[2][N_WITHOUT])

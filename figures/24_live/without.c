@@ -14,7 +14,9 @@ const char *without_word(enum without without)
         "nothing", "first rung", "elastic lift", "second rung",
         "projection of lift", "projection on demand", "line search",
         "acceptance if unfinished", "stop if unfinished", "halved moves",
-        "bounded hand", "bound on leaps", "memory of trouble"};
+        "bounded hand", "bound on leaps", "memory of trouble",
+        "nothing yet", "elastic lift", "projection", "line search",
+        "8 systems at most", "acceptance if unfinished"};
     return word[without];
 }
 
@@ -68,27 +70,47 @@ static enum status unstopped(struct live *live, double u[], double v[],
     return status;
 }
 
+/* The second rung alone, with 32 systems more before there is a budget. */
+static enum without built;
+static enum status simple(struct live *live, double u[], double v[],
+                          struct live_report *report)
+{
+    const int more = built < HURRIED ? 32 : 0;
+    report->systems -= more;
+    const enum status status = live_downhill_by(live, way, u, v, report);
+    report->systems += more;
+    if (status != OK && built < SIMPLE) u[0] = NAN;
+    return status;
+}
+
 /* ---- all frames ---------------------------------------------------------- */
 
 struct without_result without_play(enum without without, int n, enum law law,
                                    enum method method,
                                    const struct pointers *script)
 {
-    live_rung *const rung = without == ACCEPTING  ? unaccepted
+    const int whole = without < LOOP; /* the whole frame, less one thing */
+    live_rung *const rung = !whole                ? simple
+                            : without == ACCEPTING  ? unaccepted
                             : without == STOPPING ? unstopped
                                                   : by_way;
     live_lifter *const lift = without == LEAPING ? leap : live_lift;
     struct step_control control = LIVE_DOWNHILL;
     if (without == DEMAND) control.projection = NEVER;
-    if (without == SEARCH) control.line_search = 0;
+    if (without == SEARCH || without == DESCENDING) control.line_search = 0;
     way = (struct live_way){lift, without == PROJECTION ? EXACT : PROJECTED,
-                            without == HALVING ? 1 : LIVE_TRIES, &control};
+                            without == HALVING || !whole ? 1 : LIVE_TRIES,
+                            &control};
     const struct live_setting set = {n, law, method, PATCH,
-                                     without == LIFT ? LAST_STATE : ELASTIC,
-                                     without != SECOND_RUNG, LINEAR_TRIANGLE};
+                                     without == LIFT || without == LOOP
+                                         ? LAST_STATE : ELASTIC,
+                                     without != SECOND_RUNG &&
+                                         without != LOOP && without != LIFTED,
+                                     LINEAR_TRIANGLE};
     struct live *live = live_alloc(&set);
     body_store(live->body, PLAIN); /* trouble is chaotic */
     stop = (struct without_stop){0};
+    built = without;
     struct without_result sum = {0};
     struct times systems = {0};
     int frozen = 0;
@@ -98,11 +120,12 @@ struct without_result without_play(enum without without, int n, enum law law,
         live_input(live, pointer);
         if (without != BOUND) live_hand(live->hand, pointer, to);
         live_carry(live, to);
-        if (without == FIRST_RUNG) live->trouble = 1;
+        if (without == FIRST_RUNG || !whole) live->trouble = 1;
         if (without == TROUBLE) live->trouble = 0;
         const struct live_report report = live_frame_by(live, lift, rung, to);
         const int lost = strcmp(report.rung, "lost") == 0;
         sum.lost += lost;
+        if (sum.lost == 1 && lost) sum.first = k + 1;
         frozen = lost ? frozen + 1 : 0;
         if (frozen > sum.freeze) sum.freeze = frozen;
         sum.stands += live->holding && report.part == 0.0;

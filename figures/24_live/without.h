@@ -1,6 +1,6 @@
 /*
- * without.h - the fallback of live.h with one rung taken away: what each is
- * for.
+ * without.h - the frame of live.h with one safeguard taken away, and the simple
+ * frame of lesson 24, built up: what each safeguard is for.
  */
 #ifndef FIGURES_WITHOUT_H
 #define FIGURES_WITHOUT_H
@@ -21,7 +21,14 @@ enum without {
     BOUND,       /* the hand goes all the way to the pointer */
     LEAPING,     /* a lift may go any way that is finite */
     TROUBLE,     /* each frame begins with the first rung */
-    N_WITHOUT
+    N_WITHOUT,
+    /* the simple frame; each has what those before it have */
+    LOOP = N_WITHOUT, /* Newton's method from the last state, 40 systems */
+    LIFTED,           /* the elastic lift */
+    DESCENDING,       /* projection, of the lift and on demand */
+    SEARCHING,        /* a line search */
+    HURRIED,          /* FRAME_SYSTEMS at most */
+    SIMPLE            /* unfinished frames are accepted, with v = 0 */
 };
 const char *without_word(enum without without);
 
@@ -34,6 +41,7 @@ struct without_stop {
 
 struct without_result {
     int lost, freeze;      /* frames lost, and in a row at most */
+    int first;             /* the first of them, counted from 1; 0: none */
     int stands;            /* frames in which a hand that holds goes nowhere */
     int unfinished;        /* frames accepted although not converged */
     double p50, p99, most; /* systems per frame */

@@ -116,7 +116,7 @@ static void a_play_repeats_itself(void)
 {
     gsl_set_error_handler_off();
     struct pointers script = pointers_hard();
-    for (int k = 0; k < 2 * N_WITHOUT; k++) {
+    for (int k = 0; k < 2 * (SIMPLE + 1); k++) {
         const enum without without = (enum without)(k / 2);
         const enum law law = k % 2 ? LOG : CUBIC;
         const struct without_result
