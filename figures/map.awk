@@ -172,10 +172,10 @@ END {
     }
     # beside the first lessons, which have no rooms
     x = left + right + 40; y = top + 22
-    say(x, y, 20, "", sprintf("The course: %.0f hours", sum[1] / 60), \
+    say(x, y, 20, "", sprintf("The course: %.0f hours, estimated", sum[1] / 60), \
         " font-weight=\"bold\"")
-    say(x, y + 27, 20, "", sprintf("Rooms beside it: %.0f hours", \
-        sum[0] / 60), "")
+    say(x, y + 27, 20, "", sprintf("Rooms beside it: %.0f hours, " \
+        "estimated", sum[0] / 60), "")
     for (i = 1; i <= 6; i++) {
         c = x + 220 * ((i - 1) % 3); r = y + 50 + 30 * int((i - 1) / 3)
         printf "<rect x=\"%g\" y=\"%g\" width=\"15\" height=\"15\" rx=\"2\" " \

@@ -13,12 +13,12 @@ export LC_ALL
 command=$1
 shift
 chapters="$(ls lessons/[0-9]*.md)
+figures/wound/README.md
 figures/robustness/README.md
 figures/speed/README.md
 figures/work_precision/README.md
 figures/many/README.md
-figures/space/README.md
-figures/wound/README.md"
+figures/space/README.md"
 if [ "$command" = chapters ]; then echo "$chapters"; exit; fi
 case $command in course | rooms)
     for file in $(ls lessons/[0-9]*.md); do
