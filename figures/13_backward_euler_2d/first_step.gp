@@ -1,7 +1,7 @@
 # first_step.gp - the corner of the mesh where Newton's method starts when the
 # boundary moves by dg in a step, and its residuals from such a start.  Residuals
 # below 1e-13 m are round-off, another one on each machine: drawn at 1e-13 m.
-# Reads   data  tables starts, history_notes, history_demand, history_lift
+# Reads   data  tables starts, history_notes, history_lift
 # Writes  out   SVG
 load "figures/style.gp"
 set terminal svg size 640,670 enhanced font "Helvetica,18" \
@@ -53,7 +53,7 @@ set bmargin at screen 0.124
 set grid back ls 9
 unset key
 set logscale y
-set xrange [-0.3:9.5]
+set xrange [-0.2:6.2]
 set yrange [2e-14:20]
 set xtics 2
 set ytics 1e4
@@ -64,13 +64,10 @@ set xlabel "iteration"
 set ylabel "max |q| / max A_{ii} (m)" offset 1
 set style textbox opaque noborder margins 0.4,0.4
 set label 2 "notes' method: fails" at 4.1, 0.8 tc rgb "#D55E00" front boxed
-set label 3 "projected\non demand" at 6.5, 6e-5 tc rgb "#009E73" front boxed
-set label 4 "lifted" at 2.6, 5e-11 tc rgb "#0072B2" front boxed
-set label 5 "n = 56, cubic law" at graph 0, graph 1.08
+set label 3 "lifted" at 2.6, 5e-11 tc rgb "#0072B2" front boxed
+set label 4 "n = 56, cubic law" at graph 0, graph 1.08
 plot data index "history_notes" using "iteration":(seen(column("residual"))) \
          with linespoints ls 2, \
-     data index "history_demand" using "iteration":(seen(column("residual"))) \
-         with linespoints ls 3, \
      data index "history_lift" using "iteration":(seen(column("residual"))) \
          with linespoints ls 1
 unset multiplot

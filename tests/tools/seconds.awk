@@ -9,6 +9,7 @@ function digits(x) {
     return sprintf(x >= 99.5 ? "%.0f" : x >= 9.95 ? "%.1f" : x >= 0.995 ? "%.2f" : \
         "%.3f", x)
 }
+function ratio(x) { return x == "-" ? x : sprintf(x >= 9.95 ? "%.0f" : "%.1f", x) }
 function step(name, n) { return digits(of("step", "steps", name " " n, "median_ms")) }
 function peer(method, n) { return of("peer", "peer", method " " n, "over_ours") }
 function print_step(    n) {
@@ -25,8 +26,8 @@ function print_rivals(    n, all, code) {
     for (n = 8; n <= 128; n *= 2) {
         all = peer("notes", n)
         code = peer("method", n)
-        print "| " n " | " digits(over(all, code)) " | " digits(code) " | " \
-            digits(all) " |"
+        print "| " n " | " ratio(over(all, code)) " | " ratio(code) " | " \
+            ratio(all) " |"
     }
 }
 END {
