@@ -23,6 +23,7 @@
 #include "material/modes.h"
 #include "base/options.h"
 #include "plane/release.h"
+#include "plane/step.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>
@@ -89,7 +90,7 @@ static mat2 stress(const struct principal_law *law, mat2 F)
 /*
  * Given u, let it go downhill on Psi(u) to where the body rests [alg:release].
  *
- *     K du = -q, K projected and shifted; u += du, or less by release_search()
+ *     K du = -q, K projected and shifted; u += du, or less by step_search()
  *
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
  * as it is, shifted: if it is not positive definite, the status is SADDLE.  New

@@ -23,6 +23,7 @@
 #include "material/modes.h"
 #include "base/options.h"
 #include "plane/release.h"
+#include "plane/step.h"
 #include "base/table.h"
 
 #include <gsl/gsl_errno.h>
@@ -113,7 +114,7 @@ static mat2 stress(const struct principal_law *law, mat2 F)
 /*
  * Given u, let it go downhill on Psi(u) to where the body rests [alg:release].
  *
- *     K du = -q, K projected and shifted; u += du, or less by release_search()
+ *     K du = -q, K projected and shifted; u += du, or less by step_search()
  *
  * until max|q| <= small at the free vertices, with at most CAP systems.  Then K
  * as it is, shifted: if it is not positive definite, the status is SADDLE.  New
@@ -142,7 +143,7 @@ static struct release_report release(struct body *body, double u[])
         release_shift(body);
         report.status = body_increment(body, body->K, q, du);
         if (report.status == OK)
-            report.status = release_search(body, q, du, u);
+            report.status = step_search(body, at_rest(NULL), q, du, u);
         if (report.status != OK) break;
         report.iterations++;
     }

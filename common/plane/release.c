@@ -1,38 +1,12 @@
 /* release.c - see release.h. */
 #include "plane/release.h"
 
-#include <float.h>
+#include "plane/step.h"
+
 #include <gsl/gsl_math.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum status release_search(const struct body *body, const double q[],
-                           const double du[], double u[])
-{
-    const size_t n_dof = 2 * (size_t)body->mesh->n_vertex;
-    double *trial = allocate(n_dof, sizeof *trial);
-    double start, energy, slope = 0.0, area = 0.0;
-    enum status status = body_energy(body, u, &start);
-    for (size_t r = 0; r < n_dof; r++) slope += q[r] * du[r];
-    for (int e = 0; e < body->n_element; e++)
-        area += body->points * body->area[e];
-    /* round-off of Psi, whose terms have the size of the modulus */
-    const double noise = 16.0 * DBL_EPSILON *
-                         (start + area * material_modulus(&body->material));
-
-    for (double length = 1.0; status == OK; length *= 0.5) {
-        if (length < 1e-12) status = STALLED;
-        for (size_t r = 0; r < n_dof; r++) trial[r] = u[r] + length * du[r];
-        if (status == OK && body_energy(body, trial, &energy) == OK &&
-            energy <= start + 1e-4 * length * slope + noise) {
-            memcpy(u, trial, n_dof * sizeof *u);
-            break;
-        }
-    }
-    free(trial);
-    return status;
-}
 
 double release_winding(const struct body *body, const double u[])
 {
@@ -80,7 +54,7 @@ static enum status descend(struct body *body, double q[], double du[],
     if (*done) return OK;
     release_shift(body);
     status = body_increment(body, body->K, q, du);
-    return status == OK ? release_search(body, q, du, u) : status;
+    return status == OK ? step_search(body, at_rest(NULL), q, du, u) : status;
 }
 
 struct release_report release_solve(struct body *body, int max_iterations,

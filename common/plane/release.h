@@ -33,14 +33,6 @@ struct release_report {
 /* K := K + RELEASE_SHIFT (2 mu + lambda) I. */
 void release_shift(struct body *body);
 
-/*
- * u := u + length du with the first length 1, 1/2, 1/4, ... at which Psi
- * decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search]; q is the force
- * at u.  STALLED: there is none, and u is as it was.
- */
-enum status release_search(const struct body *body, const double q[],
-                           const double du[], double u[]);
-
 /* Take u to where the body comes to rest, or to the last state reached. */
 struct release_report release_solve(struct body *body, int max_iterations,
                                     double u[]);

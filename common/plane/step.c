@@ -52,7 +52,9 @@ enum status step_potential(const struct body *body, struct incremental Phi,
     body_mass(body, move, momentum);
     for (int r = 0; r < n_dof; r++) kinetic += 0.5 * move[r] * momentum[r];
     *phi = kinetic + dt * dt * (elastic - power);
-    *noise = kinetic + dt * dt * (fabs(elastic) + fabs(power));
+    /* Psi of a body that has turned is small, and the sum of large terms */
+    *noise = kinetic + dt * dt * (body->stiffness + fabs(elastic) +
+                                  fabs(power));
     return isfinite(*phi) ? OK : NONFINITE;
 }
 
@@ -73,6 +75,7 @@ static enum status line_search(const struct body *body, struct incremental Phi,
         step_potential(body, Phi, u, room.twice, &start, &noise);
     if (status != OK) return status;
     for (int r = 0; r < n_dof; r++) slope += room.q[r] * room.du[r];
+    if (slope > 0.0) return NOT_SPD; /* uphill */
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
         for (int r = 0; r < n_dof; r++)
             room.trial[r] = u[r] + length * room.du[r];

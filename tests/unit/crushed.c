@@ -200,69 +200,6 @@ static void work_tells_a_gradient(void)
 
 /* ---- letting go ---------------------------------------------------------- */
 
-static void a_search_goes_down_or_stays(void)
-{
-    struct mesh *mesh;
-    struct body *body = triangle(&mesh, STABLE, 1);
-    double u[6] = {0.0, 0.0, 0.3, 0.2, -0.1, 0.4}, q[6], du[6], before[6];
-    double start, end;
-    body_energy(body, u, &start);
-    body_force(body, u, q);
-    /* much too long, downhill: halved until the energy falls */
-    for (int r = 0; r < 6; r++) du[r] = r < 2 ? 0.0 : -q[r];
-    memcpy(before, u, sizeof u);
-    ck_assert(release_search(body, q, du, u) == OK);
-    body_energy(body, u, &end);
-    double slope = 0.0, length = (u[2] - before[2]) / du[2];
-    for (int r = 0; r < 6; r++) slope += q[r] * du[r];
-    ck_assert(end < start + 1e-4 * length * slope);
-    close_to(log2(length), round(log2(length)), 1e-9);
-    ck_assert(length < 1.0);
-    /* the length before does not do */
-    for (int r = 0; r < 6; r++) before[r] += 2.0 * length * du[r];
-    body_energy(body, before, &end);
-    ck_assert(end > start + 2e-4 * length * slope);
-
-    body_force(body, u, q);
-    for (int r = 0; r < 6; r++) du[r] = r < 2 ? 0.0 : q[r];
-    memcpy(before, u, sizeof u);
-    ck_assert(release_search(body, q, du, u) == STALLED);
-    ck_assert(memcmp(before, u, sizeof u) == 0);
-    body_free(body);
-    mesh_free(mesh);
-}
-
-/* A step is taken when Psi falls by 1e-4 of the slope: one so long that it
- * falls by 1.5e-4 of it is taken, one with 0.5e-4 is not. */
-static void a_search_asks_for_a_decrease(void)
-{
-    for (int taken = 0; taken < 2; taken++) {
-        struct mesh *mesh;
-        struct body *body = triangle(&mesh, STABLE, 1);
-        double u[6] = {0.0, 0.0, 0.3, 0.2, -0.1, 0.4}, q[6], du[6], to[6];
-        double start, end, slope = 0.0, low = 0.0, high = 0.01;
-        body_energy(body, u, &start);
-        body_force(body, u, q);
-        for (int r = 2; r < 6; r++) slope -= q[r] * q[r];
-        for (int growing = 1, k = 0; k < 80; k++) {
-            const double t = growing ? high : 0.5 * (low + high);
-            for (int r = 0; r < 6; r++) to[r] = u[r] - (r < 2 ? 0.0 : t * q[r]);
-            body_energy(body, to, &end);
-            const int falls = end < start + (taken ? 1.5e-4 : 5e-5) * t * slope;
-            growing = growing && falls;
-            if (falls) low = t;
-            if (growing) high = 2.0 * t;
-            else if (!falls) high = t;
-        }
-        for (int r = 0; r < 6; r++) du[r] = r < 2 ? 0.0 : -low * q[r];
-        for (int r = 0; r < 6; r++) to[r] = u[r] + du[r];
-        ck_assert(release_search(body, q, du, u) == OK);
-        ck_assert_int_eq(memcmp(u, to, sizeof u) == 0, taken);
-        body_free(body);
-        mesh_free(mesh);
-    }
-}
-
 /* Far from rest, in each way that a triangle can be; and what it says. */
 static void a_report_says_what_is(void)
 {
@@ -398,8 +335,6 @@ UNIT_MAIN("crushed",
     LAW(a_body_takes_every_law),
     LAW(a_triangle_is_a_mesh),
     LAW(work_tells_a_gradient),
-    LAW(a_search_goes_down_or_stays),
-    LAW(a_search_asks_for_a_decrease),
     LAW(a_report_says_what_is),
     LAW(swollen_is_not_recovered),
     LAW(a_cap_and_a_nan_are_named),

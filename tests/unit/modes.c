@@ -1,6 +1,7 @@
 /* modes.c - laws of modes.h, and of what Lecture 3 has in mesh.h, body.h,
  * scene.h, step.h: the column, and balance that is no minimum. */
 #include "material/modes.h"
+#include "plane/release.h"
 #include "plane/scene.h"
 
 #include "unit.h"
@@ -239,6 +240,10 @@ static void a_search_goes_down_the_line(void)
     for (int a = 0; a < scene->mesh->n_vertex; a++)
         if (scene->held[a]) du[2 * a] = du[2 * a + 1] = 0.0;
     ck_assert_int_eq(step_search(scene->body, at_rest(NULL), q, du,
+                                 scene->u), NOT_SPD);
+    /* nor where q lies, and Phi rises at every length */
+    for (int r = 0; r < scene->n_dof; r++) q[r] = -q[r], du[r] *= 1e9;
+    ck_assert_int_eq(step_search(scene->body, at_rest(NULL), q, du,
                                  scene->u), STALLED);
     free(q);
     scene_free(scene);
@@ -269,6 +274,32 @@ static void a_step_that_hardly_falls_is_halved(void)
         ck_assert_int_eq(step_search(s->body, at_rest(NULL), q, du, u), OK);
         close_to(u[r], 1e-2 + 0.5 * du[r], 1e-15);
     }
+    scene_free(s);
+}
+
+/* A body that has turned by 1 and is strained by 1e-3 has an energy that is the
+ * small sum of large terms: an increment of 1e-11, which changes Phi by less
+ * than its round-off, is taken whole all the same, from wherever it comes. */
+static void round_off_does_not_stop_a_search(void)
+{
+    const struct scene_setting set = scene_notes(SPIN, CUBIC, 24);
+    struct scene *s = scene_alloc(&set);
+    double *q = allocate(3 * (size_t)s->n_dof, sizeof *q);
+    double *du = q + s->n_dof, *u = du + s->n_dof;
+    const mat2 F = {{{1.001 * cos(1.0), -sin(1.0)}, {sin(1.0), cos(1.0)}}};
+    unsigned long seed = 1;
+    for (int k = 0; k < 20; k++) {
+        release_place(s->body, F, u);
+        for (int r = 0; r < s->n_dof; r++) {
+            seed = (1103515245 * seed + 12345) % 2147483648;
+            du[r] = 1e-11 * ((double)seed / 1073741824.0 - 1.0);
+            q[r] = -1e-9 * du[r];
+        }
+        const double to = u[7] + du[7];
+        ck_assert_int_eq(step_search(s->body, at_rest(NULL), q, du, u), OK);
+        ck_assert(u[7] == to);
+    }
+    free(q);
     scene_free(s);
 }
 
@@ -359,6 +390,7 @@ UNIT_MAIN("modes",
     LAW(a_column_is_pressed_and_pushed),
     LAW(traction_pulls_a_column_by_its_end),
     LAW(a_search_goes_down_the_line),
+    LAW(round_off_does_not_stop_a_search),
     LAW(a_step_that_hardly_falls_is_halved),
     LAW(what_is_straight_is_pushed),
     LAW(converged_is_not_stable),
