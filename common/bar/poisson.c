@@ -113,14 +113,6 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
     }
 }
 
-void bvp_boundary(int n, struct matrix *A, double b[])
-{
-    const int left[] = {0};
-    const double value[] = {1.0};
-    b[n] -= 0.5;
-    matrix_dirichlet(A, b, 1, left, value, KEEP_DIAGONAL);
-}
-
 /* With t = 1 + x the load of the right node is (ln(t1/t0) - h/t1)/h: two
  * numbers that agree in all but O(h^2), so the difference is taken by a
  * function made for it, y -> ln(1+y) - y. */

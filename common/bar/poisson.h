@@ -69,10 +69,6 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
                       const struct quadrature *rule, struct matrix *A,
                       double b[]);
 
-/* The boundary conditions of [eq:poisson-bvp] in A and b of n elements: the
- * flux at x = 1, then u(0) = 1 [eq:dirichlet-correction]. */
-void bvp_boundary(int n, struct matrix *A, double b[]);
-
 /* Integrate f of [eq:poisson-bvp] in closed form: b_i := int f e_i dx. */
 void bvp_exact_load(int n, const double x[], double b[]);
 

@@ -330,7 +330,17 @@ static double swing(const struct ladder_state *s, const struct matrix *K)
     return sqrt(square);
 }
 
-double relax_inertia(const struct ladder_state *s, const struct matrix *factors)
+/*
+ * Return the part that swings about rest [eq:left-slowest], <= 1; 1 for u = 0.
+ * Let w = K^-1 f be the rate at which u follows: a load that begins to rise in
+ * T, and one that ceases to, makes each mode swing by its part of w over its
+ * omega T, of which A = |w|_(M K^-1 M) / |u|_M / T is the root mean square. A_0
+ * is that of K at u = 0, and A of K at u: of one mode that is pressed by p of
+ * its buckling load, r / (1 - p) with r = 1 / (omega T).  As nobody knows the
+ * phases, u goes beyond rest by h = hypot(A_0, A), and the part is h / (1 + h);
+ * of a load that swings it is (A_0 + A^2) / (1 + A_0).
+ */
+static double swings(const struct ladder_state *s, const struct matrix *factors)
 {
     double *Mu = ladder_momentum(s);
     const double size = sqrt(dot(s, Mu, s->u)) * s->scene->T;
@@ -480,6 +490,6 @@ void relax_parts(const struct ladder_state *s, relax_forces *mesh,
         part[LAW] = fmin(part[LAW], relax_law(s, K));
     if (s->model.rung == LINEAR_PLANE) linear_parts(s, K, stress, part);
     if (K && !s->model.moving && s->scene->time != STANDS)
-        part[INERTIA] = fmax(part[INERTIA], relax_inertia(s, K));
+        part[INERTIA] = fmax(part[INERTIA], swings(s, K));
     matrix_free(K);
 }

@@ -122,31 +122,18 @@ double relax_mesh(const struct ladder_state *state,
                   const struct matrix *factors, relax_forces *mesh);
 
 /*
- * Return the part that swings about rest [eq:left-slowest], <= 1; 1 for u = 0.
- * Let w = K^-1 f be the rate at which u follows: a load that begins to rise in
- * T, and one that ceases to, makes each mode swing by its part of w over its
- * omega T, of which A = |w|_(M K^-1 M) / |u|_M / T is the root mean square. A_0
- * is that of K at u = 0, and A of K at u: of one mode that is pressed by p of
- * its buckling load, r / (1 - p) with r = 1 / (omega T).  As nobody knows the
- * phases, u goes beyond rest by h = hypot(A_0, A), and the part is h / (1 + h);
- * of a load that swings it is (A_0 + A^2) / (1 + A_0).
- */
-double relax_inertia(const struct ladder_state *state,
-                     const struct matrix *factors);
-
-/*
  * part[MESH] and part[STRESS], K factored for both; of a plane model at rest
- * part[INERTIA] becomes relax_inertia(), if that is more.  A strain or a stress
- * that is wrong in one corner may hardly move the body: of the cubic law
- * part[LAW] becomes relax_law(), and of the linear one part[GEOMETRY]
- * relax_geometry(), where that is less, or for the force in the hand, which
- * feels by how much a turn shortens a body.  Then let h be the root of the
- * squares of GEOMETRY and STRESS: both are multiplied so that it becomes that
- * of `together` and 2 h^2, if that is less [eq:left-together].  Of a bar
+ * part[INERTIA] becomes the part that swings [eq:left-slowest], if that is
+ * more.  A strain or a stress that is wrong in one corner may hardly move the
+ * body: of the cubic law part[LAW] becomes relax_law(), and of the linear one
+ * part[GEOMETRY] relax_geometry(), where that is less, or for the force in the
+ * hand, which feels by how much a turn shortens a body.  Then let h be the root
+ * of the squares of GEOMETRY and STRESS: both are multiplied so that it becomes
+ * that of `together` and 2 h^2, if that is less [eq:left-together].  Of a bar
  * part[DIMENSION] becomes relax_dimension(), for the force in the hand
- * part[GEOMETRY] grows by hand.u over hand.K^-1 hand, the others become 0.
- * A coarse mesh may be so stiff that it hides how near the load is to buckling:
- * a body that is pressed has a STRESS of at least the share ladder_pressed() of
+ * part[GEOMETRY] grows by hand.u over hand.K^-1 hand, the others become 0. A
+ * coarse mesh may be so stiff that it hides how near the load is to buckling: a
+ * body that is pressed has a STRESS of at least the share ladder_pressed() of
  * what bends, and of 1 from its buckling load on, but for the force in the
  * hand.  GEOMETRY, LAW, DIMENSION and INERTIA are read.
  */

@@ -36,7 +36,7 @@ struct sparse; /* sparse.h: a pattern and the order of its elimination */
 enum storage { DENSE, BANDED, SPARSE, PLAIN };
 enum diagonal { KEEP_DIAGONAL, UNIT_DIAGONAL };
 
-/* What sparse.h does with a matrix of its own; a program without any is built
+/* What sparse.c does with a matrix of its own; a program without any is built
  * without it.  Its functions of these names say what each does. */
 struct matrix_sparse {
     int (*block)(const struct sparse *s, int i, int j);

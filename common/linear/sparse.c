@@ -165,7 +165,8 @@ void sparse_free(struct sparse *s)
     free(s);
 }
 
-int sparse_block(const struct sparse *s, int i, int j)
+/* Return the block of places i >= j, -1: it is zero. */
+static int find_block(const struct sparse *s, int i, int j)
 {
     for (int b = s->start[j]; b < s->start[j + 1]; b++)
         if (s->row[b] == i) return b;
@@ -269,9 +270,9 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
     return status;
 }
 
-/* Multiply by every block and its mirror image; a block of the diagonal is
+/* y := A x, by every block and its mirror image; a block of the diagonal is
  * one. */
-void sparse_multiply(const struct sparse *s, const double a[],
+static void multiply(const struct sparse *s, const double a[],
                      const double x[], double y[])
 {
     memset(y, 0, 2 * (size_t)s->n_vertex * sizeof *y);
@@ -290,7 +291,7 @@ void sparse_multiply(const struct sparse *s, const double a[],
     }
 }
 
-double sparse_max_diagonal(const struct sparse *s, const double a[])
+static double max_diagonal(const struct sparse *s, const double a[])
 {
     double largest = 0.0;
     for (int v = 0; v < s->n_vertex; v++) {
@@ -316,9 +317,10 @@ void sparse_solve(const struct sparse *s, int single, double memory[],
     solve(s, (struct memory){single, memory, NULL}, b);
 }
 
-enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
-                                    double memory[], double b[],
-                                    int *negative)
+/* Solve as matrix_solve_indefinite(), for the blocks a: A = L S L^T, S a
+ * diagonal of signs.  The memory is for L as it is. */
+static enum status solve_indefinite(const struct sparse *s, const double a[],
+                                    double memory[], double b[], int *negative)
 {
     const size_t n = 2 * (size_t)s->n_vertex;
     double *sign = allocate(n, sizeof *sign);
@@ -330,7 +332,7 @@ enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
         memcpy(x, b, n * sizeof *x);
         solve(s, m, x);
         /* without a search for pivots digits may be lost: once more */
-        sparse_multiply(s, a, x, r);
+        multiply(s, a, x, r);
         for (size_t k = 0; k < n; k++) r[k] = b[k] - r[k];
         solve(s, m, r);
         for (size_t k = 0; k < n; k++) b[k] = x[k] + r[k];
@@ -346,9 +348,9 @@ enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
 struct matrix *matrix_alloc_sparse(const struct sparse *s)
 {
     static const struct matrix_sparse methods = {
-        sparse_block,  sparse_multiply, sparse_size,
-        sparse_factor, sparse_solve,    sparse_solve_indefinite,
-        sparse_max_diagonal};
+        find_block,    multiply,     sparse_size,
+        sparse_factor, sparse_solve, solve_indefinite,
+        max_diagonal};
     return matrix_alloc_with(&methods, s, 2 * s->n_vertex,
                              4 * (size_t)s->start[s->n_vertex]);
 }

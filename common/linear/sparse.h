@@ -49,16 +49,6 @@ struct sparse *sparse_alloc(int columns, int rows, int n_triangle,
                             const int triangle[], const int held[], int leaf);
 void sparse_free(struct sparse *s);
 
-/* Return the block of places i >= j, -1: it is zero. */
-int sparse_block(const struct sparse *s, int i, int j);
-
-/* y := A x, for the blocks a. */
-void sparse_multiply(const struct sparse *s, const double a[],
-                     const double x[], double y[]);
-
-/* Return matrix_max_diagonal() of the blocks a. */
-double sparse_max_diagonal(const struct sparse *s, const double a[]);
-
 /* Return the numbers of the memory below: room to work, and L, as it is or
  * rounded. */
 size_t sparse_size(const struct sparse *s, int single);
@@ -73,11 +63,5 @@ enum status sparse_factor(const struct sparse *s, const double a[], int single,
 /* b := A^{-1} b, for L as it is kept. */
 void sparse_solve(const struct sparse *s, int single, double memory[],
                   double b[]);
-
-/* Solve as matrix_solve_indefinite(), for the blocks a: A = L S L^T, S a
- * diagonal of signs.  The memory is for L as it is. */
-enum status sparse_solve_indefinite(const struct sparse *s, const double a[],
-                                    double memory[], double b[],
-                                    int *negative);
 
 #endif

@@ -46,12 +46,12 @@ struct modes modes_at(const struct material *material, mat2 F)
     return modes_of(F, material->mu, v.dG, v.ddG);
 }
 
-mat2 modes_dpk1(const struct modes *modes, double floor, mat2 dF)
+mat2 modes_dpk1(const struct modes *modes, mat2 dF)
 {
     mat2 dP = {0};
     for (int m = 0; m < 4; m++) {
         const mat2 D = modes->direction[m];
-        dP = mat2_add(dP, mat2_scale(fmax(modes->value[m], floor) *
+        dP = mat2_add(dP, mat2_scale(fmax(modes->value[m], 0.0) *
                                          mat2_dot(D, dF), D));
     }
     return dP;

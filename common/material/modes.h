@@ -45,11 +45,8 @@ struct modes {
 struct modes modes_of(mat2 F, double mu, double dG, double ddG);
 struct modes modes_at(const struct material *material, mat2 F);
 
-/*
- * Return dP for dF, no factor below floor: sum_m max(value_m, floor) (D_m:dF)
- * D_m [eq:projection].  With floor = -INFINITY it is material2_dpk1(); with 0
- * the nearest positive semi-definite matrix in the Frobenius norm.
- */
-mat2 modes_dpk1(const struct modes *modes, double floor, mat2 dF);
+/* Return dP for dF by the nearest positive semi-definite matrix in the
+ * Frobenius norm: sum_m max(value_m, 0) (D_m:dF) D_m [eq:projection]. */
+mat2 modes_dpk1(const struct modes *modes, mat2 dF);
 
 #endif

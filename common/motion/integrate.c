@@ -190,9 +190,9 @@ struct step_report integrate_step(struct model *model, enum method method,
 }
 
 /* Go from `start` to g in `parts` steps of backward Euler; false when one of
- * them has failed.  Nine parameters: those of a frame, and how it is tried. */
+ * them has failed.  Eight parameters: those of a frame, and how it is tried. */
 static int attempt(struct body *body, const struct step_control *control,
-                   int parts, double dt, const double g[], const double f[],
+                   int parts, double dt, const double g[],
                    const struct state *start, struct state *now,
                    struct frame *frame)
 {
@@ -205,7 +205,7 @@ static int attempt(struct body *body, const struct step_control *control,
                                    : start->u[i] + (double)k / parts *
                                                        (g[i] - start->u[i]);
         const struct step_report report =
-            step_backward_euler(body, control, dt / parts, g_part, f, now->u,
+            step_backward_euler(body, control, dt / parts, g_part, NULL, now->u,
                                 now->v, now->v_before);
         frame->status = report.status;
         frame->iterations += report.iterations;
@@ -218,15 +218,15 @@ static int attempt(struct body *body, const struct step_control *control,
 }
 
 struct frame integrate_frame(struct body *body, double dt, const double g[],
-                             const double f[], struct state *now)
+                             struct state *now)
 {
     struct state start = state_make(now->n);
     struct frame frame = {.status = OK};
     state_copy(now, &start);
-    int done = attempt(body, &FAST, 1, dt, g, f, &start, now, &frame);
+    int done = attempt(body, &FAST, 1, dt, g, &start, now, &frame);
     frame.first = frame.status;
     for (int parts = 1; !done && parts <= MOST_SUBSTEPS; parts *= 2)
-        done = attempt(body, &ROBUST, parts, dt, g, f, &start, now, &frame);
+        done = attempt(body, &ROBUST, parts, dt, g, &start, now, &frame);
     state_free(&start);
     return frame;
 }

@@ -118,14 +118,14 @@ struct frame {
 };
 
 /*
- * Make one frame: u and v advance by dt to the boundary values g under the
- * forces f (NULL: none) [alg:frame].  Backward Euler of step.h, tried with
- * FAST, then with ROBUST, then ROBUST in 2, 4, ... MOST_SUBSTEPS sub-steps, the
- * prescribed values going in a straight line to g.
+ * Make one frame: u and v advance by dt to the boundary values g [alg:frame].
+ * Backward Euler of step.h, tried with FAST, then with ROBUST, then ROBUST in
+ * 2, 4, ... MOST_SUBSTEPS sub-steps, the prescribed values going in a straight
+ * line to g.
  *
  * now  in/out  u, v and v_before; exactly as it was when the frame is lost
  */
 struct frame integrate_frame(struct body *body, double dt, const double g[],
-                             const double f[], struct state *now);
+                             struct state *now);
 
 #endif

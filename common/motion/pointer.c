@@ -122,7 +122,7 @@ _Noreturn static void refuse(const char *path, const char *format, ...)
     exit(2);
 }
 
-struct pointers pointers_read(const char *path)
+static struct pointers read_file(const char *path)
 {
     struct pointers all = {0, NULL};
     char text[128], rest;
@@ -154,7 +154,7 @@ struct pointers pointers_named(const char *name, double speed, int seed)
     if (strcmp(name, "pull") == 0) return pointers_pull(speed);
     if (strcmp(name, "hard") == 0) return pointers_hard();
     if (strcmp(name, "mad") == 0) return pointers_mad(seed, 600);
-    return pointers_read(name);
+    return read_file(name);
 }
 
 /* A new file beside path, whose name becomes `beside`, with the permissions

@@ -42,13 +42,9 @@ struct pointers pointers_pull(double speed);
 struct pointers pointers_hard(void);
 struct pointers pointers_mad(int seed, int frames);
 
-/*
- * The lines of a file.  Any other line than above ends the program with exit
- * status 2 and one message that names file and line.
- */
-struct pointers pointers_read(const char *path);
-
-/* The script of this name, "mad" of 600 frames, or the lines of the file. */
+/* The script of this name, "mad" of 600 frames, or the lines of the file.  Any
+ * other line than above ends the program with exit status 2 and one message
+ * that names file and line. */
 struct pointers pointers_named(const char *name, double speed, int seed);
 
 /*

@@ -215,7 +215,7 @@ mat2 particle_projected(const struct material *material, mat2 F, mat2 dF)
 {
     if (material->law == LINEAR) return material2_dpk1(material, F, dF);
     const struct modes modes = modes_at(material, F);
-    return modes_dpk1(&modes, 0.0, dF);
+    return modes_dpk1(&modes, dF);
 }
 
 /* A := K + M / dt^2, factored; *weight := its largest diagonal entry. */

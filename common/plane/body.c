@@ -169,10 +169,10 @@ enum status body_energy(const struct body *body, const double u[],
     return isfinite(*energy) ? OK : NONFINITE;
 }
 
-double body_mass_share(enum mass mass, int a, int b)
+double body_mass_share(enum mass mass, int own)
 {
-    if (mass == LUMPED) return a == b ? 1.0 / 3.0 : 0.0;
-    return a == b ? 1.0 / 6.0 : 1.0 / 12.0;
+    if (mass == LUMPED) return own ? 1.0 / 3.0 : 0.0;
+    return own ? 1.0 / 6.0 : 1.0 / 12.0;
 }
 
 double body_min_J(const struct body *body, const double u[])
@@ -207,8 +207,8 @@ void body_mass(const struct body *body, const double v[], double out[])
         out[r] = body->diagonal ? body->rho * body->diagonal[r / 2] * v[r]
                                 : 0.0;
     if (body->diagonal) return;
-    const double own = body_mass_share(body->mass, 0, 0);
-    const double other = body_mass_share(body->mass, 0, 1);
+    const double own = body_mass_share(body->mass, 1);
+    const double other = body_mass_share(body->mass, 0);
     for (int e = 0; e < body->n_element; e++) {
         const int *t = &body->vertex[3 * e];
         const double mass = body->rho * body->area[e];

@@ -154,8 +154,9 @@ void body_store(struct body *body, enum storage storage);
 enum status body_energy(const struct body *body, const double u[],
                         double *energy);
 
-/* Return int N_a N_b / area of a linear triangle, or its row sums [eq:mass]. */
-double body_mass_share(enum mass mass, int a, int b);
+/* Return int N_a N_b / area of a linear triangle, or its row sums [eq:mass]:
+ * of a vertex with itself (own), or with another one. */
+double body_mass_share(enum mass mass, int own);
 
 /* out := M v, for all vertices, the prescribed ones as well. */
 void body_mass(const struct body *body, const double v[], double out[]);

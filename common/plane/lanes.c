@@ -216,8 +216,8 @@ enum status lanes_assemble(const struct body *body, struct incremental Phi,
 {
     const double rho = Phi.w ? body->rho : 0.0;
     const struct scales scale = {Phi.dt * Phi.dt,
-                              rho * body_mass_share(body->mass, 0, 0),
-                              rho * body_mass_share(body->mass, 0, 1)};
+                              rho * body_mass_share(body->mass, 1),
+                              rho * body_mass_share(body->mass, 0)};
     const double *w = Phi.w ? Phi.w : u; /* at rest u - w is 0 */
     assert(body->element == LINEAR_TRIANGLE && *next % V == 0);
     if (tangent == NO_TANGENT)

@@ -109,7 +109,4 @@ struct scene_measures {
 /* Return energies and momenta of the state, which the material must allow. */
 struct scene_measures scene_measure(const struct scene *scene);
 
-/* Set the corners of triangle e at u, x0 y0 x1 y1 x2 y2 (m).  Return its J. */
-double scene_triangle(const struct scene *scene, int e, double x[6]);
-
 #endif

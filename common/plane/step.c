@@ -27,14 +27,6 @@ struct step_control step_method(const char *name)
     die("there is no method %s", name);
 }
 
-const char *step_reason(const struct step_control *control,
-                        enum status status)
-{
-    const int blown_up = status == NOT_SPD || status == NONFINITE ||
-                         status == STALLED || status == MAX_ITERATIONS;
-    return blown_up && !control->line_search ? "fails" : status_name(status);
-}
-
 enum status step_potential(const struct body *body, struct incremental Phi,
                            const double u[], double room[], double *phi,
                            double *noise)
@@ -254,8 +246,8 @@ struct step_report step_solve(struct body *body,
     const struct room room = {memory, memory + n_dof, memory + 2 * n_dof,
                               memory + 3 * n_dof};
     struct kept *kept = &body->kept;
-    struct step_report report = {.storage = body->K->storage};
-    if (report.storage == SPARSE)
+    struct step_report report = {.status = OK};
+    if (body->K->storage == SPARSE)
         matrix_keep_single(body->K, control->chord);
     const int old = control->chord && is_usable(body, Phi);
     kept->usable = old;

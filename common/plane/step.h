@@ -67,16 +67,7 @@ struct step_report {
     int indefinite;     /* of them with a K that was not SPD, as it was */
     double residual;    /* the last max|q| / max K_ii of free unknowns (m) */
     double increment;   /* the last max|du| (m) */
-    enum storage storage; /* of K: body_alloc() chose it, or body_store() */
 };
-
-/*
- * Return how a step ended, as a word: status_name(), or "fails" where round-off
- * decides between NOT_SPD, NONFINITE, STALLED and MAX_ITERATIONS: without a
- * line search, when the iterates blow up.
- */
-const char *step_reason(const struct step_control *control,
-                        enum status status);
 
 /*
  * Solve q(u) = 0 of Phi by Newton's method, from u, whose prescribed vertices

@@ -206,8 +206,8 @@ INLINE enum status assemble(const struct body *body, struct incremental Phi,
 {
     const double rho = Phi.w ? body->rho : 0.0;
     const struct scales scale = {
-        Phi.dt, rho * body_mass_share(body->mass, 0, 0),
-        rho * body_mass_share(body->mass, 0, 1), u,
+        Phi.dt, rho * body_mass_share(body->mass, 1),
+        rho * body_mass_share(body->mass, 0), u,
         Phi.w ? Phi.w : u, /* at rest u - w is 0 */
         tangent};
     for (int e = first; e < end; e++)

@@ -6,6 +6,7 @@
  * and not between them.
  */
 #include "fitted.h"
+#include "../08_element_assembly/exercise.h"
 #include "bar/poisson.h"
 #include "../study/study.h"
 #include "base/table.h"
@@ -21,7 +22,7 @@ static void solve(int fitted, const double x[], double u[])
         fitted_assemble(N, x, A, u);
     else
         poisson_assemble(N, x, bvp_beta, bvp_f, &MIDPOINT, A, u);
-    bvp_boundary(N, A, u);
+    exercise_boundary(N, A, u);
     if (matrix_factor(A) != OK) die("A is not positive definite");
     matrix_solve(A, u);
     matrix_free(A);

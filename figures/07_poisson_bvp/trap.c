@@ -8,6 +8,7 @@
  * constant flux (fitted.h) and makes the exercise exact at its nodes, too.
  */
 #include "fitted.h"
+#include "../08_element_assembly/exercise.h"
 #include "bar/poisson.h"
 #include "../study/study.h"
 #include "base/table.h"
@@ -39,7 +40,7 @@ static struct poisson_error errors_of(int companion, enum load load, int n)
                      load == GAUSS2_RULE ? &GAUSS2 : &MIDPOINT, A, u);
     if (load == EXACT_LOAD) bvp_exact_load(n, x, u);
     if (load == FITTED) fitted_assemble(n, x, A, u);
-    bvp_boundary(n, A, u);
+    exercise_boundary(n, A, u);
     if (matrix_factor(A) != OK) die("A is not positive definite");
     matrix_solve(A, u);
     const struct poisson_error error =

@@ -10,8 +10,10 @@
  * (n = 56, cubic law, PLAIN storage; up to an increment of 0.5 m, then comes
  * amplified round-off); starts (corner of the mesh, in units of h).
  */
+#include "corners.h"
 #include "base/options.h"
 #include "plane/scene.h"
+#include "../robustness/reason.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -49,7 +51,7 @@ static void print_first_step(const char *name, enum law law, int from[])
             const struct step_control control = step_method(method[m]);
             const struct step_report r = scene_step(s, &control);
             const enum status strict = r.indefinite ? NOT_SPD : r.status;
-            *next++ = CELL(step_reason(&control, r.status));
+            *next++ = CELL(reason_of(&control, r.status));
             *next++ = cell_if(r.status == OK, r.iterations);
             if (m == NOTES) *next++ = CELL(status_name(strict));
             if (r.status != OK && from[m] == 0) from[m] = size[k];
@@ -93,7 +95,7 @@ static struct step_report print_history(const char *name, int m)
 static void print_corner(const struct scene *s, int e, int start, double jump)
 {
     double x[6];
-    const double J = scene_triangle(s, e, x);
+    const double J = corners_of(s, e, x);
     for (int r = 0; r < 6; r++) x[r] = (1.0 + x[r]) / h;
     table_row(start, jump, start == 2 ? "yes" : "no", x[0], x[1], x[2], x[3],
               x[4], x[5], J);

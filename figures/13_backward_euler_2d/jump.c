@@ -8,6 +8,7 @@
  * the solution, cubic law), guess (the triangles of the start and of the
  * solution after a jump of 0.85 h, cubic law).
  */
+#include "corners.h"
 #include "base/options.h"
 #include "plane/scene.h"
 #include "../study/study.h"
@@ -52,7 +53,7 @@ static void print_triangles(const struct scene *s, double t)
 {
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         double x[6];
-        const double J = scene_triangle(s, e, x);
+        const double J = corners_of(s, e, x);
         table_row("rigid", t, J, x[0], x[1], x[2], x[3], x[4], x[5]);
     }
 }

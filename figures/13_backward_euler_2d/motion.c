@@ -4,6 +4,7 @@
  * The scene `spin` (6 rad/s, (0.2, 0.1) m/s), n = 4, cubic law, 45 steps of
  * backward Euler with dt = 1/30.  Table: its triangles after every step.
  */
+#include "corners.h"
 #include "plane/scene.h"
 #include "../study/study.h"
 #include "base/table.h"
@@ -15,7 +16,7 @@ static void print_triangles(const struct scene *s)
 {
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         double x[6];
-        const double J = scene_triangle(s, e, x);
+        const double J = corners_of(s, e, x);
         table_row("spin", s->steps * s->set.dt, J, x[0], x[1], x[2], x[3], x[4],
                   x[5]);
     }

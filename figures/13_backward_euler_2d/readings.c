@@ -7,6 +7,7 @@
  * matrix is not positive definite.  Tables: readings (n = 4), gallery (the
  * triangles of the five readings at two times, n = 6, cubic law, reach 0.6).
  */
+#include "corners.h"
 #include "base/options.h"
 #include "plane/scene.h"
 #include "../study/study.h"
@@ -79,7 +80,7 @@ static void print_gallery(void)
                 die("%s fails", scene_name(reading));
             for (int e = 0; e < s->mesh->n_triangle; e++) {
                 double x[6];
-                const double J = scene_triangle(s, e, x);
+                const double J = corners_of(s, e, x);
                 table_row(scene_name(reading), s->steps * set.dt, J, x[0], x[1],
                           x[2], x[3], x[4], x[5]);
             }

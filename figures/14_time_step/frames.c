@@ -35,7 +35,7 @@ int main(void)
     while (user_next(user)) {
         const double start = clock_seconds();
         const struct frame frame =
-            integrate_frame(user->body, user->dt, user->g, NULL, &now);
+            integrate_frame(user->body, user->dt, user->g, &now);
         const double took = clock_seconds() - start;
         const double min_J = body_min_J(user->body, now.u);
         table_row(user->k, user->t, user->motion, status_name(frame.status),

@@ -32,7 +32,7 @@ static struct outcome strike(enum law law, double moved)
         scene->g[2 * a + 1] = 0.3;
     }
     const struct frame frame =
-        integrate_frame(scene->body, set.dt, scene->g, NULL, &s);
+        integrate_frame(scene->body, set.dt, scene->g, &s);
     const double min_J = body_min_J(scene->body, s.u);
     table_row(material_law(law), moved, status_name(frame.status),
               status_name(frame.first), frame.attempts, frame.substeps,

@@ -7,6 +7,7 @@
  * squares; the shape at the last load.
  */
 #include "plane/scene.h"
+#include "../13_backward_euler_2d/corners.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -61,7 +62,7 @@ int main(void)
     table_begin("shape", "x0 y0 x1 y1 x2 y2 negative");
     for (int t = 0; t < up->mesh->n_triangle; t++) {
         double x[6];
-        const double J = scene_triangle(up, t, x);
+        const double J = corners_of(up, t, x);
         table_row(x[0], x[1], x[2], x[3], x[4], x[5], J < 1.0 ? "yes" : "no");
     }
     table_end();

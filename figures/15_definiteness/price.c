@@ -7,6 +7,7 @@
  * in all and per step; distance after k systems (0: < 1e-13); its order.
  */
 #include "plane/scene.h"
+#include "../robustness/reason.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -34,7 +35,7 @@ static struct run press(int m)
     while (run.steps < STEPS) {
         run.at = sin((s->steps + 1) * set.dt);
         const struct step_report r = scene_step(s, &control);
-        run.reason = step_reason(&control, r.status);
+        run.reason = reason_of(&control, r.status);
         if (r.status != OK) break;
         run.cost[run.steps++] = r.iterations;
         run.systems += r.iterations;

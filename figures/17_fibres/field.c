@@ -8,6 +8,7 @@
  */
 #include "plane/fibre.h"
 #include "plane/scene.h"
+#include "../13_backward_euler_2d/corners.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -27,7 +28,7 @@ static void print_fibres(const char *block, const struct scene *s,
             const int e = 2 * (j * CELLS + i);
             double x[6], angle;
             const double l = fibres_stretch(s->body, fibres, s->u, e, &angle);
-            scene_triangle(s, e, x); /* its corners 0 and 2: a diagonal */
+            corners_of(s, e, x); /* its corners 0 and 2: a diagonal */
             table_row(block, (x[0] + x[4]) / 2.0, (x[1] + x[5]) / 2.0,
                       l * cos(angle), l * sin(angle), l);
         }

@@ -11,6 +11,7 @@
  */
 #include "plane/fibre.h"
 #include "plane/scene.h"
+#include "../13_backward_euler_2d/corners.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -141,7 +142,7 @@ int main(void)
     table_end();
     table_begin("strip", "x0 y0 x1 y1 x2 y2 l");
     for (int e = 0; e < s[0]->mesh->n_triangle; e++) {
-        scene_triangle(s[0], e, x);
+        corners_of(s[0], e, x);
         table_row(x[0], x[1], x[2], x[3], x[4], x[5],
                   fibres_stretch(s[0]->body, &fibres, s[0]->u, e, NULL));
     }

@@ -11,9 +11,9 @@
  * steps of the stretch take with factors kept within a step [alg:chord],
  * rounded, and by the band, which is not.
  */
+#include "dissected.h"
 #include "refine.h"
 #include "linear/residual.h"
-#include "linear/sparse.h"
 #include "plane/system.h"
 #include "../study/study.h"
 #include "base/table.h"
@@ -23,19 +23,6 @@
 #include <string.h>
 
 enum { LARGEST = 256, STEPS = 6 };
-
-static struct sparse *dissected(int n)
-{
-    struct mesh *mesh = mesh_square(n);
-    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
-    for (int a = 0; a < mesh->n_vertex; a++)
-        held[a] = a % (n + 1) == 0 || a % (n + 1) == n;
-    struct sparse *s = sparse_alloc(n + 1, n + 1, mesh->n_triangle,
-                                    mesh->triangle, held, SPARSE_LEAF);
-    mesh_free(mesh);
-    free(held);
-    return s;
-}
 
 static void print_second(void)
 {

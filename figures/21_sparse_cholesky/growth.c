@@ -9,38 +9,26 @@
  * compare, the last two side by side; crossovers, the least n from which
  * dissection has less than the band.
  */
+#include "dissected.h"
 #include "linear/matrix.h"
-#include "linear/sparse.h"
-#include "plane/mesh.h"
 #include "../study/study.h"
 #include "base/table.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 enum { SIZES = 8 }; /* n = 2, 4, ..., 256 */
 enum kind { FULL, BAND, DISSECTION, KINDS };
 static const char *const name[] = {"full", "band", "dissection"};
 
-static struct matrix_cost dissected(int n)
-{
-    struct mesh *mesh = mesh_square(n);
-    int *held = allocate((size_t)mesh->n_vertex, sizeof *held);
-    for (int a = 0; a < mesh->n_vertex; a++)
-        held[a] = a % (n + 1) == 0 || a % (n + 1) == n;
-    struct sparse *s = sparse_alloc(n + 1, n + 1, mesh->n_triangle,
-                                    mesh->triangle, held, SPARSE_LEAF);
-    const struct matrix_cost cost = {s->numbers, s->flops, s->solve};
-    sparse_free(s);
-    mesh_free(mesh);
-    free(held);
-    return cost;
-}
-
 static struct matrix_cost cost_of(enum kind kind, int n)
 {
     const int order = 2 * (n - 1) * (n + 1);
-    if (kind == DISSECTION) return dissected(n);
+    if (kind == DISSECTION) {
+        struct sparse *s = dissected(n);
+        const struct matrix_cost cost = {s->numbers, s->flops, s->solve};
+        sparse_free(s);
+        return cost;
+    }
     return matrix_cost(kind == FULL ? DENSE : BANDED, order,
                        2 * n - 1 < order ? 2 * n - 1 : order - 1);
 }

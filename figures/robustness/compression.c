@@ -8,6 +8,7 @@
  * dt / 16.  Tables: what the runs reached, with and without the steps that end
  * at a saddle, and the steps of four with n = 8.
  */
+#include "reason.h"
 #include "plane/scene.h"
 #include "../study/study.h"
 #include "base/table.h"
@@ -72,7 +73,7 @@ static struct run press(enum law law, int n, int m)
         const int flat = law == LOG && run.least_J < 1e-3;
         const enum status status =
             flat ? OK : advance(s, &control, halve, set.dt, &run);
-        run.reason = flat ? "flat" : step_reason(&control, status);
+        run.reason = flat ? "flat" : reason_of(&control, status);
         run.min_J[run.frames] = body_min_J(s->body, s->u);
         if (strcmp(run.reason, "OK") != 0) break;
     }

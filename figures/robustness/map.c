@@ -8,6 +8,7 @@
  * of n = 16, and how many of the steps a lift takes.
  */
 #include "first_step.h"
+#include "reason.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -32,7 +33,7 @@ static int print_map(const char *name, enum law law, const char *method,
             const double dt = pow(480.0, (double)i / (STEPS - 1) - 1.0);
             const struct step_report report = first_step(s, method, dt);
             table_row(size[k], dt, sin(dt) * size[k] / 2.0,
-                      step_reason(&control, report.status),
+                      reason_of(&control, report.status),
                       cell_if(report.status == OK, report.iterations));
             good += report.status == OK && report.iterations <= most;
         }

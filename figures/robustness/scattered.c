@@ -10,6 +10,7 @@
 #include "first_step.h"
 #include "motion/live.h"
 #include "plane/scene.h"
+#include "../13_backward_euler_2d/corners.h"
 #include "../study/study.h"
 #include "base/table.h"
 
@@ -66,7 +67,7 @@ static struct census take_census(int start, const char *name)
     for (int seed = 1; seed <= SEEDS; seed++) {
         const enum end end = settle(s, start, seed, name, &c.systems);
         for (int e = 0; e < s->mesh->n_triangle; e++)
-            c.inverted += !(scene_triangle(&from, e, x) > 0.0) /
+            c.inverted += !(corners_of(&from, e, x) > 0.0) /
                           (SEEDS * (double)s->mesh->n_triangle);
         c.end[end]++;
         c.knotted += end == MINIMUM && live_knots(s->mesh, s->u, NULL) > 0;
@@ -104,8 +105,8 @@ static void print_tangled(void)
     table_begin("tangled", "X0 Y0 X1 Y1 X2 Y2 J_start x0 y0 x1 y1 x2 y2 J");
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         double row[14];
-        row[6] = scene_triangle(&from, e, row);
-        row[13] = scene_triangle(s, e, row + 7);
+        row[6] = corners_of(&from, e, row);
+        row[13] = corners_of(s, e, row + 7);
         table_row_of(14, row);
     }
     table_end();

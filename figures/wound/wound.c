@@ -16,6 +16,7 @@
  * largest load in one frame that a step survives).
  */
 #include "base/clock.h"
+#include "../robustness/reason.h"
 #include "../study/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"
@@ -340,7 +341,7 @@ static void fails(void)
                     w.v_before);
                 wound_free(w);
                 if (report.status != OK) {
-                    reason = step_reason(&control, report.status);
+                    reason = reason_of(&control, report.status);
                     break;
                 }
                 most[l][m] = p;

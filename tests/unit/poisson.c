@@ -21,7 +21,7 @@ static void solve_exercise(int n, const double x[],
 {
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     poisson_assemble(n, x, bvp_beta, bvp_f, rule, A, u);
-    bvp_boundary(n, A, u);
+    exercise_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, u);
     matrix_free(A);
@@ -239,7 +239,7 @@ static void the_fitted_system_is_exact_at_the_nodes(void)
     struct matrix *A = matrix_alloc(BANDED, n + 1, 1);
     poisson_grid(0.0, 1.0, n, 2.385, x);
     fitted_assemble(n, x, A, u);
-    bvp_boundary(n, A, u);
+    exercise_boundary(n, A, u);
     ck_assert_int_eq(matrix_factor(A), OK);
     matrix_solve(A, u);
     for (int j = 0; j <= n; j++) close_to(u[j], bvp_exact(x[j]), 1e-14);

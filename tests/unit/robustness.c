@@ -1,6 +1,7 @@
 /* robustness.c - laws of failure: where the step of step.h fails, and what
  * cures it. */
 #include "figures/robustness/first_step.h"
+#include "figures/robustness/reason.h"
 #include "plane/scene.h"
 
 #include "../oracle/robustness.h"
@@ -273,12 +274,12 @@ static void reasons_are_words(void)
 {
     const struct step_control notes = step_method("notes");
     const struct step_control search = step_method("search");
-    ck_assert_str_eq(step_reason(&notes, OK), "OK");
-    ck_assert_str_eq(step_reason(&notes, INVERTED), "INVERTED");
-    ck_assert_str_eq(step_reason(&notes, NOT_SPD), "fails");
-    ck_assert_str_eq(step_reason(&notes, NONFINITE), "fails");
-    ck_assert_str_eq(step_reason(&notes, MAX_ITERATIONS), "fails");
-    ck_assert_str_eq(step_reason(&search, NOT_SPD), "NOT_SPD");
+    ck_assert_str_eq(reason_of(&notes, OK), "OK");
+    ck_assert_str_eq(reason_of(&notes, INVERTED), "INVERTED");
+    ck_assert_str_eq(reason_of(&notes, NOT_SPD), "fails");
+    ck_assert_str_eq(reason_of(&notes, NONFINITE), "fails");
+    ck_assert_str_eq(reason_of(&notes, MAX_ITERATIONS), "fails");
+    ck_assert_str_eq(reason_of(&search, NOT_SPD), "NOT_SPD");
 }
 
 /* Within reach, both ways, and the same again; the held vertices stay. */

@@ -1,4 +1,5 @@
 /* scene.c - laws of common/plane/scene.h and of the doors of body.h. */
+#include "figures/13_backward_euler_2d/corners.h"
 #include "figures/speed/readable.h"
 #include "plane/scene.h"
 
@@ -228,7 +229,7 @@ static void triangles_are_where_the_map_puts_them(void)
     for (int e = 0; e < scene->mesh->n_triangle; e++) {
         const int *t = &scene->mesh->triangle[3 * e];
         double x[6];
-        close_to(scene_triangle(scene, e, x), 0.8714 * 1.1238 + 0.2385 * 0.1371,
+        close_to(corners_of(scene, e, x), 0.8714 * 1.1238 + 0.2385 * 0.1371,
                  1e-14);
         for (int r = 0; r < 6; r++)
             close_to(x[r], F[r % 2][0] * X[2 * t[r / 2]] +
