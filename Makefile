@@ -253,15 +253,14 @@ $(CHECKS)/%.words: $(JUDGE) $$(call needs,solutions/$$*.c)
 # $(call build_judge,program to judge,NN_slug,more flags)
 judge_of = $(CHECKS)/$1.o $(CHECKS)/$1.calls $(CHECKS)/$1.words $(JUDGE) \
            $(addprefix tests/tools/,program.sh program.awk assembler.awk)
-build_judge = COMPILER='$(call $(or $4,quickly),$(PLAIN)) $(BOUNDS) $3' \
+build_judge = COMPILER='$(PLAIN) $(BOUNDS) $3' \
     BUILD='$(BUILD)' sh tests/tools/program.sh '$1' $2 $@ && $(WHOLE) $(CC) \
     $(CFLAGS) $3 $@.s $$([ -f $@.o ] && echo $@.o || echo $(CHECKS)/$2.o) -o $(PART) \
     $(filter-out $(CHECKS)/%,$(filter %.o %.a,$^)) $(LIBS) && $(MOVED)
-quickly = $1 $(QUICK)
 $(BUILD)/solutions/%.judge: solutions/%.c $$(call judge_of,$$*) \
         $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,$<)
-	$(Q)$(HERE) && $(call build_judge,$<,$*)
+	$(Q)$(HERE) && $(call build_judge,$<,$*,$(QUICK))
 
 # Known mistakes and equivalent programs of a lesson (tests/mistakes/NN_slug.txt):
 # all.judge has them all, for they differ in a few functions.  NAME is one of them
@@ -271,7 +270,6 @@ $(BUILD)/solutions/%.judge: solutions/%.c $$(call judge_of,$$*) \
 # solution any more, there is none, and lint says why.
 LONG := 18_% 22_%
 HASTY = -g0 -w -Wl,-S
-unwarned = $(filter-out $(STRICT),$1)
 $(LESSONS:%=$(BUILD)/mistakes/%/all.c): $(BUILD)/mistakes/%/all.c: \
         tests/mistakes/%.txt solutions/%.c tests/tools/variant.awk
 	$(Q)mkdir -p $(@D) $(PART) && trap 'rm -rf $(PART)' 0; trap 'exit 130' 1 2 15; \
@@ -280,7 +278,7 @@ $(LESSONS:%=$(BUILD)/mistakes/%/all.c): $(BUILD)/mistakes/%/all.c: \
 $(BUILD)/mistakes/%/all.judge: $(BUILD)/mistakes/%/all.c $$(call judge_of,$$*) \
         $$(call needs,solutions/$$*.c) $$(call needs,tests/checks/$$*.c)
 	$(call say,judge,tests/mistakes/$*.txt)
-	$(Q)$(call build_judge,$<,$*,$(if $(filter $(LONG),$*),-O1,-O0) $(HASTY),unwarned)
+	$(Q)$(call build_judge,$<,$*,$(if $(filter $(LONG),$*),-O1,-O0) $(HASTY))
 
 # For student.sh: a judge INTO of any FILE of lesson SLUG, and whether FILE
 # compiles by itself.
@@ -290,7 +288,7 @@ alone:
 ifneq ($(INTO),)
 $(INTO): $(call judge_of,$(SLUG)) $(if $(filter lessons/%,$(FILE)),$(call \
          needs,$(FILE)) $(call needs,tests/checks/$(SLUG).c),$(LIB))
-	$(Q)$(call build_judge,$(FILE),$(SLUG))
+	$(Q)$(call build_judge,$(FILE),$(SLUG),$(QUICK))
 endif
 
 # Progress and replaced files of the student stay, and what was fetched.
@@ -321,7 +319,7 @@ ifneq ($(LINKS),)
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/mistakes/*/*.d $(OBJECTS:=.d) $(CHOOSE:=.d))
 endif
 else
--include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d)
+-include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/was[im]/*/*/*.d)
 include tests/course.mk
 include tests/tests.mk
 endif

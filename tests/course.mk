@@ -1,5 +1,6 @@
 # course.mk - studies, pictures, the whole course; included by the Makefile.
 
+T := $(BUILD)/test
 .PHONY: figures course book bench
 
 # Studies are named as NN_slug/what; speed/what, the fastest settings of
@@ -91,14 +92,11 @@ figure-%: $$(foreach f,$$(filter $$(DRAWN),$$(call asked_for,$$*)),$$(call drawn
 
 # ---- course, book, speed ------------------------------------------------------------
 
-$(BUILD)/solutions/%.verdict: $(BUILD)/solutions/%.judge $(BUILD)/solutions/%
-	$(call say,check,$*)
-	$(Q)$(WHOLE) $< --file solutions/$*.c --reference $(BUILD)/solutions/$* \
-	    > $(PART) || { cat $(PART); exit 1; }; $(MOVED)
 # the longest first, so that no processor is without one at the end
 LONGEST := $(filter 24_live/hard robustness/saddle %/pull %/front %/kept %/held_out,$(COUNTED))
-course: $(LONGEST:%=$(BUILD)/data/%.tsv) $(PROGRAMS:=.verdict) figures \
+course: $(LONGEST:%=$(BUILD)/data/%.tsv) $(LESSONS:%=$(T)/%.solution.result) figures \
         $(COUNTED:%=$(BUILD)/data/%.tsv)
+	@cat $(filter %.solution.result,$^) | sh tests/tools/count.sh
 	@echo 'course: $(words $(LESSONS)) solutions run and judged OK,' \
 	      'the claims of $(words $(COUNTED)) studies hold'
 

@@ -6,16 +6,12 @@
 .PHONY: many test-many peer
 MANY = BUILD='$(BUILD)' OMPI_CC='$(CC)' LINK='$(LINK)' FLAGS='$(STD) $(STRICT) $(CFLAGS) \
        -Icommon $(GSL_CFLAGS)' sh tests/tools/many.sh
-many: $(LIB)
-	@$(MANY) measure
-# What a step takes beside PETSc: measured by `make bench`, where there is one; else
-# the numbers of the machine that they name.
-peer: $(LIB)
-	@$(MANY) peer
+# peer, what a step takes beside PETSc, is measured by `make bench`, where there is one;
+# else the numbers are those of the machine that they name.
+many peer: $(LIB)
+	@$(MANY) $@
 test-many: $(T)/many.result
 	@if grep '^skip many: no' $<; then :; else sh tests/tools/count.sh < $<; fi
 $(T)/many.result: $(wildcard figures/many/*.[ch]) $(LIB) figures/many/many.tsv \
         tests/many/mistakes.txt tests/tools/many.sh tests/tools/many.awk tests/tools/mpirun.sh
 	$(call RESULT,many processes,$(MANY) test)
-# what was left out is tried again: PETSc may be there now
-$(shell grep -ls '^skip many: no' $(T)/many.result): always

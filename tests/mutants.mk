@@ -1,10 +1,5 @@
-# mutants.mk - how many small mistakes do the judges and the unit laws find?
-#
-#     make mutants            every lesson: minutes
-#     make mutants-07         one lesson; SEED=2 takes others, N=100 more
-#     make mutants-common     common/, by the unit programs
-#
-# Not part of `make test`.  The survivors are in build/mutants/NAME.txt.
+# mutants.mk - how many small mistakes do the judges find, in all lessons or in one, and
+# the unit laws, in common/?  SEED=2 takes others, N=100 more (mutants.sh).
 
 MUTANTS = BUILD='$(BUILD)' CC_MUTANT='$(CC) $(STD) $1 -Icommon $(GSL_CFLAGS)' \
           sh tests/tools/mutants.sh
@@ -15,12 +10,7 @@ mutants $(call goals,mutants): $(LIB) $$(foreach l,$$(or $$(call lesson,$$@),$(L
 	@JUDGE='$(JUDGE)' LINK='$(LINK)' $(call MUTANTS,-O0 -w $(BOUNDS)) lesson \
 	    $(or $(call lesson,$@),$(LESSONS))
 
-# for the sanitizers; without them where there are none
-$(BUILD)/mutants/unit/%.san.o: tests/unit/%.c Makefile
-	$(Q)$(HERE) && for flags in -fsanitize=address,undefined ''; do \
-	    $(COMPILE) $(UNIT_FLAGS) $$flags -c $< -o $@ && break; done
-mutants-common: $(UNITS:%=$(BUILD)/unit/%.o) $(BUILD)/unit/unit.o \
-                $(UNITS:%=$(BUILD)/mutants/unit/%.san.o) $(LIB) $(BUILD)/libchoose.a
-	@UNITS='$(UNITS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
+mutants-common: $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit) $(LIB) $(BUILD)/libchoose.a
+	@UNITS='$(UNITS)' UNIT_FLAGS='$(UNIT_FLAGS)' LINK='$(UNIT_LIBS)' NATIVE='$(NATIVE)' \
 	    NATIVE_BODY='$(call same_digits,$(NATIVE))' $(call MUTANTS,$(CFLAGS) \
 	    -Werror=return-type -DBUILD_FLAGS="\"\"") common $(patsubst $(BUILD)/%.o,%.c,$(OBJECTS) $(CHOOSE))

@@ -13,9 +13,8 @@
 
 NARROW := $(if $(shell command -v clang 2>/dev/null),clang,v2)
 STUDIED := $(if $(filter same,$(MAKECMDGOALS)),$(COUNTED))
-# the longest first
-LONG := $(filter work_precision/% 23_least_model/% 25_elements/% 24_live/%,$(STUDIED))
-RUNS := $(LONG) $(LESSONS) $(EXAMPLES:=/example) $(HANDS) $(filter-out $(LONG),$(STUDIED))
+RUNS := $(filter $(LONGEST),$(STUDIED)) $(LESSONS) $(EXAMPLES:=/example) $(HANDS) \
+        $(filter-out $(LONGEST),$(STUDIED))
 SAME = BUILD='$(BUILD)' READY='$(READY)' ALL_NATIVE='$(ALL_NATIVE)' RUNS='$(RUNS)' \
        SCRIPTS='$(filter-out $(TIMED),$(DRAWN))' sh tests/tools/same.sh
 $(T)/same-v8.result $(T)/same-$(NARROW).result: $(T)/same-%.result: \
@@ -23,16 +22,11 @@ $(T)/same-v8.result $(T)/same-$(NARROW).result: $(T)/same-%.result: \
         $(addprefix tests/tools/,same.sh same.awk clock.c workbook.awk) $$(READY)
 	$(call RESULT,the same numbers: $*,$(SAME) $*)
 $(T)/same-$(NARROW).result: $(T)/same-v8.result
-# one table of the build KIND, whose studies `make test` leaves out: build/test/KIND/data/
-$(T)/%.tsv: always
-	$(SHARED)@$(SAME) $(firstword $(subst /, ,$*)) $@
 # the figures in the tree are no prerequisites: they would be drawn
 $(T)/same-here.result: $(DRAWN:%=$(T)/figures/%.result) tests/tools/same.sh always
 	$(Q)$(SAME) here > $@
 SAME_RESULTS := $(call results,same-here same-v8 same-$(NARROW))
-# Tables that are missing are made for a result that is to be made alone.
 .PHONY: same
-SAME_ALL := $(call results,same-v8 same-$(NARROW))
-$(if $(filter same,$(MAKECMDGOALS)),$(eval $(SAME_ALL): always))
-same: $(SAME_ALL)
+$(if $(STUDIED),$(eval $(SAME_RESULTS): always))
+same: $(SAME_RESULTS)
 	@cat $^ | sh tests/tools/count.sh

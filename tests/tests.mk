@@ -3,7 +3,6 @@
 # Every test writes lines "ok WHAT" or "FAIL WHAT: why" to a .result file; only
 # the last recipe fails.  A test runs again when anything it rests on changed.
 
-T := $(BUILD)/test
 VERIFY = BUILD='$(BUILD)' sh tests/tools/verify.sh
 .PHONY: test starters workbook programs units studies memcheck grade lint look \
         $(call goals,workbook verify)
@@ -89,24 +88,21 @@ $(T)/unit.%.result: $(BUILD)/unit/%
 
 # Of each file those in it are compiled at once, and of the unit programs the laws
 # alone are run that must catch them.
-UNIT_MISTAKES := $(sort $(shell awk '$$1 == "file:" { file = $$2 } \
-    $$1 == "caught-by:" { sub(/:/, "", $$2); print file "," $$2 }' tests/unit/mistakes.txt))
-units_of = $(patsubst $1$(comma)%,$(BUILD)/unit/%.o,$(filter $1$(comma)%,$(UNIT_MISTAKES)))
-UNIT_RESULTS := $(sort $(foreach m,$(UNIT_MISTAKES),$(patsubst %.c,$(T)/mistakes/%.result, \
-                    $(firstword $(subst $(comma), ,$m)))))
+UNIT_RESULTS := $(patsubst %.c,$(T)/mistakes/%.result,$(sort $(shell sed -n 's/^file: *//p' \
+                    tests/unit/mistakes.txt)))
 $(UNIT_RESULTS): $(T)/mistakes/%.result: %.c tests/unit/mistakes.txt $(LIB) $(BUILD)/libchoose.a \
-        $(BUILD)/unit/unit.o $$(call units_of,$$*.c) tests/tools/unit_mistakes.sh \
+        $(patsubst %,$(BUILD)/unit/%.o,$(UNITS) unit) tests/tools/unit_mistakes.sh \
         tests/tools/variant.awk
 	$(call RESULT,mistakes in $<,BUILD='$(BUILD)' LIBS='$(UNIT_LIBS)' \
-	    COMPILE='$(call unwarned,$(PLAIN)) -O0 $(HASTY) -I$(<D)' \
+	    COMPILE='$(PLAIN) -O0 $(HASTY) -I$(<D)' \
 	    sh tests/tools/unit_mistakes.sh $< $(basename $@))
 
 # ---- the tree, the book, the commands -----------------------------------------------
 
 # what any test may rest on
 EVERYTHING := Makefile $(wildcard *.md) $(BOOK) $(wildcard common/*/* solutions/*.c \
-              lessons/*.c lessons/choose/* tests/*.mk tests/*/* figures/map.* figures/*.gp \
-              figures/*/*.gp figures/*/*.[ch] figures/many/*.t*)
+              lessons/*.c lessons/choose/* tests/*.mk tests/*/* figures/*.* \
+              figures/*/*.gp figures/*/*.awk figures/*/*.[ch] figures/many/*.t*)
 $(T)/lint.result: $(EVERYTHING)
 	$(call RESULT,lint,sh tests/tools/lint.sh)
 $(T)/workbook.result: $(DATA) $(BOOK) tests/tools/workbook.awk solutions/*.c common/*/*.c
@@ -123,32 +119,20 @@ $(DRAWN:%=$(T)/figures/%.result): $(T)/figures/%.result: figures/%.gp $$(call da
         figures/style.gp tests/tools/figure.sh
 	$(Q)$(HERE) && $(VERIFY) figure $(call picture,$*) $(word 2,$^) > $@
 
-# The commands, each by its script; what it rests on beside the tools stands below.
+# The commands, each by its script, most of them on one lesson, the cheapest to judge,
+# in a copy of the workbook (copy.sh).  What others rest on stands below.
 results = $(patsubst %,$(T)/%.result,$1)
 CLI := $(filter-out names,$(patsubst tests/cli/%.sh,%,$(wildcard tests/cli/*.sh)))
-$(call results,$(CLI)): $(T)/%.result: tests/cli/%.sh $(wildcard tests/tools/* tests/*.mk) Makefile
+TRIED := 03_dirichlet_correction
+$(call results,$(CLI)): $(T)/%.result: tests/cli/%.sh $(wildcard tests/tools/* tests/*.mk \
+        tests/tools/skeleton/*) Makefile $(LIB) $(JUDGE) $(BUILD)/data/$(TRIED).tsv \
+        $(BUILD)/solutions/$(TRIED).judge $(BUILD)/mistakes/$(TRIED)/all.judge
 	$(call RESULT,$*,BUILD='$(BUILD)' $(CLI_ENV) sh $<)
 $(call results,book wide): $(MADE)/said
-$(T)/bench.result: figures/speed/README.md
-$(call results,form new): $(wildcard tests/tools/skeleton/*)
-$(T)/drawn.result: $(BUILD)/data/10_neohookean_bar/newton.tsv \
-        $(BUILD)/data/13_backward_euler_2d/motion.tsv
-$(T)/cli.result: $(PROGRAMS:=.judge) $(DATA) $(EVERYTHING)
-$(T)/pictures.result: $(LESSONS:%=$(BUILD)/data/%.tsv) README.md lessons/02_constitutive.md \
-        $(wildcard figures/*.* figures/*/*.gp figures/*/*.awk)
-$(call results,cli options): $(PROGRAMS)
-# all on one lesson, the cheapest to judge, in a copy of the workbook (copy.sh)
-TRIED := 03_dirichlet_correction
-$(call results,hostile grade habits elsewhere json limits new diff update): $(JUDGE) \
-        $(BUILD)/solutions/$(TRIED) $(BUILD)/solutions/$(TRIED).judge \
-        $(BUILD)/mistakes/$(TRIED)/all.judge $(LIB)
-$(T)/cli.result: $(LIB)
-# and on what each lesson's own judge says of its data
-$(T)/diff.result: $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv) figures/overlay.gp
-$(T)/elsewhere.result: .gitattributes $(BUILD)/data/$(TRIED).tsv
-$(T)/new.result: figures/map.awk *.md $(T)/lint.result
-$(T)/hand.result: $(LIB) $(SCENES:%=figures/%/hand.c) $(SCENES:%=solutions/%.c) \
-        $(SCENES:%=tests/mistakes/%.txt)
+$(call results,cli diff options pictures): $(PROGRAMS:=.judge) $(LESSONS:%=$(BUILD)/data/%.tsv)
+$(call results,cli bench diff elsewhere hand new pictures): $(EVERYTHING) .gitattributes
+$(call results,cli drawn): $(DATA)
+$(T)/new.result: $(T)/lint.result
 $(T)/hand.result: CLI_ENV = SCENES='$(SCENES)' COMPILE='$(PLAIN) -Werror -O1 -g0' \
         OBJECTS='$(LIB)' LIBS='$(LIBS)'
 
@@ -185,12 +169,12 @@ $(T)/build-%.result: $(EVERYTHING)
 	$(call RESULT,$* build,$(VARIANTS) $*)
 $(T)/build-main.result: $(HEARD)
 $(T)/build-valgrind.result: $$(READY)
-# what was left out is tried again
-$(shell grep -ls '^skip' $(T)/build-mac.result): always
 
 include tests/same.mk
 include tests/web.mk
 include tests/many.mk
+# What has failed is tried again, and what was left out: its tools may be there now.
+$(shell grep -lsE '^(FAIL |skip (mac|web|many: no))' $(T)/*.result): always
 RESULTS := $(UNITS:%=$(T)/unit.%.result) $(UNIT_RESULTS) $(SAME_RESULTS) \
            $(foreach k,$(KINDS),$(LESSONS:%=$(T)/%.$k.result)) \
            $(DRAWN:%=$(T)/figures/%.result) \

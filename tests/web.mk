@@ -5,7 +5,7 @@
 # leaves its part out.
 
 WASM := $(BUILD)/wasm
-.PHONY: web wasm web-pages test-web
+.PHONY: web web-pages test-web
 
 # Debian's emscripten does not find its acorn under another node than Debian's.
 EMCC = NODE_PATH=$${NODE_PATH:-/usr/share/nodejs} emcc
@@ -23,41 +23,28 @@ $(WASM)/gsl/libgsl.a: tests/tools/web_gsl.sh
 WASM_LIBRARY := $(patsubst $(BUILD)/%,$(WASM)/%,$(CHOOSE) $(filter \
                     $(BUILD)/common/%,$(filter-out %/hand.o,$(OBJECTS))))
 WASM_MAINS := $(patsubst %,$(WASM)/%.o,$(LESSONS:%=solutions/%) lessons/choose/choose)
-WASM_SCENES := $(WASM)/solutions/24_live.o $(WASM)/lessons/web/tissue.o
-WASM_OBJECTS := $(sort $(WASM_LIBRARY) $(WASM_MAINS) $(WASM_SCENES) \
-                    $(WASM)/common/motion/window_web.o)
--include $(wildcard $(WASM_OBJECTS:=.d))
-COMPILE_WASM = $(Q)$(HERE) && $(EMCC) $(STD) -O2 -w -Icommon -I$(WASM)/gsl -MMD -MP -MF $@.d \
-    -MT $@ -DBUILD_FLAGS='"-O2"' -Dmain=main_$(notdir $*) -c $< -o $@
+WASM_SCENES := $(addprefix $(WASM)/,solutions/24_live.o lessons/web/tissue.o \
+                   common/motion/window_web.o)
+WASM_OBJECTS := $(sort $(WASM_LIBRARY) $(WASM_MAINS) $(WASM_SCENES))
 $(WASM_OBJECTS): $(WASM)/%.o: %.c tests/web.mk $(WASM)/gsl/libgsl.a
 	$(call say,emcc,$<)
-	$(COMPILE_WASM)
-# For a test: lesson 12, which at its end has an endless loop.
-$(WASM)/endless/12_triangles.c: solutions/12_triangles.c
-	$(Q)$(HERE) && sed 's/^    return table_finish();/    for (;;);\n&/' $< > $@
-	$(Q)grep -q 'for (;;);' $@
-$(WASM)/endless/12_triangles.o: $(WASM)/endless/%.o: $(WASM)/endless/%.c $(WASM)/gsl/libgsl.a
-	$(COMPILE_WASM)
+	$(Q)$(HERE) && $(EMCC) $(STD) -O2 -w -Icommon -I$(WASM)/gsl -MMD -MP -MF $@.d \
+	    -MT $@ -DBUILD_FLAGS='"-O2"' -Dmain=main_$(notdir $*) -c $< -o $@
 $(WASM)/libworkbook.a: $(WASM_LIBRARY)
+$(WASM)/libworkbook.a $(BUILD)/wasi/libworkbook.a $(BUILD)/wasi/libjudge.a:
 	$(Q)rm -f $@ && emar rcs $@ $^
 
 # Scripts of programs, which have most of their code in common.
 $(WASM)/lessons.js: $(WASM_MAINS)
-$(WASM)/live.js: $(WASM_SCENES) $(WASM)/common/motion/window_web.o
-$(WASM)/endless.js: $(WASM)/endless/12_triangles.o
-$(patsubst %,$(WASM)/%.js,lessons live endless): $(WASM)/%.js: $(WASM)/libworkbook.a \
-        $(WASM)/gsl/libgsl.a tests/web.mk tests/tools/web_program.js tests/tools/one_main.awk
+$(WASM)/live.js: $(WASM_SCENES)
+$(WASM)/lessons.js $(WASM)/live.js: $(WASM)/%.js: $(WASM)/libworkbook.a $(WASM)/gsl/libgsl.a \
+        tests/web.mk tests/tools/web_program.js tests/tools/one_main.awk
 	$(call say,wasm,$@)
 	$(Q)echo $(basename $(notdir $(filter-out %/window_web.o,$(filter %.o,$^)))) | \
 	    awk -f tests/tools/one_main.awk > $@.part.c && $(EMCC) $(WASM_LINK) $@.part.c \
 	    $(filter %.o,$^) $(filter %.a,$^) -o $@.part.js && node tests/tools/web_program.js \
 	    $* $@.part.js $@.part.wasm > $@ && rm $@.part.*
-wasm: $(patsubst %,$(WASM)/%.js,lessons live endless) ; @:
 
-# What was measured of each prediction.
-$(LESSONS:%=$(WASM)/%.measured): $(WASM)/%.measured: $(BUILD)/solutions/%.judge \
-        $(BUILD)/solutions/%
-	$(Q)$(HERE) && $(WHOLE) $< --measured $(BUILD)/solutions/$* > $(PART) && $(MOVED)
 WEB_FILES := $(wildcard lessons/web/*) tests/tools/web_pages.js tests/tools/web_front.js \
              tests/tools/web_small.js
 # of the pictures as they are: a newer one is copied, none is drawn
@@ -68,37 +55,35 @@ $(WASM)/editor.js: lessons/web/editor.mjs tests/tools/web_editor.js
 	$(call say,bundle,$@)
 	$(Q)BUILD='$(BUILD)' node tests/tools/web_editor.js $@
 $(BUILD)/web/index.html: $(WASM)/book/index.html $(WEB_FILES) $(wildcard lessons/[0-9]*.c) \
-        $(WASM)/editor.js $(WASM)/lessons.js $(LESSONS:%=$(WASM)/%.measured) $(PROGRAMS)
+        $(WASM)/editor.js $(WASM)/lessons.js $(PROGRAMS) $(PROGRAMS:=.judge)
 	$(call say,web,$(@D))
 	$(Q)BUILD='$(BUILD)' node tests/tools/web_pages.js $(WASM)/book $(BUILD) $(@D) $(LESSONS)
 
-# The live scenes and the least model, live.html, tissue.html and choose.html, into these
-# pages: what of them leads there, and what runs.  The words of a scene file are the
-# form's.
+# The words of a scene file are those of the form.
 $(BUILD)/lessons/web/form: lessons/web/form.c $(LIB)
 	$(Q)$(HERE) && $(COMPILE) $< $(PLACED)
 $(WASM)/choose_data.js: $(BUILD)/lessons/web/form $(BUILD)/choose tests/tools/web_choose.sh \
         common/choice/scene_file.h $(wildcard lessons/scenes/* lessons/[0-9]*.md)
-	$(Q)$(HERE) && $(WHOLE) $< > $(WASM)/words.tsv && \
-	    $(BUILD)/choose -h > $(WASM)/choose.help && sh tests/tools/web_choose.sh \
-	    $(WASM)/words.tsv $(WASM)/choose.help > $(PART) && $(MOVED)
-$(BUILD)/web/web/choose_data.js: $(BUILD)/web/index.html $(WASM)/choose_data.js \
-        $(WASM)/live.js tests/tools/web_live.js
-	$(call say,web,live scenes and the least model)
-	$(Q)node tests/tools/web_live.js $(WASM) $(BUILD)/web
-web-pages: $(BUILD)/web/index.html $(BUILD)/web/web/choose_data.js ; @:
+	$(Q)$(HERE) && $(WHOLE) sh tests/tools/web_choose.sh $(BUILD) > $(PART) && $(MOVED)
+include tests/web_student.mk
+
+# Into these pages: the live scenes, the least model, the compiler and the judges, with
+# what leads there.
+$(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASM)/choose_data.js \
+        $(WASM)/live.js $(WASI_SITE) tests/tools/web_live.js
+	$(call say,web,$(@D))
+	$(Q)node tests/tools/web_live.js $(WASM) $(BUILD)/web $(WASI_SITE)
+web-pages: $(BUILD)/web/student/files.json ; @:
 WEB = BUILD='$(BUILD)' COMPILE='$(PLAIN) -O1 -g0' OBJECTS='$(LIB)' LIBS='$(LIBS)' \
       sh tests/tools/web.sh
 web: ; @$(SHARED)$(WEB) pages
 
 # ---- in a headless Chromium: once the pages are made, each test is by itself.  What
-# is missing for them is said in one line.  What was left out or has failed is tried
-# again.
+# is missing for them is said in one line.
 WEB_TESTS := $(addprefix web-,write live choose pictures mistakes judge panel student)
 WEB_RESULTS := $(call results,web-small web-pages web $(WEB_TESTS))
 test-web: $(WEB_RESULTS)
 	@if grep -h '^skip web: ' $^; then :; else cat $^ | sh tests/tools/count.sh; fi
-$(shell grep -lsE '^(FAIL|skip) ' $(WEB_RESULTS)): always
 $(T)/web-pages.result: $(BOOK) $(WEB_FILES) $(wildcard tests/web*.mk common/*/* solutions/*.c \
         tests/checks/*.[ch] tests/tools/*web* lessons/scenes/* lessons/choose/* tests/web/*.[ch]) \
         $(call newer,$(WASM)/book/index.html) $(LESSONS:%=$(BUILD)/data/%.tsv) \
@@ -110,12 +95,5 @@ $(T)/web-small.result: tests/web/small.mjs tests/tools/web_small.js \
 $(T)/web.result: tests/cli/web.js $(T)/web-pages.result tests/tools/browser.js
 	$(call RESULT,$<,$(WEB) run node $< $(BUILD))
 $(call results,$(WEB_TESTS)): $(T)/web-%.result: tests/web/%.mjs $(T)/web-pages.result \
-        tests/tools/browser.js tests/web/page.mjs
-	$(call RESULT,$<,$(WEB) run node $< $(BUILD)/web $(if $(filter judge panel \
-	    student,$*),$(BUILD),$(BUILD)/solutions/24_live $(BUILD)/choose))
-$(T)/web-pictures.result: tests/tools/web_small.js
-$(T)/web-mistakes.result: tests/web/live.mjs tests/web/choose.mjs
-$(call results,web-judge web-panel web-student): tests/web/cases.mjs
-$(T)/web-judge.result: tests/web/student_node.mjs
-$(T)/web-student.result: $(LIB)
-include tests/web_student.mk
+        $(wildcard tests/web/*.mjs) tests/tools/browser.js tests/tools/web_small.js $(LIB)
+	$(call RESULT,$<,$(WEB) run node $< $(BUILD)/web $(BUILD))

@@ -8,13 +8,10 @@
 WASI := $(BUILD)/wasi
 SITE := $(WASI)/site
 YOWASP := $(BUILD)/source/node_modules/@yowasp/clang/gen
-ask_llvm = $(shell em-config LLVM_ROOT 2>/dev/null)
 WASI_EMULATED := SIGNAL GETPID PROCESS_CLOCKS MMAN
-WASI_FLAGS := $(STD) -Icommon $(WASI_EMULATED:%=-D_WASI_EMULATED_%) -include tests/web/posix.h
 WASI_CC = $(call once,llvm)/clang --target=wasm32-wasi -nostdinc \
           -isystem $(WASI)/usr/include/wasm32-wasip1 \
           -isystem $$($(call once,llvm)/clang -print-resource-dir)/include
-WASI_OBJECT = $(Q)$(HERE) && $(WASI_CC) $(WASI_FLAGS) -I$(WASM)/gsl -w -MMD -MP -MF $@.d -MT $@
 
 # Of the package what C for wasm32-wasi needs.
 $(WASI)/usr: $(YOWASP)/llvm-resources.tar tests/web_student.mk
@@ -33,25 +30,23 @@ $(WASI)/libgsl.a: $(WASM)/gsl/libgsl.a $(WASI)/usr tests/tools/web_gsl.sh
 WASI_LIBRARY := $(patsubst $(BUILD)/%,$(WASI)/%,$(filter $(BUILD)/common/%,$(OBJECTS)))
 WASI_JUDGE := $(WASI)/tests/web/child.o $(patsubst $(BUILD)/%,$(WASI)/%, \
                   $(filter-out %/child.o %/confine.o %/sight.o,$(JUDGE)))
--include $(wildcard $(WASI)/*/*.d $(WASI)/*/*/*.d)
-$(WASI_LIBRARY) $(WASI_JUDGE) $(WASI)/tests/web/view.o: $(WASI)/%.o: %.c tests/web_student.mk $(WASI)/usr \
-        $(WASM)/gsl/libgsl.a
-	$(call say,wasi,$<)
-	$(WASI_OBJECT) -O2 -Itests/checks -DBUILD_FLAGS='"-O2"' -c $< -o $@
-$(WASI)/libworkbook.a: $(WASI_LIBRARY)
-$(WASI)/libjudge.a: $(WASI_JUDGE)
-$(WASI)/libworkbook.a $(WASI)/libjudge.a:
-	$(Q)rm -f $@ && emar rcs $@ $^
-$(LESSONS:%=$(WASI)/checks/%.o): $(WASI)/checks/%.o: tests/checks/%.c $(CHECKS)/%.h \
+WASI_CHECKS := $(LESSONS:%=$(WASI)/tests/checks/%.o)
+$(WASI_CHECKS): $(WASI)/tests/checks/%.o: $(CHECKS)/%.h
+$(WASI_CHECKS): OWN = -O1 -fsanitize=bounds -fsanitize-trap=bounds -I. \
+                      -DPROGRAM='"$(CHECKS)/$(*F).h"'
+$(WASI_LIBRARY) $(WASI_JUDGE) $(WASI_CHECKS) $(WASI)/tests/web/view.o: $(WASI)/%.o: %.c \
         tests/web_student.mk $(WASI)/usr $(WASM)/gsl/libgsl.a
 	$(call say,wasi,$<)
-	$(WASI_OBJECT) -O1 -fsanitize=bounds -fsanitize-trap=bounds -I. -Itests/checks \
-	    -DPROGRAM='"$(word 2,$^)"' -c $< -o $@
+	$(Q)$(HERE) && $(WASI_CC) $(STD) -Icommon $(WASI_EMULATED:%=-D_WASI_EMULATED_%) \
+	    -include tests/web/posix.h -I$(WASM)/gsl -w -MMD -MP -MF $@.d -MT $@ \
+	    -O2 -Itests/checks -DBUILD_FLAGS='"-O2"' $(OWN) -c $< -o $@
+$(WASI)/libworkbook.a: $(WASI_LIBRARY)
+$(WASI)/libjudge.a: $(WASI_JUDGE)
 
 # Into the page: all that a lesson needs, and what all of them do.
 WASI_COMPILER := $(addprefix $(SITE)/,clang.js.gz llvm.core.wasm.gz llvm.core2.wasm.gz \
                      llvm.core3.wasm.gz llvm.core4.wasm.gz library.tar.gz)
-$(LESSONS:%=$(SITE)/%.tar.gz): $(SITE)/%.tar.gz: $(WASI)/checks/%.o $(CHECKS)/%.h \
+$(LESSONS:%=$(SITE)/%.tar.gz): $(SITE)/%.tar.gz: $(WASI)/tests/checks/%.o $(CHECKS)/%.h \
         $(CHECKS)/%.calls $(CHECKS)/%.words $(BUILD)/mistakes/%/all.c $$(wildcard figures/$$*/hand.c) \
         $(WASI_COMPILER) $(addprefix tests/,tools/web_lesson.sh tools/web_kept.mjs web/student_node.mjs) \
         $(addprefix lessons/web/student,_compile.js _judge.js)
@@ -64,17 +59,9 @@ $(SITE)/library.tar.gz: $(WASI)/usr $(WASI)/tests/web/view.o $(addprefix $(WASI)
 	    common/*/*.h tests/checks/*.h tests/oracle/*.h tests/web/posix.h -C $(WASM)/gsl gsl \
 	    -C $(abspath $(WASI)) usr libgsl.a libworkbook.a libjudge.a -C tests/web view.o \
 	    && gzip -9n < $(PART) > $@.gz && mv $@.gz $@
-WASI_SITE := $(WASI_COMPILER) $(LESSONS:%=$(SITE)/%.tar.gz)
 $(SITE)/clang.js.gz: $(YOWASP)/bundle.js tests/web_student.mk
 	$(Q)$(HERE) && { cat $< && echo 'export { Application, instantiate };'; } | gzip -9n > $@
 $(SITE)/%.wasm.gz: $(YOWASP)/%.wasm
 	$(call say,wasi,$@)
 	$(Q)$(HERE) && gzip -9n < $< > $@
-
-# Into the pages that web.mk has made, with what of it the page would have to load.
-$(BUILD)/web/student/files.json: $(BUILD)/web/index.html $(WASI_SITE)
-	$(call say,web,$(@D))
-	$(Q)rm -rf $(@D) && mkdir -p $(@D) && cp $(WASI_SITE) $(@D) && cd $(@D) && \
-	    cksum * | awk '{ all = all sprintf(",\n\"%s\": {\"bytes\": %d, \"sum\": %s}", $$3, $$2, $$1) } \
-	    END { print "{" substr(all, 2) "\n}" }' > $(@F).part && mv $(@F).part $(@F)
-web-pages: $(BUILD)/web/student/files.json
+WASI_SITE := $(WASI_COMPILER) $(LESSONS:%=$(SITE)/%.tar.gz)

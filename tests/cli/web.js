@@ -5,9 +5,8 @@
  *     node tests/cli/web.js BUILD [WORDS]
  *
  * Every chapter is opened from its file, its default scene is run, and the tables
- * are those that the native program prints (BUILD/data/NN_slug.tsv).  The program
- * with an endless loop is lesson 12 with `for (;;)` at its end, in C (web.mk).  At
- * the end the tests themselves are tried: each is run with a page that a mistake
+ * are those that the native program prints (BUILD/data/NN_slug.tsv).  One with an
+ * endless loop has it when all is printed.  At the end the tests themselves are tried: each is run with a page that a mistake
  * has spoiled.  With WORDS only what has them in its name is tried.
  */
 "use strict";
@@ -101,10 +100,10 @@ const settled = () => wait("it still runs", () => script(() => {
            {kind, said: status.textContent, result: panel.result};
 }));
 const noWorker = () => wait("a worker still runs", () => workers === 0);
-const endless = () => script((text) => {
-    new Function(text)();
-    programs.lessons = programs.endless;
-}, fs.readFileSync(`${build}/wasm/endless.js`, "utf8"));
+const endless = () => script(async () => {
+    const {script, code} = await loadProgram("../programs/lessons.js");
+    programs.lessons = {script: `Module.onExit = () => { for (;;); };\n${script}`, code};
+});
 
 /* ---- what is tried ---------------------------------------------------------------- */
 

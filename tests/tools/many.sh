@@ -1,7 +1,7 @@
 #!/bin/sh
-# many.sh measure|test|peer - the study on many processes, figures/many/.
+# many.sh many|test|peer - the study on many processes, figures/many/.
 #
-# measure runs it all, writes figures/many/many.tsv (counts, no seconds), says
+# many runs it all, writes figures/many/many.tsv (counts, no seconds), says
 # which goals hold, and, from runs on a machine that was free, compares seconds.
 # test makes the smallest runs and wrong programs, and prints "ok WHAT", "FAIL
 # WHAT: why" or "skip WHAT: why".  peer measures what a step takes
@@ -221,7 +221,7 @@ test)
         echo 'FAIL many:'
         cat "$out/log"
     fi ;;
-measure)
+many)
     there many || exit 0
     compile figures/many/many.c "$program" && measure ;;
 peer)

@@ -54,11 +54,11 @@ found_by() {
     done
 }
 
+flags='-O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
 # sanitized DIR: what lives is run under the sanitizers, as `make test` does it;
 # prints the unit program that they end.  Where there are none nothing ends.
 sanitized() {
     [ $kind = common ] || return
-    flags='-O1 -fsanitize=address,undefined -fno-sanitize-recover=all'
     (
         ulimit -S -v unlimited # they reserve terabytes,
         ulimit -S -t 60        # and take their time
@@ -160,6 +160,11 @@ lesson)
         score
     done ;;
 common)
+    mkdir -p "$BUILD/mutants/unit"
+    for unit in $UNITS; do
+        $CC_MUTANT $UNIT_FLAGS $flags -c "tests/unit/$unit.c" \
+            -o "$BUILD/mutants/unit/$unit.san.o" 2>/dev/null
+    done
     for file; do
         name=$(basename "$file" .c)
         # first the unit programs that look at this file

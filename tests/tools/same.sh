@@ -1,9 +1,8 @@
 #!/bin/sh
-# same.sh KIND [TABLE] - are the numbers of the build KIND (tests/same.mk) those of
+# same.sh KIND - are the numbers of the build KIND (tests/same.mk) those of
 # the others?  KIND is here: are the figures drawn from this machine's own numbers,
 # byte by byte, those in figures/?  Only where gnuplot is the one that drew them.
-# The sums at the end of a picture (figure.sh) are not compared.  With a TABLE it is
-# made, and that is all.
+# The sums at the end of a picture (figure.sh) are not compared.
 #
 # The build is made: of v8 what is READY in the main build is taken from there, and
 # ALL_NATIVE are the flags for this machine.  Then the tables of its RUNS are held
@@ -15,7 +14,7 @@ set -u
 LC_ALL=C
 export LC_ALL
 : "${BUILD:=build}" "${MAKE:=make}" "${CC:=cc}" "${SANITIZED:=}"
-kind=$1 table=${2:-} test=$BUILD/test build=$BUILD/test/$1 dir=$BUILD/test/$1/data
+kind=$1 test=$BUILD/test build=$BUILD/test/$1 dir=$BUILD/test/$1/data
 result() { # result STATUS WHAT WHY
     if [ "$1" = 0 ]; then echo "ok $kind: $2"; else echo "FAIL $kind: $2: ${3:-}"; fi
 }
@@ -46,7 +45,7 @@ compiles() { # compiles FLAGS...: a program that runs
         "$build/try" && echo "$@"
 }
 mkdir -p "$build/common/base"
-set -- ${table:-$(printf "$dir/%s.tsv " $RUNS)}
+set -- $(printf "$dir/%s.tsv " $RUNS)
 case $kind in
 v8)
     set -- "$@" NATIVE="$ALL_NATIVE -DVEC_WIDTH=8"
@@ -69,8 +68,6 @@ clock=$build/common/base/clock.o
 $CC -std=c17 -Icommon -c tests/tools/clock.c -o "$clock.part" || exit
 cmp -s "$clock.part" "$clock" || mv "$clock.part" "$clock"
 "$MAKE" -k -o "$clock" BUILD="$build" V= "$@" >"$build/said" 2>&1
-status=$?
-[ -z "$table" ] || { cat "$build/said"; exit $status; }
 
 # ---- its tables ----------------------------------------------------------------------
 if [ "$kind" = v2 ]; then echo 'skip same numbers by clang: not here'; fi

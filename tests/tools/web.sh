@@ -34,7 +34,7 @@ pages)
     "$MAKE" web-pages && echo "  web      $BUILD/web/index.html" ;;
 test)
     if missing chromium; then echo "skip web: $missing: $how"
-    elif "$MAKE" wasm web-pages >"$log" 2>&1; then echo 'ok web: the pages are made'
+    elif "$MAKE" web-pages >"$log" 2>&1; then echo 'ok web: the pages are made'
     else echo "FAIL web: the pages are not made: $(tail -n 20 "$log")"; fi ;;
 small)
     if ! node tests/tools/web_small.js >/dev/null 2>&1; then

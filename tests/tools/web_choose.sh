@@ -1,19 +1,20 @@
 #!/bin/sh
-# web_choose.sh WORDS HELP - what choose.html knows, as a script: the table of the words
-# (WORDS, printed by form.c), what scene_file.h says of each, the program's options
-# (HELP, of choose -h), the example scenes, and the pages of the lessons.
+# web_choose.sh BUILD - what choose.html knows, as a script: the table of the words, which
+# form.c prints, what scene_file.h says of each, the program's options, of choose -h, the
+# example scenes, and the pages of the lessons.
 set -u
 LC_ALL=C
 export LC_ALL
-text() { # text FILE: as a template of JavaScript
+text() { # text [FILE]: as a template of JavaScript
     printf '`'
-    sed 's/\\/\\\\/g; s/`/\\`/g; s/\$/\\$/g' "$1"
+    sed 's/\\/\\\\/g; s/`/\\`/g; s/\$/\\$/g' "$@"
     printf '`'
 }
+words=$("$1/lessons/web/form") && help=$("$1/choose" -h) || exit
 printf 'self.choose = {\nwords: '
-text "$1"
+echo "$words" | text
 printf ',\nhelp: '
-text "$2"
+echo "$help" | text
 printf ',\nsays: {\n'
 # " *     width    0.08               m; it lies along X1"
 awk '/^ \*     [A-Za-z]+ +[^ ]/ && !done {

@@ -1,15 +1,18 @@
 /*
  * web_live.js - the live scenes and the least model in the pages of SITE: their
- * programs, what the form knows, and what leads to them.
+ * programs, what the form knows, and what leads to them.  And student/, the FILEs that
+ * a page needs to compile and judge, with files.json, which says how large they are.
  *
- *     node tests/tools/web_live.js WASM SITE
+ *     node tests/tools/web_live.js WASM SITE FILE...
  *
  * Chapter 24 gets the square, which is begun by a button; the front and the chapter
  * of choosing get links.  A page that has no longer the place for it is an error.
  */
 "use strict";
 const fs = require("fs");
-const [wasm, site] = process.argv.slice(2);
+const {basename} = require("path");
+const {createHash} = require("crypto");
+const [wasm, site, ...files] = process.argv.slice(2);
 
 /* Behind the line of the page that has the words `after`; once. */
 function insert(page, after, words) {
@@ -37,3 +40,12 @@ insert("lessons/24_live.html", "opens a window (with SDL2)",
         `<script src="../web/${name}.js" defer></script>`).join(""));
 fs.copyFileSync(`${wasm}/live.js`, `${site}/programs/live.js`);
 fs.copyFileSync(`${wasm}/choose_data.js`, `${site}/web/choose_data.js`);
+fs.rmSync(`${site}/student`, {recursive: true, force: true});
+fs.mkdirSync(`${site}/student`);
+const student = {};
+for (const file of files) {
+    const content = fs.readFileSync(file), name = basename(file);
+    fs.writeFileSync(`${site}/student/${name}`, content);
+    student[name] = {bytes: content.length, sum: createHash("md5").update(content).digest("hex")};
+}
+fs.writeFileSync(`${site}/student/files.json`, JSON.stringify(student, null, 1));

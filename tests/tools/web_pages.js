@@ -6,7 +6,7 @@
  *
  * BOOK is the book as HTML.  The form is made of the list that BUILD/solutions/LESSON
  * prints with -h; what is asked comes from the PREDICT lines of its source, what was
- * measured from BUILD/wasm/LESSON.measured, and the columns to plot from its line
+ * measured from the judge of its solution, and the columns to plot from its line
  * Plot.  A list or a line that is not as it should be is an error.
  */
 "use strict";
@@ -49,7 +49,8 @@ ${input}<span class="hint" id="hint-${name}">${prose(help)}${hint && "; " + pros
 }
 
 function questions(lesson, source) {
-    const measured = new Map(read(`${build}/wasm/${lesson}.measured`).trim().split("\n")
+    const measured = new Map(execFileSync(`${build}/solutions/${lesson}.judge`,
+        ["--measured", `${build}/solutions/${lesson}`], {encoding: "utf8"}).trim().split("\n")
         .map((line) => line.split(" ")));
     return [...source.matchAll(/^ \* PREDICT (\w+) ([^:]*): \.\.\.$/gm)].map(([, key, asked]) => {
         if (!isFinite(measured.get(key) ?? NaN)) fail(`${lesson}: no number for PREDICT ${key}`);

@@ -1,8 +1,8 @@
 /*
- * choose.mjs SITE SQUARE CHOOSE [SCENE] - the page of the least model in a headless
+ * choose.mjs SITE BUILD [SCENE] - the page of the least model in a headless
  * Chromium: all scenes, or this one.
  *
- * For each example the page says what the program CHOOSE says, but for what is
+ * For each example the page says what the program BUILD/choose says, but for what is
  * measured in seconds, and its picture has the numbers; bad fields are refused
  * in the program's own words.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -13,8 +13,8 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open, say } from './page.mjs';
 
-const [site, , native] = process.argv.slice(2, 5).map(path => resolve(path));
-const only = process.argv[5];
+const [site, native] = [process.argv[2], `${process.argv[3]}/choose`].map(path => resolve(path));
+const only = process.argv[4];
 
 const SCENES = readdirSync('lessons/scenes').filter(name => name.endsWith('.scene') &&
     (!only || name === only));

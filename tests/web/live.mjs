@@ -1,9 +1,9 @@
 /*
- * live.mjs SITE SQUARE CHOOSE [PART [FRAMES]] - the live pages in a headless Chromium:
+ * live.mjs SITE BUILD [PART [FRAMES]] - the live pages in a headless Chromium:
  * all parts, or log, cubic, losses, tissue, touch or pages.
  *
  * 600 frames of a hand that goes at random, by synthetic pointer events and keys:
- * none is lost, and the native program SQUARE has the same rungs, systems and
+ * none is lost, and the native program of lesson 24 has the same rungs, systems and
  * knots for the input that the page has recorded.  Frames per second are
  * printed, not asserted.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
@@ -14,7 +14,8 @@ import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { open, say } from './page.mjs';
 
-const [site, native, , part = 'all', frames = 600] = process.argv.slice(2);
+const [site, build, part = 'all', frames = 600] = process.argv.slice(2);
+const native = `${build}/solutions/24_live`;
 const url = name => pathToFileURL(resolve(site, name)).href;
 
 /* In the page: an event for each frame, as pointer and keys of a person make

@@ -1,9 +1,8 @@
 /*
- * mistakes.mjs SITE SQUARE CHOOSE - do the tests of the pages notice mistakes?
+ * mistakes.mjs SITE BUILD - do the tests of the pages notice mistakes?
  *
- * Each mistake changes a script in a copy of the site; the test of its part must
- * then say FAIL to the check that is named.  SQUARE and CHOOSE are the native
- * programs.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
+ * Each mistake changes a script in a copy of the site; the test of its part must then say
+ * FAIL to the check that is named.  Lines "ok web: WHAT" and "FAIL web: WHAT: why".
  */
 import { spawn } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
@@ -11,10 +10,10 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { say } from './page.mjs';
 
-const [site, square, choose] = process.argv.slice(2).map(path => resolve(path));
-const LIVE = (part, frames = 60) => ['tests/web/live.mjs', square, choose, part, frames];
-const CHOOSE = (scene = 'flap') => ['tests/web/choose.mjs', square, choose, scene + '.scene'];
-const WRITE = ['tests/web/write.mjs', square, choose, 'keys'];
+const [site, build] = process.argv.slice(2).map(path => resolve(path));
+const LIVE = (part, frames = 60) => ['tests/web/live.mjs', build, part, frames];
+const CHOOSE = (scene = 'flap') => ['tests/web/choose.mjs', build, scene + '.scene'];
+const WRITE = ['tests/web/write.mjs', build, 'keys'];
 /* name, script, from, to, test, the check that fails */
 const MISTAKES = [
     ['the hand is upside down', 'live_draw.js', 'middle - (event', 'middle + (event',

@@ -1,5 +1,5 @@
 /*
- * write.mjs SITE [SQUARE CHOOSE keys] - the editor of a chapter in a headless Chromium.
+ * write.mjs SITE [BUILD keys] - the editor of a chapter in a headless Chromium.
  *
  * Lesson 03 is written by keys alone, from the starter to the solution, with a reload
  * in between; the file that is downloaded passes make check-03, and in the page it is
@@ -105,7 +105,7 @@ try {
     const down = existsSync(join(folder, FILE)) ? readFileSync(join(folder, FILE), 'utf8') : '';
     say(/PREDICT 1 [^:]*: -238\.5\n/.test(down) && down.replace('-238.5\n', '...\n') === written,
         'the file is downloaded, with what was predicted', down.slice(0, 200));
-    if (process.argv[5] === 'keys') throw 'enough';
+    if (process.argv[4] === 'keys') throw 'enough';
     const copy = join(folder, 'copy');
     execFileSync('sh', ['tests/tools/copy.sh', copy, LESSON], { env: process.env });
     copyFileSync(join(folder, FILE), join(copy, 'lessons', FILE));
