@@ -110,10 +110,14 @@ rule 'make 3.81 reads the makefiles (tests/tools/old_make.awk)' \
     "$(awk -f tests/tools/old_make.awk Makefile tests/*.mk)"
 rule 'no parameter of an awk function is named like a function' \
     "$(awk -f tests/tools/parameters.awk tests/tools/*.awk figures/*.awk figures/*/*.awk)"
-slots() { awk -v rule="$1" -f tests/tools/slots.awk solutions/*.c; }
-rule 'the first slot of a solution begins before line 70' "$(slots first)"
-rule 'slots stand in the order of their letters' "$(slots order)"
-rule 'no function with a slot is declared before it is defined' "$(slots declared)"
+rule 'a solution begins with its slots, before line 70, in the order of their letters' \
+    "$(awk 'FNR == 1 { before = "" }
+        /\/\* SLOT [0-9]+[a-z]\(/ {
+            slot = $0
+            sub(/.*SLOT [0-9]+/, "", slot)
+            slot = substr(slot, 1, 1)
+            if (slot < before || (before == "" && FNR >= 70)) print FILENAME ":" FNR
+            before = slot }' solutions/*.c)"
 rule 'a study ends in its claim, and takes no options' \
     "$(grep -L ' claim(' $(echo "$studies" |
         grep -v '^figures/speed/\|/fronts\.c$\|/seconds\.c$')
