@@ -44,9 +44,7 @@ enum status step_potential(const struct body *body, struct incremental Phi,
     body_mass(body, move, momentum);
     for (int r = 0; r < n_dof; r++) kinetic += 0.5 * move[r] * momentum[r];
     *phi = kinetic + dt * dt * (elastic - power);
-    /* Psi of a body that has turned is small, and the sum of large terms */
-    *noise = kinetic + dt * dt * (body->stiffness + fabs(elastic) +
-                                  fabs(power));
+    *noise = kinetic + dt * dt * (fabs(elastic) + fabs(power));
     return isfinite(*phi) ? OK : NONFINITE;
 }
 
@@ -63,18 +61,23 @@ static enum status line_search(const struct body *body, struct incremental Phi,
 {
     const int n_dof = 2 * body->mesh->n_vertex;
     double slope = 0.0, start, noise, phi, unused;
+    for (int r = 0; r < n_dof; r++) slope += room.q[r] * room.du[r];
+    if (slope > 0.0) return NOT_SPD; /* uphill */
+    *halved = 0;
+    /* Phi, a sum of terms of this size, has no digits left to compare */
+    if (-slope <= 16.0 * DBL_EPSILON * Phi.dt * Phi.dt * body->stiffness) {
+        for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
+        return OK;
+    }
     enum status status =
         step_potential(body, Phi, u, room.twice, &start, &noise);
     if (status != OK) return status;
-    for (int r = 0; r < n_dof; r++) slope += room.q[r] * room.du[r];
-    if (slope > 0.0) return NOT_SPD; /* uphill */
     for (double length = 1.0; length > 1e-12; length *= 0.5) {
         for (int r = 0; r < n_dof; r++)
             room.trial[r] = u[r] + length * room.du[r];
         *halved = length < 1.0;
         status =
             step_potential(body, Phi, room.trial, room.twice, &phi, &unused);
-        /* close to the minimum Phi has no digits left to compare */
         if (status == OK && phi <= start + 1e-4 * length * slope +
                                        16.0 * DBL_EPSILON * noise) {
             memcpy(u, room.trial, (size_t)n_dof * sizeof *u);
