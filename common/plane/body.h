@@ -123,10 +123,11 @@ struct body {
     const void *added;  /* what add needs; borrowed */
 };
 
-/* From so many cells across the shorter side on, dissection is faster than the
- * band, and body_alloc() makes K sparse, body_alloc_of() that of quadratic
- * triangles, whose band is wider; measured, then fixed. */
-enum { BODY_SPARSE_FROM = 36, BODY_QUADRATIC_SPARSE_FROM = 16 };
+/* From so many cells across the shorter side on, body_alloc() makes K sparse,
+ * body_alloc_of() that of quadratic triangles, whose band is wider: new factors
+ * take as long by dissection as in a band, and those that serve later steps
+ * [alg:kept] take half as long.  Measured, then fixed. */
+enum { BODY_SPARSE_FROM = 24, BODY_QUADRATIC_SPARSE_FROM = 16 };
 enum { BODY_ROOM = 8 + PAST_ORDER }; /* vectors over all vertices */
 
 /*

@@ -38,6 +38,7 @@ static struct run solve(int model, int n)
     set.slender = 2;
     set.rho = set.force = 0.0;
     struct scene *s = scene_alloc(&set);
+    body_store(s->body, BANDED); /* whose flops are counted */
     struct fibres fibres = {fibre_muscle(1.0), NULL};
     struct step_control newton = step_method("demand+search");
     newton.tolerance = 1e-7; /* (m): the last systems are none of round-off */

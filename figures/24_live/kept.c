@@ -3,7 +3,7 @@
  *
  * The first rung alone, with 40 systems, from the last state, as in pull.c:
  * with factors that are kept within a frame, with new ones for every system,
- * and with those of the frame before, too, which is what it has from n = 36 on.
+ * and with those of the frame before, too, which is what it has from n = 24 on.
  * LOG, a side in the hand: 8 pulls of three frames, at 0.5 to 7.5 m/s, and one
  * of 10 at 7.5 m/s.  Tables: cubic (the least speed, in steps of 0.1 m/s, that
  * loses one of the first three frames; that with the factors of the frame
@@ -138,8 +138,9 @@ int main(void)
         const double across = limit(n[k], across_frames);
         const double jump = across / 30.0 * n[k] / 2.0; /* in cells */
         table_row(n[k], kept, fresh, across, jump);
-        claim(n[k] < 36 ? across == kept : jump < 1.65, "cubic law: factors of "
-              "the frame before lose a pull sooner (n = %d: %g h)", n[k], jump);
+        claim(n[k] < BODY_SPARSE_FROM ? across == kept : jump < 1.65,
+              "cubic law: factors of the frame before lose a pull sooner (n = "
+              "%d: %g h)", n[k], jump);
         claim(n[k] == 40 || (fresh < 1.05 * kept && fresh > 1.01 * kept),
               "cubic law: new factors raise the limit by less than 5 %% (n = "
               "%d: %g to %g m/s)", n[k], kept, fresh);

@@ -35,7 +35,8 @@ do for [k in there] {
             column("n") == 128 ? column("milliseconds") : NaN) \
             nooutput name "last"
         color = Style[i]
-        set label 10 + i Name[i] at 158, last_max tc ls color
+        # that of LAPACK above ours, which it may hide
+        set label 10 + i Name[i] at 158, last_max tc ls color offset 0, i == 3 ? 1 : 0
     }
 }
 plot for [k in there] data index "band" using (of(k)):"milliseconds" \
@@ -49,7 +50,7 @@ do for [k in there] {
             column("n") == 128 ? column("gigaflop_per_second") : NaN) \
             nooutput name "last"
         color = Style[i]
-        set label i Name[i] at 158, last_max tc ls color
+        set label i Name[i] at 158, last_max tc ls color offset 0, i == 3 ? 1 : 0
     }
 }
 stats data index "peak" using "gigaflop_per_second" nooutput name "peak"

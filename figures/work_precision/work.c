@@ -175,7 +175,7 @@ struct scene *work_alloc(const struct work_setting *set)
     s.slender = scenes[set->scene].slender;
     if (set->scene != WEIGHT) s.force = 0.0; /* of the held left end */
     struct scene *scene = scene_alloc(&s);
-    if (scene->mesh->rows < BODY_SPARSE_FROM) body_store(scene->body, BANDED);
+    if (scene->mesh->rows < WORK_BANDED_BELOW) body_store(scene->body, BANDED);
     return scene;
 }
 

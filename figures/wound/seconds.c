@@ -10,6 +10,7 @@ int wound_main(void);
 #include "wound.c"
 #undef main
 
+#include "../robustness/reason.h"
 #include "../study/study.h"
 #include "base/table.h"
 #include "linear/sparse.h"

@@ -242,7 +242,7 @@ static void a_model_is_told_with_its_solver(void)
                      "flops in a band, ", n, matrix_cost(BANDED, n, p).flops);
             says(model, words);
             snprintf(words, sizeof words, "by dissection, %.2g dense;\n    the "
-                     "band is the faster one below 36 cells across\n",
+                     "band is the faster one below 24 cells across\n",
                      matrix_cost(DENSE, n, 0).flops);
             says(model, words);
         }
