@@ -60,12 +60,18 @@ static enum status line_search(const struct body *body, struct incremental Phi,
                                struct room room, double u[], int *halved)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
-    double slope = 0.0, start, noise, phi, unused;
-    for (int r = 0; r < n_dof; r++) slope += room.q[r] * room.du[r];
+    const double terms = Phi.dt * Phi.dt * body->whole *
+                         material_modulus(&body->material);
+    double slope = 0.0, longest = 0.0, start, noise, phi, unused;
+    for (int r = 0; r < n_dof; r++) {
+        slope += room.q[r] * room.du[r];
+        longest = fmax(longest, fabs(room.du[r]));
+    }
     if (slope > 0.0) return NOT_SPD; /* uphill */
     *halved = 0;
-    /* Phi, a sum of terms of this size, has no digits left to compare */
-    if (-slope <= 16.0 * DBL_EPSILON * Phi.dt * Phi.dt * body->stiffness) {
+    /* du is short, and Phi, a sum of such terms, has no digits to compare */
+    if (-slope <= 16.0 * DBL_EPSILON * terms &&
+        longest * longest <= 1e-12 * body->whole) {
         for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         return OK;
     }

@@ -249,11 +249,11 @@ static void a_model_is_told_with_its_solver(void)
         ladder_free(s);
     }
     begin((struct ladder_scene){"some", 0.5, 0.3, .weight = {0.0, -1.0}},
-          (struct ladder_model){LINEAR_PLANE, 0, 3});
-    says(model, "Cholesky factors of a band, "); /* 32 cells across */
+          (struct ladder_model){LINEAR_PLANE, 0, 2});
+    says(model, "Cholesky factors of a band, "); /* 16 cells across */
     ladder_free(s);
     begin((struct ladder_scene){"some", 0.5, 0.3, .weight = {0.0, -1.0}},
-          (struct ladder_model){LINEAR_PLANE, 0, 4});
+          (struct ladder_model){LINEAR_PLANE, 0, 3});
     says(model, "Cholesky factors by dissection, ");
     ladder_free(s);
     static const struct cells quadratic = {.element = QUADRATIC_TRIANGLE,
