@@ -65,7 +65,7 @@ chmod +x build/solutions/$slug
 cp "$picture" before.svg
 rm -f build/data/$slug.tsv build/mistakes/$slug/*
 for k in 1 2; do
-    "$MAKE" -j2 build/data/$slug.tsv "$picture" build/solutions/$slug.verdict \
+    "$MAKE" -j2 build/data/$slug.tsv "$picture" build/test/$slug.solution.result \
         build/mistakes/$slug/all.judge >said.$k 2>&1 &
     eval "run$k=\$!"
 done
