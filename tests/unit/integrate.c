@@ -246,6 +246,7 @@ static void steps_satisfy_their_formulas(void)
             const int half = m == IMPLICIT_MIDPOINT || (m == BDF2 && j == 1);
             double *at = d; /* of the force */
             state_copy(&s, &old);
+            ck_assert_int_eq(old.steps, j - 1);
             for (int a = 4; a < 25; a += 5) g[2 * a] = 0.02 * j;
             ck_assert_int_eq(
                 integrate_step(model, (enum method)m, dt, g, &s).status, OK);
