@@ -67,10 +67,10 @@ void body_store(struct body *body, enum storage storage)
     body->pattern = storage == SPARSE ? find_pattern(body) : NULL;
     body->n_equation =
         numbering_lines(body->mesh, body->pattern, body->equation);
-    body->whole = 0.0;
+    body->total_area = 0.0;
     for (int e = 0; e < body->n_element; e++) {
         make_triangle(body, e);
-        body->whole += body->points * body->area[e];
+        body->total_area += body->points * body->area[e];
     }
     free(body->lanes);
     body->lanes = body->element == LINEAR_TRIANGLE ? lanes_alloc(body) : NULL;

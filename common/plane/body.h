@@ -104,7 +104,7 @@ struct body {
     int *vertex;      /* [nodes n_element] of a triangle, by equation */
     double *area;     /* [n_element] of a point (m^2): the triangle's, or a
                        * third of it */
-    double whole;     /* the area of all */
+    double total_area; /* of all triangles (m^2) */
     double *gradient; /* [2 nodes n_element] dN_a / dX_j of these vertices, of a
                        * linear triangle at [6 e + 2 a + j]; of a quadratic one
                        * for each of its points p at [36 e + 12 p + 2 a + j] */

@@ -55,12 +55,13 @@ struct room {
 
 /* u := u + length du with the first length 1, 1/2, 1/4, ... at which Phi is
  * defined and decreases (Armijo, 1e-4 of the slope q.du) [alg:line-search];
- * *halved says whether it is not 1. */
+ * *halved says whether it is not 1.  Near the minimum Phi, which is a small sum
+ * of large terms where the body has turned, has no digits left to compare. */
 static enum status line_search(const struct body *body, struct incremental Phi,
                                struct room room, double u[], int *halved)
 {
     const int n_dof = 2 * body->mesh->n_vertex;
-    const double terms = Phi.dt * Phi.dt * body->whole *
+    const double terms = Phi.dt * Phi.dt * body->total_area *
                          material_modulus(&body->material);
     double slope = 0.0, longest = 0.0, start, noise, phi, unused;
     for (int r = 0; r < n_dof; r++) {
@@ -69,9 +70,9 @@ static enum status line_search(const struct body *body, struct incremental Phi,
     }
     if (slope > 0.0) return NOT_SPD; /* uphill */
     *halved = 0;
-    /* du is short, and Phi, a sum of such terms, has no digits to compare */
+    /* so short that Phi decreases by less than the round-off of its terms */
     if (-slope <= 16.0 * DBL_EPSILON * terms &&
-        longest * longest <= 1e-12 * body->whole) {
+        longest * longest <= 1e-12 * body->total_area) {
         for (int r = 0; r < n_dof; r++) u[r] += room.du[r];
         return OK;
     }

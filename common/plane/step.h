@@ -89,7 +89,7 @@ enum status step_potential(const struct body *body, struct incremental Phi,
 
 /* u := u + length du, the length by the line search that step_solve() has, for
  * q at u and du = 0 at prescribed vertices [alg:line-search].  NOT_SPD: du
- * goes uphill; STALLED: no length decreases Phi; u is unchanged then. */
+ * goes uphill; STALLED: no length decreases Phi.  After both u is unchanged. */
 enum status step_search(const struct body *body, struct incremental Phi,
                         const double q[], const double du[], double u[]);
 

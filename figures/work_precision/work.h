@@ -81,13 +81,14 @@ void work_share(const struct mesh *mesh, const double u[], struct work *work);
  * [eq:roofline], 1700 and 400 for a quadratic one. */
 double work_elements(const struct body *body, enum tangent tangent);
 
+enum { WORK_BANDED_BELOW = 36 };
+
 /*
  * Return the flops of what was solved: a factorisation and the two triangular
  * solves as matrix_cost() has them, and the elements.  Per step one residual
  * more than systems is looked at.  Of a banded K, as work_run() has it of all
  * elements with less than WORK_BANDED_BELOW rows of cells.
  */
-enum { WORK_BANDED_BELOW = 36 };
 double work_flops(const struct body *body, int steps, int systems,
                   int factorisations);
 

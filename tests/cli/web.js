@@ -6,8 +6,9 @@
  *
  * Every chapter is opened from its file, its default scene is run, and the tables
  * are those that the native program prints (BUILD/data/NN_slug.tsv).  One with an
- * endless loop has it when all is printed.  At the end the tests themselves are tried: each is run with a page that a mistake
- * has spoiled.  With WORDS only what has them in its name is tried.
+ * endless loop has it when all is printed.  At the end the tests themselves are
+ * tried: each is run with a page that a mistake has spoiled.  With WORDS only what
+ * has them in its name is tried.
  */
 "use strict";
 const fs = require("fs");
