@@ -87,7 +87,7 @@ test-web: $(WEB_RESULTS)
 $(T)/web-pages.result: $(BOOK) $(WEB_FILES) $(wildcard tests/web*.mk common/*/* solutions/*.c \
         tests/checks/*.[ch] tests/tools/*web* lessons/scenes/* lessons/choose/* tests/web/*.[ch]) \
         $(call newer,$(WASM)/book/index.html) $(LESSONS:%=$(BUILD)/data/%.tsv) \
-        $(LESSONS:%=$(BUILD)/solutions/%.judge) $(BUILD)/choose $(LESSONS:%=tests/mistakes/%.txt)
+        $(LESSONS:%=$(BUILD)/solutions/%.judge) $(BUILD)/choose $(LESSONS:%=$(BUILD)/mistakes/%/all.judge)
 	$(call RESULT,the pages for a browser,$(WEB) test)
 $(T)/web-small.result: tests/web/small.mjs tests/tools/web_small.js \
         $(call newer,$(T)/web-small.result)

@@ -181,9 +181,9 @@ void live_carry(struct live *live, const double to[2])
  * the quotient and its round-off are then both about 1e-11 of it. */
 static const double PROBE = 1e-6;
 
-enum status live_lift_within(struct body *body, struct incremental Phi,
-                             const double u0[], const double g[],
-                             enum tangent tangent, double leap, double u[])
+enum status live_lift(struct body *body, struct incremental Phi,
+                      const double u0[], const double g[],
+                      enum tangent tangent, double u[])
 {
     const int n = 2 * body->mesh->n_vertex;
     double *move = allocate((size_t)n, sizeof *move), size = 0.0;
@@ -206,9 +206,10 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
         for (int r = 0; r < n; r++)
             q[r] += (ahead[r] - behind[r]) / (2.0 * e);
     if (status == OK) status = body_increment(body, body->K, q, u);
-    for (int r = 0; r < n && status == OK; r++) {
+    const int solved = status == OK;
+    for (int r = 0; r < n && solved; r++) {
         u[r] += move[r];
-        if (!(fabs(u[r]) <= leap)) status = NONFINITE;
+        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
         u[r] += u0[r];
     }
     free(move);
@@ -218,17 +219,11 @@ enum status live_lift_within(struct body *body, struct incremental Phi,
     return status;
 }
 
-enum status live_lift(struct body *body, struct incremental Phi,
-                      const double u0[], const double g[],
-                      enum tangent tangent, double u[])
-{
-    return live_lift_within(body, Phi, u0, g, tangent, LIVE_LEAP, u);
-}
-
 static const struct step_control LIVE_FAST = {
     .tolerance = LIVE_TOLERANCE, .max_iterations = FAST_SYSTEMS - 1,
     .chord = 1};
-const struct step_control LIVE_ALONE = {
+/* `fast` where no rung comes after it: then it may take its time. */
+static const struct step_control LIVE_ALONE = {
     .tolerance = LIVE_TOLERANCE, .max_iterations = 40, .chord = 1};
 const struct step_control LIVE_DOWNHILL = {
     .tolerance = LIVE_TOLERANCE, .max_iterations = FRAME_SYSTEMS,
@@ -299,25 +294,25 @@ enum status live_start(const struct live *live, struct incremental Phi,
     return status;
 }
 
-enum status live_downhill_by(struct live *live, struct live_way way, double u[],
-                             double v[], struct live_report *report)
+enum status live_downhill(struct live *live, double u[], double v[],
+                          struct live_report *report)
 {
     const struct state *now = &live->now;
     const int n = live->n_dof;
     double *w = allocate((size_t)n, sizeof *w);
     double *g = allocate((size_t)n, sizeof *g);
     const struct incremental Phi = {live->dt, w, NULL};
-    struct step_control rest = *way.control;
+    struct step_control rest = LIVE_DOWNHILL;
     enum status status = INVERTED;
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
     report->part = 1.0;
-    for (int k = 0; k < way.tries && status != OK; k++) {
+    for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
         if (report->systems == FRAME_SYSTEMS - 1) break;
         if (k > 0) report->part *= 0.5;
         for (int r = 0; r < n; r++)
             g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
         report->systems++;
-        status = way.lift(live->body, Phi, now->u, g, way.tangent, u);
+        status = live_lift(live->body, Phi, now->u, g, PROJECTED, u);
         if (status == OK) status = live_start(live, Phi, g, u);
     }
     if (status != OK) {
@@ -333,14 +328,6 @@ enum status live_downhill_by(struct live *live, struct live_way way, double u[],
     free(w);
     free(g);
     return newton.status;
-}
-
-enum status live_downhill(struct live *live, double u[], double v[],
-                          struct live_report *report)
-{
-    const struct live_way way = {live_lift, PROJECTED, LIVE_TRIES,
-                                 &LIVE_DOWNHILL};
-    return live_downhill_by(live, way, u, v, report);
 }
 
 struct live_report live_frame_by(struct live *live, live_lifter *lift,

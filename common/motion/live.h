@@ -109,16 +109,11 @@ struct live_report {
  *
  * q and K of Phi at u0, K projected or exact.  OK, or the status of an assembly
  * or of the factorisation, or NONFINITE: K is so nearly singular that something
- * would move by more than LIVE_LEAP; u is then of no use.
+ * would move by more than LIVE_LEAP; u is where the lift leads, but of no use.
  */
 enum status live_lift(struct body *body, struct incremental Phi,
                       const double u0[], const double g[],
                       enum tangent tangent, double u[]);
-
-/* The same, where nothing may move by more than `leap`. */
-enum status live_lift_within(struct body *body, struct incremental Phi,
-                             const double u0[], const double g[],
-                             enum tangent tangent, double leap, double u[]);
 
 /*
  * Ask whether u, lifted to the held values g, is a start for the second rung.
@@ -140,27 +135,13 @@ enum status live_downhill(struct live *live, double u[], double v[],
                           struct live_report *report);
 extern const struct step_control LIVE_DOWNHILL;
 
-/* `fast` where no rung comes after it: then it may take its time. */
-extern const struct step_control LIVE_ALONE;
-
-/* The same on another way: by another lift and its K, after so many tries, of
- * which each goes half as far as the one before, with another control. */
-typedef enum status live_lifter(struct body *body, struct incremental Phi,
-                                const double u0[], const double g[],
-                                enum tangent tangent, double u[]);
-struct live_way {
-    live_lifter *lift;
-    enum tangent tangent;
-    int tries;
-    const struct step_control *control;
-};
-enum status live_downhill_by(struct live *live, struct live_way way, double u[],
-                             double v[], struct live_report *report);
-
 /* Make one frame; hand, u and v advance [alg:live-frame]. */
 struct live_report live_frame(struct live *live, const double to[2]);
 
 /* The same with a lift and a second rung of one's own. */
+typedef enum status live_lifter(struct body *body, struct incremental Phi,
+                                const double u0[], const double g[],
+                                enum tangent tangent, double u[]);
 typedef enum status live_rung(struct live *live, double u[], double v[],
                               struct live_report *report);
 struct live_report live_frame_by(struct live *live, live_lifter *lift,

@@ -3,7 +3,6 @@
 
 #include "../study/study.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,11 +19,19 @@ const char *without_word(enum without without)
     return word[without];
 }
 
+/* A lift that is finite will do, although it leads beyond LIVE_LEAP. */
 static enum status leap(struct body *body, struct incremental Phi,
                         const double u0[], const double g[],
                         enum tangent tangent, double u[])
 {
-    return live_lift_within(body, Phi, u0, g, tangent, DBL_MAX, u);
+    const enum status status = live_lift(body, Phi, u0, g, tangent, u);
+    int beyond = 0;
+    if (status != NONFINITE) return status;
+    for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
+        if (!isfinite(u[r])) return NONFINITE;
+        beyond |= fabs(u[r] - u0[r]) > LIVE_LEAP;
+    }
+    return beyond ? OK : NONFINITE;
 }
 
 static double kinetic(const struct live *live)
@@ -39,14 +46,56 @@ static double kinetic(const struct live *live)
 }
 
 /* The way of the second rung, and what its velocity of 0 has taken away. */
-static struct live_way way;
+static struct {
+    live_lifter *lift;
+    enum tangent tangent; /* of the lift */
+    int tries;
+    struct step_control control;
+} way;
 static struct without_stop stop;
+
+/* live_downhill() on that way. */
+static enum status downhill(struct live *live, double u[], double v[],
+                            struct live_report *report)
+{
+    const struct state *now = &live->now;
+    const int n = live->n_dof;
+    double *w = allocate((size_t)n, sizeof *w);
+    double *g = allocate((size_t)n, sizeof *g);
+    const struct incremental Phi = {live->dt, w, NULL};
+    enum status status = INVERTED;
+    for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
+    report->part = 1.0;
+    for (int k = 0; k < way.tries && status != OK; k++) {
+        if (report->systems == FRAME_SYSTEMS - 1) break;
+        if (k > 0) report->part *= 0.5;
+        for (int r = 0; r < n; r++)
+            g[r] = now->u[r] + report->part * (live->g[r] - now->u[r]);
+        report->systems++;
+        status = way.lift(live->body, Phi, now->u, g, way.tangent, u);
+        if (status == OK) status = live_start(live, Phi, g, u);
+    }
+    if (status != OK) {
+        report->part = 0.0;
+        memcpy(u, now->u, (size_t)n * sizeof *u);
+    }
+    way.control.max_iterations = FRAME_SYSTEMS - report->systems;
+    const struct step_report newton =
+        step_solve(live->body, &way.control, Phi, u);
+    report->systems += newton.iterations;
+    const int whole = newton.status == OK && report->part == 1.0;
+    for (int r = 0; r < n; r++)
+        v[r] = whole ? (u[r] - now->u[r]) / live->dt : 0.0;
+    free(w);
+    free(g);
+    return newton.status;
+}
 
 static enum status by_way(struct live *live, double u[], double v[],
                           struct live_report *report)
 {
     const double energy = kinetic(live);
-    const enum status status = live_downhill_by(live, way, u, v, report);
+    const enum status status = downhill(live, u, v, report);
     if (status == OK && report->part == 1.0) return status;
     stop.frames++;
     stop.energy = fmax(stop.energy, energy);
@@ -77,7 +126,7 @@ static enum status simple(struct live *live, double u[], double v[],
 {
     const int more = built < HURRIED ? 32 : 0;
     report->systems -= more;
-    const enum status status = live_downhill_by(live, way, u, v, report);
+    const enum status status = downhill(live, u, v, report);
     report->systems += more;
     if (status != OK && built < SIMPLE) u[0] = NAN;
     return status;
@@ -95,12 +144,12 @@ struct without_result without_play(enum without without, int n, enum law law,
                             : without == STOPPING ? unstopped
                                                   : by_way;
     live_lifter *const lift = without == LEAPING ? leap : live_lift;
-    struct step_control control = LIVE_DOWNHILL;
-    if (without == DEMAND) control.projection = NEVER;
-    if (without == SEARCH || without == DESCENDING) control.line_search = 0;
-    way = (struct live_way){lift, without == PROJECTION ? EXACT : PROJECTED,
-                            without == HALVING || !whole ? 1 : LIVE_TRIES,
-                            &control};
+    way.lift = lift;
+    way.tangent = without == PROJECTION ? EXACT : PROJECTED;
+    way.tries = without == HALVING || !whole ? 1 : LIVE_TRIES;
+    way.control = LIVE_DOWNHILL;
+    if (without == DEMAND) way.control.projection = NEVER;
+    if (without == SEARCH || without == DESCENDING) way.control.line_search = 0;
     const struct live_setting set = {n, law, method, PATCH,
                                      without == LIFT || without == LOOP
                                          ? LAST_STATE : ELASTIC,

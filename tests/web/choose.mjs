@@ -54,7 +54,7 @@ async function answer(example, fields, error = '10', verify = false) {
         f.verify.checked = ${verify};
         f.form.requestSubmit();
     })()`);
-    if (!await page.until("document.querySelector('.least-model').said", 90)) return null;
+    if (!await page.until("document.querySelector('.least-model').said")) return null;
     return page.evaluate("document.querySelector('.least-model').said");
 }
 

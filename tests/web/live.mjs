@@ -85,7 +85,7 @@ async function square(browser, folder, law, keys, seed) {
     const run = await page.evaluate(`(${drive})(${frames}, ${JSON.stringify(keys)}, ${seed})`);
     await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
-    await page.until("document.querySelector('.live').live.state.status !== null", 60);
+    await page.until("document.querySelector('.live').live.state.status !== null");
     const { status, lines, input } = await page.evaluate("(({status, lines, input}) => " +
         "({status, lines, input}))(document.querySelector('.live').live.state)");
     const here = rows(lines, 'frames');
@@ -134,7 +134,7 @@ async function losses(browser) {
     await page.evaluate(`(${drive})(150, [[1, 'l'], [2, 'p']], 7)`);
     await page.evaluate("document.querySelector('.live').live.canvas.dispatchEvent(" +
         "new KeyboardEvent('keydown', { key: 'q', bubbles: true }))");
-    await page.until("document.querySelector('.live').live.state.status !== null", 60);
+    await page.until("document.querySelector('.live').live.state.status !== null");
     const { lines, lost } = await page.evaluate("(({lines, lost}) => " +
         "({lines, lost}))(document.querySelector('.live').live.state)");
     const really = rows(lines, 'frames').filter(row => row.rung === 'lost').length;
@@ -183,7 +183,7 @@ async function tissue(browser) {
         await frames(20);
         key('q');
     })()`);
-    await page.until("document.querySelector('.live').live.state.status !== null", 60);
+    await page.until("document.querySelector('.live').live.state.status !== null");
     const { status, lines } = await page.evaluate("(({status, lines}) => ({status, lines}))" +
         "(document.querySelector('.live').live.state)");
     const frames = rows(lines, 'frames');
@@ -265,7 +265,7 @@ async function touch(browser) {
     await finger('touchEnd');
     await page.until("!document.querySelector('.live').live.hand.down");
     await page.evaluate("document.querySelector('.live').live.press('q')");
-    await page.until("document.querySelector('.live').live.state.status !== null", 60);
+    await page.until("document.querySelector('.live').live.state.status !== null");
     const { lines } = await page.evaluate("(({lines}) => ({lines}))" +
         "(document.querySelector('.live').live.state)");
     const frames = rows(lines, 'frames'), end = frames[frames.length - 1] || {};

@@ -9,15 +9,15 @@ export function say(good, what, why) {
     if (!good) process.exitCode = 1;
 }
 
-/* browser.page(url): evaluate(text), errors, and until(text, seconds): true, or the
- * time is over. */
+/* browser.page(url): evaluate(text), errors, and until(text): true,
+ * or false after four minutes: a busy machine has few frames a second. */
 export async function open() {
     const browser = await browsers.open(process.env.CHROMIUM || 'chromium');
     return {
         async page(url, width = 1400, height = 900) {
             const page = await browser.page(width, height);
-            page.until = async (text, seconds = 60) => {
-                for (let k = 0; k < 10 * seconds; k++) {
+            page.until = async text => {
+                for (let k = 0; k < 2400; k++) {
                     if (await page.evaluate(text)) return true;
                     await new Promise(done => setTimeout(done, 100));
                 }

@@ -45,7 +45,7 @@ const STOPS = [['check', 'Loading the compiler'], ['check', 'Loading the lesson'
     ['hand', 'Compiling'], ['hand', 'In your hand'], ['hand', 'In your hand']];
 async function stops(lesson) {
     const page = await browser.page(`${server.address}lessons/${lesson}.html#write`);
-    await page.until("document.querySelector('.write').editor !== undefined", 20);
+    await page.until("document.querySelector('.write').editor !== undefined");
     let workers = 0;
     page.onWorker = change => { workers += change; };
     for (const [k, [name, words]] of STOPS.entries()) {
@@ -65,7 +65,7 @@ if (!asked.length || asked[0] === 'Stop') await stops('12_triangles');
 
 for (const lesson of lessons.filter(name => (asked.length ? asked : ['03', '12', '16', '20', '24', '26']).some(nn => name.startsWith(nn)))) {
     const page = await browser.page(`${server.address}lessons/${lesson}.html#write`);
-    await page.until("document.querySelector('.write').editor !== undefined", 20);
+    await page.until("document.querySelector('.write').editor !== undefined");
     for (const [what, verdict, text] of nine(lesson)) {
         const its = await page.evaluate(`(${check})(${JSON.stringify(text)}, ${verdict === 'TIMEOUT' ? 1 : 20})`)
             .catch(error => ({verdict: error.message, seconds: 0}));

@@ -28,7 +28,7 @@ const said = () => page.evaluate(`${WRITE}.querySelector('[role=status]').textCo
 const press = name => page.evaluate(`${WRITE}.querySelector('button[name=${name}]').click()`);
 async function ready() {
     await page.evaluate(`${WRITE}.scrollIntoView()`);
-    return page.until(`${WRITE}.editor !== undefined`, 20);
+    return page.until(`${WRITE}.editor !== undefined`);
 }
 /* Tab until the focus is in the editor. */
 async function enter() {
@@ -49,7 +49,7 @@ async function write(slot) {
 /* Press Run or Check and wait for its end. */
 async function work(name) {
     await press(name);
-    return page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 120);
+    return page.until(`!${WRITE}.querySelector('[name=run]').disabled`);
 }
 /* Of these [role, name, what else is said of it] what a screen reader has not. */
 async function spoken(...wanted) {
@@ -122,7 +122,7 @@ try {
     const begin = Date.now();
     await page.evaluate(`${WRITE}.editor.view.focus()`);
     await page.key('Enter', undefined, 2); /* with Ctrl */
-    await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 120);
+    await page.until(`!${WRITE}.querySelector('[name=run]').disabled`);
     const passed = await page.evaluate(`${WRITE}.result`);
     const own = passed.text.split('\n').filter(one => !check.stdout.includes(one));
     say(passed.verdict === 'OK' && passed.text.length > 300 && own.length === 0,
@@ -156,10 +156,10 @@ try {
     await script(text => document.querySelector('.write').editor.setText(text), down.replace('r[i] = -b[i];',
         'for (;;) r[i] = -b[i];'));
     await press('run');
-    await page.until(`/Running|Compiling/.test(${WRITE}.querySelector('[role=status]').textContent)`, 20);
+    await page.until(`/Running|Compiling/.test(${WRITE}.querySelector('[role=status]').textContent)`);
     await page.evaluate(`${WRITE}.querySelector('[name=stop]').focus()`);
     await page.key('Enter', '\r');
-    say(await page.until(`!${WRITE}.querySelector('[name=run]').disabled`, 5) && /You have stopped/.test(await said()) &&
+    say(await page.until(`!${WRITE}.querySelector('[name=run]').disabled`) && /You have stopped/.test(await said()) &&
         await page.evaluate('document.activeElement.name') === 'check', 'Stop ends it', await said());
     await page.go(`${server.address}index.html`);
     const far = await page.evaluate("document.querySelector('.progress').textContent + document.querySelector(" +
@@ -176,10 +176,10 @@ try {
     say(asked && bare(await text()).replace('-238.5', '...') === bare(starter), 'reset asks once', asked);
     writeFileSync(join(folder, 'other.c'), 'int main(void) { return 0; }\n');
     await upload(join(folder, 'other.c'));
-    await page.until(`/no slot 3a/.test(${WRITE}.querySelector('[role=status]').textContent)`, 5);
+    await page.until(`/no slot 3a/.test(${WRITE}.querySelector('[role=status]').textContent)`);
     const refused = await said();
     await upload(join(folder, FILE));
-    const taken = await page.until(`${WRITE}.editor.text().includes('g[k];')`, 5);
+    const taken = await page.until(`${WRITE}.editor.text().includes('g[k];')`);
     say(/other.c has no slot 3a/.test(refused) && taken && await text() === down,
         'the very file is uploaded, another one is not', refused);
 
@@ -193,7 +193,7 @@ try {
     const local = await browser.page(`file://${site}/lessons/${LESSON}.html`), its = `[${WRITE}.querySelector('.size'),
         ${WRITE}.querySelector('[role=status]')].map(one => one.textContent)`;
     await local.evaluate(`${WRITE}.scrollIntoView(), ${WRITE}.querySelector('[name=check]').click()`);
-    await local.until(`${WRITE}.editor !== undefined && ${its}.every(text => text.length > 20)`, 20);
+    await local.until(`${WRITE}.editor !== undefined && ${its}.every(text => text.length > 20)`);
     const both = await local.evaluate(its);
     say(both[0] === both[1] && /python3 -m http.server.*make check-03/.test(both[0]) && local.errors.length === 0,
         'from a file it says what to do', `${both} ${local.errors}`);
@@ -208,15 +208,15 @@ try {
     await ready();
     await press('hand');
     const live = "document.querySelector('.hand .live')?.live";
-    const begun = await page.until(`${live}?.state.frames > 9`, 120);
+    const begun = await page.until(`${live}?.state.frames > 9`);
     await page.evaluate(`${live}.canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }))`);
     for (let k = 0; k < 5; k++) await page.key('ArrowUp');
-    await page.until(`${live}.state.frames > 60`, 60);
+    await page.until(`${live}.state.frames > 30`);
     const words = await page.evaluate("document.querySelector('.hand .said').textContent");
     await press('stop');
-    const over = await page.until(`/has ended/.test(${WRITE}.querySelector('[role=status]').textContent)`, 20);
+    const over = await page.until(`/has ended/.test(${WRITE}.querySelector('[role=status]').textContent)`);
     const rows = await page.evaluate(`${live}.state.lines.filter(line => /^\\d/.test(line)).length`);
-    say(begun && over && /reference: 12a/.test(words) && rows > 60 && page.errors.length === 0,
+    say(begun && over && /reference: 12a/.test(words) && rows > 30 && page.errors.length === 0,
         'lesson 12 is taken into the hand', `${begun} ${over} ${rows} ${words} ${page.errors}`);
 
     /* without a network: what was opened before, and the compiler, are kept */
