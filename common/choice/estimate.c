@@ -9,7 +9,7 @@ double estimate_geometry(const struct ladder_state *s)
     double forgotten = 0.0, largest = 0.0;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
-        const mat2 H = mat2_subtract(F, mat2_identity());
+        const mat2 H = mat2_subtract(F, mat2_identity()); /* grad u */
         const mat2 HtH = mat2_multiply(mat2_transpose(H), H);
         forgotten = fmax(forgotten, 0.5 * mat2_norm(HtH));
         largest = fmax(largest, mat2_norm(H));
@@ -20,7 +20,7 @@ double estimate_geometry(const struct ladder_state *s)
 double estimate_law(const struct ladder_state *s)
 {
     struct material cubic = s->body->material, logarithm = cubic;
-    double J[2] = {1.0, 1.0}, worst = 0.0;
+    double J[2] = {1.0, 1.0}, worst = 0.0; /* least, largest */
     cubic.law = CUBIC;
     logarithm.law = LOG;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
@@ -32,7 +32,7 @@ double estimate_law(const struct ladder_state *s)
     for (int k = 0; k < 2; k++) {
         const double P = material1_pk1(&logarithm, J[k]);
         const double off = material1_pk1(&cubic, J[k]) - P;
-        if (J[k] != 1.0) worst = fmax(worst, fabs(off / P));
+        if (J[k] != 1.0) worst = fmax(worst, fabs(off / P)); /* P(1) = 0 */
     }
     return fmin(1.0, worst);
 }
@@ -45,12 +45,14 @@ double estimate_dimension(const struct ladder_state *s)
     for (int a = 0; a < s->mesh->n_vertex; a++) {
         const double *X = &s->mesh->X[2 * a], *f = &s->f[2 * a];
         N += f[0];
+        /* about the middle of the held end, (-1, 0) */
         moment += (X[0] + 1.0) * f[1] - X[1] * f[0];
     }
     const double buckles = ladder_buckles(s->scene);
+    /* times E': u = N length / height, w = M length^2 / (2 I) */
     const double along = fabs(N) * length / height;
     double sideways = 6.0 * fabs(moment) * pow(length, 2) / pow(height, 3);
-    if (N <= -buckles) return 1.0;
+    if (N <= -buckles) return 1.0; /* P = -N */
     sideways /= 1.0 + N / buckles;
     const double missed = lateral * lateral * height / (2.0 * length);
     if (!(sideways + along > 0.0)) return 0.0;
@@ -79,7 +81,7 @@ double estimate_strain(const struct ladder_state *s)
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = body_deformation(s->body, s->u, e);
         const mat2 C = mat2_multiply(mat2_transpose(F), F);
-        const mat2 twice = mat2_subtract(C, mat2_identity());
+        const mat2 twice = mat2_subtract(C, mat2_identity()); /* 2 G */
         largest = fmax(largest, 0.5 * mat2_norm(twice));
     }
     return largest;
@@ -143,12 +145,13 @@ void estimate_mesh(const struct ladder_state *s,
     double *around = allocate((size_t)mesh->n_vertex, sizeof *around);
     for (int r = 0; r < 3 * mesh->n_triangle; r++) {
         mean[mesh->triangle[r]] += area[r / 3] * field->p[r / 3];
-        around[mesh->triangle[r]] += area[r / 3];
+        around[mesh->triangle[r]] += area[r / 3]; /* p: mean / around */
     }
     for (int e = 0; e < mesh->n_triangle; e++) {
-        mat2 off = mat2_scale(field->p[e], mat2_identity());
+        mat2 off = mat2_scale(field->p[e], mat2_identity()); /* p_e I */
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + k], b = s->across[3 * e + k];
+            /* a third of P_e less the mean over the edge, by area */
             const double share = area[b] / (area[e] + area[b]) / 3.0;
             const mat2 jump = mat2_subtract(field->P[e], field->P[b]);
             const double p = mean[a] / (3.0 * around[a]);

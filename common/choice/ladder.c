@@ -80,14 +80,18 @@ double ladder_pressed(const struct ladder_scene *scene)
     const double end = -scene->pull[0] * height;
     const double along =
         -(scene->weight[0] * height + scene->push[0]) * length;
+    /* the 2 x 2 matrix of int (-N) w'^2 over E' I int w''^2 in a and 3 b,
+     * as int 2 (1 - s) sin^2(pi s / 2) = 1/2 - 2 / pi^2 */
     const double first = (end + along * (0.5 - 2.0 / pi2)) / buckles;
     const double third = (end + along * (0.5 - 2.0 / (9.0 * pi2))) /
                          (9.0 * buckles);
     const double both = along * 2.0 / (3.0 * pi2 * buckles);
+    /* its larger eigenvalue */
     const double largest = 0.5 * (first + third) +
                         hypot(0.5 * (first - third), both);
     if (scene->held == LADDER_ENDS) return 0.0;
     if (!(largest > 0.0 && first > 0.0)) return first;
+    /* first * buckles: the mean of -N, by w'^2 of a alone */
     return largest + first * buckles * 1.2 / (m.mu * height);
 }
 
@@ -149,15 +153,16 @@ static void load(struct ladder_state *s)
         for (int a = 0; a < 3; a++)
             for (int i = 0; i < 2; i++)
                 s->f[2 * mesh->triangle[3 * e + a] + i] +=
-                    s->body->area[e] / 3.0 * s->scene->weight[i];
+                    s->body->area[e] / 3.0 * s->scene->weight[i]; /* int N_a */
     double *hand = s->hand;
     for (int j = 0; j < mesh->rows; j++) {
         const int a = 2 * (j * (n + 1) + n), b = a + 2 * (n + 1);
         const double Y[2] = {mesh->X[a + 1], mesh->X[b + 1]}, l = Y[1] - Y[0];
         for (int i = 0; i < 2; i++) {
-            const double c = i ? 0.0 : s->scene->couple;
+            const double c = i ? 0.0 : s->scene->couple; /* along x */
             const double t[2] = {s->scene->pull[i] + c * Y[0],
                                  s->scene->pull[i] + c * Y[1]};
+            /* int N_a t and int N_b t on the edge, t linear in Y */
             hand[a + i] += l * (2.0 * t[0] + t[1]) / 6.0;
             hand[b + i] += l * (t[0] + 2.0 * t[1]) / 6.0;
         }
@@ -272,6 +277,7 @@ double *ladder_mass(const struct ladder_state *s, const double w[])
 {
     struct body heavy = *s->body;
     double *Mw = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *Mw);
+    /* a body at rest has rho = 0 */
     heavy.rho = 1.0;
     body_mass(&heavy, w, Mw);
     return Mw;

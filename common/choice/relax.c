@@ -30,7 +30,7 @@ mat2 relax_stress(const struct ladder_state *s, int e)
 void relax_push(const struct ladder_state *s, int e, mat2 T, double g[])
 {
     const double area = s->body->area[e], *gradient = &s->body->gradient[6 * e];
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) /* grad N_k is constant in e */
         for (int i = 0; i < 2; i++)
             g[2 * s->body->vertex[3 * e + k] + i] +=
                 area * (T.m[i][0] * gradient[2 * k] +
@@ -83,6 +83,7 @@ static void product(const struct ladder_state *s, relax_forces *forces,
     for (int e = 0; e < s->mesh->n_triangle; e++) {
         const mat2 F = at_u(s) ? body_deformation(s->body, s->u, e)
                                : mat2_identity();
+        /* H = grad w; P + p I = dP/dF : H, or P(u) where w = u */
         H[e] = mat2_subtract(body_deformation(s->body, w, e), mat2_identity());
         P[e] = w == s->u ? relax_stress(s, e) : material2_dpk1(&law, F, H[e]);
         p[e] = s->scene->nu * mat2_trace(P[e]);
@@ -117,7 +118,7 @@ static int follow(const struct ladder_state *s, const struct matrix *factors,
     for (size_t i = 0; i < n; i++) e[i] = 0.0;
     for (int k = 0; k < steps; k++) {
         solve(s, factors, r, z);
-        const double rz = dot(s, r, z), beta = rz / before;
+        const double rz = dot(s, r, z), beta = rz / before; /* p = 0 at k = 0 */
         if (k == 0) first = rz;
         stands = isfinite(rz);
         if (!stands || rz <= 1e-20 * first) break; /* solved, to round-off */
@@ -126,11 +127,11 @@ static int follow(const struct ladder_state *s, const struct matrix *factors,
             Kp[i] = r[i] + beta * Kp[i];
         }
         if (forces) product(s, forces, p, Dp);
-        const double energy = dot(s, p, Kp) - dot(s, p, Dp);
+        const double energy = dot(s, p, Kp) - dot(s, p, Dp); /* p.(K - D) p */
         stands = energy > 0.0;
         if (!stands) break;
         for (size_t i = 0; i < n; i++) {
-            e[i] += rz / energy * p[i];
+            e[i] += rz / energy * p[i]; /* alpha = r.z / p.(K - D) p */
             r[i] -= rz / energy * (Kp[i] - Dp[i]);
         }
         before = rz;
@@ -146,7 +147,7 @@ int relax_follow(const struct ladder_state *s, const struct matrix *factors,
                  relax_forces *forces, int steps, double e[])
 {
     double *r = allocate(2 * (size_t)s->mesh->n_vertex, sizeof *r);
-    product(s, forces, s->u, r);
+    product(s, forces, s->u, r); /* r = D u */
     const int stands = follow(s, factors, forces, steps, r, e);
     free(r);
     return stands;
@@ -194,19 +195,20 @@ static double lacks(const struct ladder_state *s, const struct matrix *factors,
     double *e = allocate(n, sizeof *e), *r = allocate(n, sizeof *r);
     memcpy(r, hand ? s->hand : g, n * sizeof *r);
     for (size_t k = 0; k < n; k++)
-        if (s->body->equation[k] < 0) r[k] = 0.0;
+        if (s->body->equation[k] < 0) r[k] = 0.0; /* held */
     double part = 1.0, off, whole;
     if (follow(s, factors, forces, hand ? STEPS + 1 : STEPS, r, e)) {
         if (hand) {
+            /* e is z: z.g over hand.w + z.g, or over hand.z */
             off = dot(s, e, g);
             whole = s->model.moving ? dot(s, s->hand, w) + off
                                     : dot(s, s->hand, e);
         } else {
             off = ladder_measure(s, e);
             for (size_t k = 0; k < n; k++) e[k] += w[k];
-            whole = ladder_measure(s, e);
+            whole = ladder_measure(s, e); /* |w + e| */
         }
-        part = off != 0.0 ? fabs(off / whole) : 0.0;
+        part = off != 0.0 ? fabs(off / whole) : 0.0; /* not 0 / 0 */
     }
     free(e);
     free(r);
@@ -263,12 +265,12 @@ double relax_geometry(const struct ladder_state *s,
     double *all = allocate(n, sizeof *all), part = 1.0;
     *together = 1.0;
     if (factors && relax_follow(s, factors, stress, STEPS, w)) {
-        for (size_t r = 0; r < n; r++) w[r] += s->u[r];
+        for (size_t r = 0; r < n; r++) w[r] += s->u[r]; /* w = u + e */
         product(s, stress, w, g);
         for (size_t r = 0; r < n; r++) g[r] = -g[r];
-        push_laws(s, LINEAR, CUBIC, w, g);
+        push_laws(s, LINEAR, CUBIC, w, g); /* g = N(w) - D w */
         product(s, stress, s->u, all);
-        for (size_t r = 0; r < n; r++) all[r] += g[r];
+        for (size_t r = 0; r < n; r++) all[r] += g[r]; /* D u + g */
         part = lacks(s, factors, stress, w, g);
         *together = lacks(s, factors, stress, s->u, all);
     }
@@ -288,6 +290,7 @@ static double late(const struct ladder_state *s, const struct matrix *factors,
     product(s, stiffness, s->v, Kv);
     product(s, mesh, s->v, Dv);
     solve(s, factors, Dv, d);
+    /* omega^2 = v.K v / v.M v; stiffer = |K^-1 D v| / |v| */
     const double kinetic = dot(s, s->v, Mv), speed = ladder_size(s, s->v);
     const double square = fmax(0.0, dot(s, s->v, Kv)) / kinetic;
     const double stiffer = ladder_size(s, d) / speed;
@@ -296,9 +299,11 @@ static double late(const struct ladder_state *s, const struct matrix *factors,
     free(Dv);
     free(d);
     if (!(kinetic > 0.0 && square > 0.0)) return 0.0;
+    /* omega t (stiffer / 2 + (omega dt)^2 / 12) */
     const double angle = sqrt(square) * s->t *
                          (0.5 * stiffer +
                           square * pow(ladder_step(s), 2) / 12.0);
+    /* the amplitude |v| / omega times the angle, over |u| */
     return speed / sqrt(square) * fmin(2.0, angle) / ladder_size(s, s->u);
 }
 
@@ -323,7 +328,7 @@ static double swing(const struct ladder_state *s, const struct matrix *K)
     double *w = allocate(n, sizeof *w);
     solve(s, K, s->f, w);
     double *Mw = ladder_mass(s, w);
-    solve(s, K, Mw, w);
+    solve(s, K, Mw, w); /* w is now K^-1 M w */
     const double square = dot(s, Mw, w);
     free(w);
     free(Mw);
@@ -343,14 +348,14 @@ static double swing(const struct ladder_state *s, const struct matrix *K)
 static double swings(const struct ladder_state *s, const struct matrix *factors)
 {
     double *Mu = ladder_momentum(s);
-    const double size = sqrt(dot(s, Mu, s->u)) * s->scene->T;
+    const double size = sqrt(dot(s, Mu, s->u)) * s->scene->T; /* |u|_M T */
     free(Mu);
     if (!(size > 0.0)) return 1.0;
     const double at_end = swing(s, factors) / size;
-    double begins = at_end;
+    double begins = at_end; /* A_0 = A where K is that of rest */
     if (at_u(s)) {
         struct matrix *K = factors_at_rest(s);
-        begins = swing(s, K) / size;
+        begins = swing(s, K) / size; /* A_0 */
         matrix_free(K);
     }
     const double both = hypot(begins, at_end);
@@ -367,12 +372,13 @@ static void sections(const struct ladder_state *s, const double f[], double N[],
     double sideways = 0.0;
     for (int i = n; i >= 0; i--) {
         N[i] = i < n ? N[i + 1] : 0.0;
+        /* M_i = M_i+1 + Q h - sum Y f_x, h = 2 / n, Q all f_y beyond */
         M[i] = i < n ? M[i + 1] + sideways * 2.0 / n : 0.0;
         for (int j = 0; j <= s->mesh->rows; j++) {
             const int a = 2 * (j * (n + 1) + i);
             N[i] += f[a];
             M[i] -= s->mesh->X[a + 1] * f[a];
-            sideways += f[a + 1];
+            sideways += f[a + 1]; /* after M_i: f_y here has no lever */
         }
     }
 }
@@ -386,6 +392,7 @@ static double yields(const struct ladder_state *s)
     double sum = 0.0;
     sections(s, s->hand, N, M);
     for (size_t i = 1; i <= n; i++)
+        /* int N^2 / height + M^2 / I, I = height^3 / 12; E' comes last */
         sum += 2.0 / s->mesh->n * (N[i] * N[i] / height +
                                    12.0 * M[i] * M[i] / pow(height, 3));
     free(N);
@@ -417,7 +424,9 @@ double relax_dimension(const struct ladder_state *s)
     for (size_t i = 0; i < n; i++) {
         const double middle = 0.5 * (M[i] + M[i + 1]);
         const double mean = 0.5 * (moment[i] + moment[i + 1]);
+        /* the shear forces, times the step */
         const double Q = M[i] - M[i + 1], q = moment[i] - moment[i + 1];
+        /* w + h w' + h^2 w'' / 2, for M is taken as constant in an element */
         w += step * (turn + 0.5 * step * middle / I) + shear * Q;
         turn += step * middle / I;
         u += step * N[i + 1] / height;
@@ -426,9 +435,11 @@ double relax_dimension(const struct ladder_state *s)
         both += step * mean * middle / I + shear * q * Q / step;
         bent += step * mean * mean / I + shear * q * q / step;
         pulled += step * pow(force[i + 1], 2) / height;
+        /* turn is E' w': E' n w'^2 / 2 */
         shorter += step * 0.5 * fabs(force[i + 1]) * pow(gain * turn, 2) / E;
     }
     if (s->scene->quantity == LADDER_HAND) {
+        /* int m M / I, s^2 / 2 |n N| and int n w'^2 / 2; of the hand itself */
         off = gain * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
         whole = bent + pulled;
     } else {
@@ -448,11 +459,12 @@ double relax_dimension(const struct ladder_state *s)
 static double pressed(const struct ladder_state *s, double dimension)
 {
     const double bends = fmax(dimension, relax_dimension(s));
-    const double lateral = ladder_narrows(&s->body->material);
+    const double lateral = ladder_narrows(&s->body->material); /* s */
     const double missed = lateral * lateral / (2.0 * s->scene->slender);
     const double share = ladder_pressed(s->scene);
     if (share >= 1.0) return 1.0;
     if (!(share > 0.0) || ladder_symmetric(s->scene)) return 0.0;
+    /* bends = x + missed (1 - x), x the part that bends: solved for x */
     return share * fmax(0.0, (bends - missed) / (1.0 - missed));
 }
 
@@ -464,7 +476,7 @@ static void linear_parts(const struct ladder_state *s, const struct matrix *K,
     double together;
     const double moved = relax_geometry(s, K, stress, &together);
     part[GEOMETRY] = hand ? moved : fmin(part[GEOMETRY], moved);
-    const double parts = hypot(part[GEOMETRY], part[STRESS]);
+    const double parts = hypot(part[GEOMETRY], part[STRESS]); /* h */
     const double both = hypot(together, 2.0 * parts * parts);
     if (both < parts) {
         part[GEOMETRY] *= both / parts;

@@ -34,15 +34,17 @@ static enum status bar(struct ladder_state *s)
     for (int i = n; i > 0; i--) { /* slope of element i, left of node i */
         slope[i] = slope[i + 1];
         for (int j = 0; j <= s->mesh->rows; j++)
+            /* N / (E' height), N all f_x from node i on */
             slope[i] += s->f[2 * (j * columns + i)] / (modulus * area);
     }
     for (int i = 1; i <= n; i++) {
+        /* at a node, of the elements on both sides */
         const double mean = 0.5 * (slope[i] + slope[i < n ? i + 1 : n]);
         u += slope[i] * h;
         for (int j = 0; j <= s->mesh->rows; j++) {
             const int a = 2 * (j * columns + i);
             s->u[a] = u;
-            s->u[a + 1] = -thinner * mean * s->mesh->X[a + 1];
+            s->u[a + 1] = -thinner * mean * s->mesh->X[a + 1]; /* -s u' Y */
         }
     }
     s->flops = 5.0 * n;
@@ -68,7 +70,7 @@ static enum status linear_start(struct ladder_state *s, double d,
     l->some = allocate(size, sizeof *l->some);
     enum status status = body_stiffness(s->body, s->u, EXACT, l->K);
     if (s->model.moving) body_mass_matrix(s->body, l->A);
-    matrix_combine(l->A, d * d, l->K, l->A);
+    matrix_combine(l->A, d * d, l->K, l->A); /* M + d^2 K */
     if (status == OK) status = matrix_factor(l->A);
     s->flops += cost.flops + sweep(s, 1);
     return status;
@@ -137,6 +139,7 @@ static void keep(struct moment *m, double x, double d, const double half[],
                  const double u[], const double v[], size_t size)
 {
     for (size_t r = 0; r < size; r++) {
+        /* half = (u0 + u) / 2, (u - u0) / (2 d) = (v0 + v) / 2 */
         const double u0 = 2.0 * half[r] - u[r], v0 = (u[r] - u0) / d - v[r];
         m->v[r] = v0 + x * (v[r] - v0);
         m->u[r] = u0 + x * d * (v0 + m->v[r]);
@@ -185,7 +188,7 @@ static enum status move(struct ladder_state *s)
     enum status status = OK;
     if (s->model.rung == LINEAR_PLANE) status = linear_start(s, d, &linear);
     for (double t = d; status == OK && t < s->scene->end; t += dt) {
-        double work = 0.0, power0 = power, x = 1.0;
+        double work = 0.0, power0 = power, x = 1.0; /* t is half-way */
         for (size_t r = 0; r < size; r++) half[r] = w[r] = u[r] + d * v[r];
         if (s->model.rung == LINEAR_PLANE)
             linear_solve(s, &linear, d, w, share_of(s->scene, t), half);
@@ -193,13 +196,16 @@ static enum status move(struct ladder_state *s)
             status = newton(s, d, w, share_of(s->scene, t), half);
         power = 0.0;
         for (size_t r = 0; r < size; r++) {
+            /* first v+ = 2 v* - v, of the old u: v* = (half - u) / d */
             v[r] = 2.0 * (half[r] - u[r]) / d - v[r];
             u[r] = 2.0 * half[r] - u[r];
             work += s->f[r] * u[r];
             power += s->f[r] * v[r];
         }
         if (power0 < 0.0 && power > 0.0) sort_in(peak); /* a new rise begins */
+        /* the power f.v goes in a straight line, through 0 at x */
         if (power0 > 0.0 && power < 0.0) x = power0 / (power0 - power);
+        /* f.u there: before + 2 d int_0^x f.v */
         const double top =
             before + x * d * (2.0 * power0 + x * (power - power0));
         s->fastest = fmax(s->fastest, ladder_size(s, v));

@@ -180,7 +180,7 @@ static void colour(double value, char text[16])
     const double *c = (double[2][3]){{33, 102, 196}, {235, 120, 20}}[s > 0.0];
     int rgb[3] = {214, 0, 190};
     for (int k = 0; k < 3 && value > 0.0; k++)
-        rgb[k] = (int)(250.0 + fabs(s) * (c[k] - 250.0));
+        rgb[k] = (int)(250.0 + fabs(s) * (c[k] - 250.0)); /* from white */
     snprintf(text, 16, "#%02x%02x%02x", rgb[0] & 255, rgb[1] & 255,
              rgb[2] & 255);
 }

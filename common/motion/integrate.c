@@ -79,7 +79,7 @@ enum status integrate_residual(const struct model *model, double dt,
     double *move = allocate((size_t)n, sizeof *move);
     double *force = allocate((size_t)n, sizeof *force);
     for (int i = 0; i < n; i++) move[i] = u[i] - (u0[i] + dt * v0[i]);
-    model_mass(model, move, q);
+    model_mass(model, move, q); /* M (u - u0 - dt v0) */
     const enum status status = model_force(model, u, force);
     for (int i = 0; i < n; i++) q[i] += dt * dt * (force[i] - model->f[i]);
     free(move);
@@ -96,10 +96,10 @@ static enum status symplectic_euler(const struct model *model, double dt,
     double *a = allocate((size_t)n, sizeof *a);
     const enum status status = model_force(model, u, a);
     for (int i = 0; i < n; i++) a[i] = model->f[i] - a[i];
-    model_accelerate(model, a);
+    model_accelerate(model, a); /* M^-1, 0 where prescribed */
     for (int i = 0; i < n; i++) {
         v[i] += dt * a[i];
-        u[i] += dt * v[i];
+        u[i] += dt * v[i]; /* of the new v */
     }
     free(a);
     return status;
@@ -116,7 +116,7 @@ struct step_report integrate_solve(struct model *model,
     struct step_report report = {.status = OK};
     if (model->body) {
         memcpy(u, a, n * sizeof *u);
-        memcpy(room, b, n * sizeof *u);
+        memcpy(room, b, n * sizeof *u); /* b stays */
         report = step_backward_euler(model->body, &INTEGRATE_NEWTON, d, g,
                                      model->f, u, room, NULL);
     } else { /* room is 0 */
@@ -145,6 +145,7 @@ static struct step_report implicit_step(struct model *model,
     double *g_mid = allocate((size_t)n, sizeof *g_mid);
 
     for (int i = 0; i < n; i++) {
+        /* backward Euler goes from (a, b) by d */
         a[i] = bdf2 ? (4.0 * s->u[i] - s->u_before[i]) / 3.0 : s->u[i];
         b[i] = bdf2 ? (4.0 * s->v[i] - s->v_before[i]) / 3.0 : s->v[i];
         if (g) g_mid[i] = 0.5 * (s->u[i] + g[i]);
@@ -153,7 +154,7 @@ static struct step_report implicit_step(struct model *model,
         model, integrate_residual, d, a, b, g && midpoint ? g_mid : g, u);
     for (int i = 0; i < n; i++) {
         v[i] = (u[i] - a[i]) / d;
-        if (midpoint) {
+        if (midpoint) { /* u* and v* are half-way */
             u[i] = 2.0 * u[i] - s->u[i];
             v[i] = 2.0 * v[i] - s->v[i];
         }
@@ -201,6 +202,7 @@ static int attempt(struct body *body, const struct step_control *control,
     frame->attempts++;
     for (int k = 1; k <= parts; k++) {
         for (int i = 0; i < now->n; i++)
+            /* u0 + k / parts (g - u0), and at the end g without round-off */
             g_part[i] = k == parts ? g[i]
                                    : start->u[i] + (double)k / parts *
                                                        (g[i] - start->u[i]);

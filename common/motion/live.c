@@ -168,6 +168,7 @@ void live_carry(struct live *live, const double to[2])
     for (int a = 0; a < live->mesh->n_vertex; a++)
         for (int i = 0; i < 2; i++) {
             const int r = 2 * a + i;
+            /* u = x - X, x = grip + to */
             live->g[r] = live->body->equation[r] >= 0 ||
                                  on_left_side(live->mesh, a)
                              ? 0.0
@@ -195,21 +196,22 @@ enum status live_lift(struct body *body, struct incremental Phi,
         move[r] = body->equation[r] < 0 ? g[r] - u0[r] : 0.0;
         size = fmax(size, fabs(move[r]));
     }
-    const double e = size > 0.0 ? PROBE / size : 0.0;
+    const double e = size > 0.0 ? PROBE / size : 0.0; /* e |move| = PROBE */
     for (int r = 0; r < n; r++) u[r] = u0[r] + e * move[r];
     status = body_assemble(body, Phi, u, NO_TANGENT, ahead);
     for (int r = 0; r < n; r++) u[r] = u0[r] - e * move[r];
     if (status == OK)
         status = body_assemble(body, Phi, u, NO_TANGENT, behind);
     if (status == OK) status = body_assemble(body, Phi, u0, tangent, q);
+    /* q + K_fh (g - u0), by a central difference along the jump */
     if (status == OK && e > 0.0)
         for (int r = 0; r < n; r++)
             q[r] += (ahead[r] - behind[r]) / (2.0 * e);
-    if (status == OK) status = body_increment(body, body->K, q, u);
+    if (status == OK) status = body_increment(body, body->K, q, u); /* du */
     const int solved = status == OK;
     for (int r = 0; r < n && solved; r++) {
         u[r] += move[r];
-        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE;
+        if (!(fabs(u[r]) <= LIVE_LEAP)) status = NONFINITE; /* NaN too */
         u[r] += u0[r];
     }
     free(move);
@@ -262,7 +264,7 @@ static enum status fast(struct live *live, live_lifter *lift, double u[],
     }
     for (int r = 0; r < n; r++) {
         v[r] = (u[r] - now->u[r]) / d;
-        if (midpoint) {
+        if (midpoint) { /* u* and v* are half-way */
             u[r] = 2.0 * u[r] - now->u[r];
             v[r] = 2.0 * v[r] - now->v[r];
         }
@@ -285,6 +287,7 @@ enum status live_start(const struct live *live, struct incremental Phi,
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
     enum status status = step_potential(body, Phi, u, room, &lifted, &noise);
+    /* Phi of the lift is larger, beyond the round-off of both */
     if (status == OK &&
         step_potential(body, Phi, left, room, &phi, &noise) == OK &&
         lifted > phi + 16.0 * DBL_EPSILON * noise)
@@ -301,9 +304,9 @@ enum status live_downhill(struct live *live, double u[], double v[],
     const int n = live->n_dof;
     double *w = allocate((size_t)n, sizeof *w);
     double *g = allocate((size_t)n, sizeof *g);
-    const struct incremental Phi = {live->dt, w, NULL};
+    const struct incremental Phi = {live->dt, w, NULL}; /* backward Euler */
     struct step_control rest = LIVE_DOWNHILL;
-    enum status status = INVERTED;
+    enum status status = INVERTED; /* or anything but OK */
     for (int r = 0; r < n; r++) w[r] = now->u[r] + live->dt * now->v[r];
     report->part = 1.0;
     for (int k = 0; k < LIVE_TRIES && status != OK; k++) {
@@ -373,6 +376,7 @@ int live_knots(const struct mesh *mesh, const double u[], int knot[])
     mesh_angles(mesh, NULL, rest);
     mesh_angles(mesh, u, angle);
     for (size_t a = 0; a < n; a++) {
+        /* inside: 2 pi at rest; wound otherwise by whole turns: > pi off */
         const int is_one = fabs(rest[a] - 2.0 * M_PI) < 1e-6 &&
                            fabs(angle[a] - 2.0 * M_PI) > M_PI;
         if (knot) knot[a] = is_one;
@@ -388,7 +392,7 @@ double live_energy(const struct live *live)
     double *momentum = allocate((size_t)live->n_dof, sizeof *momentum);
     double energy = NAN;
     if (body_energy(live->body, live->now.u, &energy) != OK) energy = NAN;
-    body_mass(live->body, live->now.v, momentum);
+    body_mass(live->body, live->now.v, momentum); /* M v */
     for (int r = 0; r < live->n_dof; r++)
         energy += 0.5 * live->now.v[r] * momentum[r];
     free(momentum);

@@ -41,6 +41,8 @@ struct model *model_bar(int n, enum mass mass)
     struct matrix *M = matrix_alloc(BANDED, n, 1);
     struct matrix *A = matrix_alloc(BANDED, n, 1);
 
+    /* A_e = k [1 -1; -1 1], M_e = h/6 [2 1; 1 2] or h/2 [1 0; 0 1]; node 1
+     * is row 0 */
     for (int e = 0; e < n; e++)
         for (int a = 0; a < 2; a++)
             for (int b = 0; b < 2; b++) {
@@ -96,7 +98,7 @@ void model_accelerate(const struct model *model, double r[])
         return;
     }
     double *some = allocate((size_t)model->M_factor->n, sizeof *some);
-    body_gather(model->body, r, some);
+    body_gather(model->body, r, some); /* the free rows */
     matrix_solve(model->M_factor, some);
     body_scatter(model->body, some, r);
     free(some);
@@ -109,10 +111,10 @@ double model_energy(const struct model *model, const double u[],
     if (model->body) {
         if (body_energy(model->body, u, &energy) != OK) energy = INFINITY;
     } else {
-        matrix_multiply(model->A, u, out);
+        matrix_multiply(model->A, u, out); /* Psi = u.A u / 2 */
         for (int i = 0; i < model->n_dof; i++) energy += 0.5 * u[i] * out[i];
     }
-    model_mass(model, v, out);
+    model_mass(model, v, out); /* v.M v / 2 - f.u */
     for (int i = 0; i < model->n_dof; i++)
         energy += 0.5 * v[i] * out[i] - model->f[i] * u[i];
     free(out);
@@ -126,7 +128,7 @@ struct step_report model_newton(struct model *model, double dt, double q[])
         matrix_free(model->K);
         model->K = matrix_copy(model->M);
         model->K_step = dt;
-        matrix_combine(model->M, dt * dt, model->A, model->K);
+        matrix_combine(model->M, dt * dt, model->A, model->K); /* M + dt^2 A */
         report.status = matrix_factor(model->K);
         report.factorisations = 1;
         if (report.status != OK) {

@@ -75,6 +75,7 @@ struct scene *side_next(struct side *side, const struct pointer *p)
     struct scene *s = side->now;
     memset(s->g, 0, (size_t)s->n_dof * sizeof *s->g);
     for (int a = n; a < mesh->n_vertex && side_held(side); a += n + 1) {
+        /* x = X + u goes along with the pointer */
         s->g[2 * a] = side->start[2 * a] + p->x - side->from[0];
         s->g[2 * a + 1] = side->start[2 * a + 1] + p->y - side->from[1];
     }
@@ -110,7 +111,9 @@ double side_energy(struct side *side, struct view_picture *picture)
         else
             side->n_curve++;
         y += 2 * side->n_curve - 2;
+        /* 1e-2 J to 1e4 J, in decades of 0.25 m */
         y[1] = -2.1 + 0.25 * fmax(0.0, fmin(6.0, log10(energy) + 2.0));
+        /* the newest at 2.7 m, each older one 0.007 m to the left */
         for (int k = 0; k < side->n_curve; k++)
             side->curve[2 * k] = 2.7 - 0.007 * (side->n_curve - 1 - k);
     }
