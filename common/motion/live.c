@@ -287,7 +287,7 @@ enum status live_start(const struct live *live, struct incremental Phi,
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
     enum status status = step_potential(body, Phi, u, room, &lifted, &noise);
-    /* Phi of the lift is larger, beyond the round-off of both */
+    /* Phi of the lift is larger, beyond round-off */
     if (status == OK &&
         step_potential(body, Phi, left, room, &phi, &noise) == OK &&
         lifted > phi + 16.0 * DBL_EPSILON * noise)
