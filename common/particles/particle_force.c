@@ -11,7 +11,7 @@
 
 void support_pull_back(struct support *s, mat2 F)
 {
-    for (int i = 0; i < s->n; i++) {
+    for (int i = 0; i < s->n; i++) { /* q_a = F^T grad N_a */
         const double g0 = s->gradient[i][0], g1 = s->gradient[i][1];
         for (int k = 0; k < 2; k++)
             s->gradient[i][k] = F.m[0][k] * g0 + F.m[1][k] * g1;
@@ -26,7 +26,7 @@ static enum status at_particle(const struct particle_body *body, int p,
     const struct particles *all = body->particles;
     const enum status status = grid_support(body->grid, &all->x[2 * p], s);
     if (status != OK) return status;
-    support_pull_back(s, all->F[p]);
+    support_pull_back(s, all->F[p]); /* u (x) q = u (x) grad N F_p */
     *F = mat2_add(all->F[p], support_gradient(s, u));
     const double J = mat2_det(*F);
     if (!isfinite(J)) return NONFINITE;
@@ -99,7 +99,7 @@ enum status particle_cauchy_force(const struct particle_body *body,
         if (status != OK) return status;
         grid_support(body->grid, &body->particles->x[2 * p], &now);
         const mat2 hat = mat2_add(mat2_identity(), support_gradient(&now, u));
-        const double J = mat2_det(F);
+        const double J = mat2_det(F); /* F = F_hat F_p */
         const mat2 sigma =
             mat2_scale(1.0 / J, mat2_multiply(material2_pk1(&body->material, F),
                                               mat2_transpose(F)));
@@ -153,7 +153,7 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
     const int n_dof = 2 * body->grid->n_node;
     double *moved = allocate((size_t)n_dof, sizeof *moved);
     double *g = allocate((size_t)n_dof, sizeof *g);
-    double first = 0.0, second = 0.0, slope = 0.0;
+    double first = 0.0, second = 0.0, slope = 0.0; /* slope: dPsi/du.w */
     for (int r = 0; r < n_dof; r++) {
         moved[r] = u[r] + t * w[r];
         slope -= f[r] * w[r];
@@ -162,7 +162,7 @@ enum status particle_taylor(const struct particle_body *body, const double u[],
     if (status == OK) status = particle_energy(body, moved, &second);
     if (status == OK) status = particle_force(body, moved, g);
     *error = (struct taylor){fabs(second - first - t * slope), 0.0};
-    for (int r = 0; r < n_dof; r++)
+    for (int r = 0; r < n_dof; r++) /* f(u + t w) = f - t K w + O(t^2) */
         error->force = fmax(error->force, fabs(g[r] - f[r] + t * Kw[r]));
     free(moved);
     free(g);
@@ -230,7 +230,7 @@ static void add_particle(int n, double volume, two D[2][2][2],
                                      D[k][1][J] * map->q[b][1][k]);
         for (int a = b; a < n; a++) {
             const int *na = &map->number[2 * a], below = na[0] - nb[0];
-            const two *q = map->q[a];
+            const two *q = map->q[a]; /* block: V dP q_a */
             const two block[2] = {dP[0][0] * q[0] + dP[0][1] * q[1],
                                   dP[1][0] * q[0] + dP[1][1] * q[1]};
             if (!pair || na[1] != na[0] + 1 || below < (a > b)) {

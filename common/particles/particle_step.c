@@ -54,7 +54,7 @@ void unknowns_number(const struct grid *grid, enum wall wall,
     for (int a = 0; a < grid->n_node; a++) {
         const int beyond = column - a % n; /* columns beyond the wall */
         if (beyond <= 0 || column + beyond >= n) continue;
-        for (int r = 2 * a; r < 2 * a + 2; r++) {
+        for (int r = 2 * a; r < 2 * a + 2; r++) { /* image: 2 beyond on */
             map->equation[r] = map->equation[r + 4 * beyond];
             map->sign[r] = -1.0;
         }
@@ -105,7 +105,7 @@ enum status particle_mass(const struct particle_body *body, int consistent,
         double value[2];
         const enum status status = grid_support(body->grid, &all->x[2 * p], &s);
         if (status != OK) return status;
-        support_value(&s, w, value);
+        support_value(&s, w, value); /* w(x_p) = sum_b N_b w_b */
         for (int i = 0; i < s.n; i++)
             for (int k = 0; k < 2; k++)
                 out[2 * s.node[i] + k] += all->mass[p] * s.w[i] * value[k];
@@ -131,7 +131,7 @@ enum status particle_mass_matrix(const struct particle_body *body,
         if (status != OK) return status;
         for (int i = 0; i < s.n; i++)
             for (int k = 0; k < 2; k++)
-                for (int j = 0; j < s.n; j++) {
+                for (int j = 0; j < s.n; j++) { /* sum_p m_p N_i N_j */
                     const int r = 2 * s.node[i] + k, c = 2 * s.node[j] + k;
                     if (map->equation[r] < 0 || map->equation[c] < 0) continue;
                     matrix_add(A, map->equation[r], map->equation[c],
@@ -177,7 +177,7 @@ enum status particle_potential(const struct particle_body *body,
                 const double weight = grid->mass[a] * step->g[k];
                 E->inertia += 0.5 * w[s] * Mw[s];
                 E->load -= weight * u[s];
-                r[s] = step->rate * Mw[s] - r[s] - weight;
+                r[s] = step->rate * Mw[s] - r[s] - weight; /* r was f(u) */
             }
     if (status == OK && !isfinite(potential_sum(*E))) status = NONFINITE;
     free(w);
@@ -269,7 +269,7 @@ struct particle_report particle_newton(const struct particle_body *body,
             report.projections++;
         }
         if (report.status != OK) break;
-        matrix_solve(A, room.y);
+        matrix_solve(A, room.y); /* A du = r, and u -= du */
         unknowns_scatter(map, room.y, room.du);
         report.increment[k] = unknowns_largest(map, room.y);
         report.status =

@@ -38,7 +38,7 @@ int kernel_weights(int order, double h, double x, double w[], double dw[])
         dw[2] = (t + 0.5) / h;
         return (int)cell;
     }
-    w[0] = g * g * g / 6.0;
+    w[0] = g * g * g / 6.0; /* order 3: nodes are 1 + f, f, g, 1 + g away */
     w[1] = f * f * (0.5 * f - 1.0) + 2.0 / 3.0;
     w[2] = g * g * (0.5 * g - 1.0) + 2.0 / 3.0;
     w[3] = f * f * f / 6.0;
@@ -54,7 +54,7 @@ double kernel_inertia(int order, double h, double x)
     assert(order >= 1 && order <= ORDER_MAX);
     if (order > 1) return h * h * (order == 2 ? 0.25 : 1.0 / 3.0);
     const double f = x / h - floor(x / h);
-    return h * h * (f * (1.0 - f));
+    return h * h * (f * (1.0 - f)); /* (1 - f) f^2 + f (1 - f)^2 */
 }
 
 /* ---- grid ---------------------------------------------------------------- */
@@ -216,7 +216,7 @@ enum status grid_p2g(struct grid *grid, const struct particles *p)
                 if (s.inertia[l] > 0.0)
                     C.m[k][l] = p->B[q].m[k][l] / s.inertia[l];
         for (int i = 0; i < s.n; i++) {
-            const double m = p->mass[q] * s.w[i];
+            const double m = p->mass[q] * s.w[i]; /* m_p N_a */
             grid->mass[s.node[i]] += m;
             for (int k = 0; k < 2; k++)
                 grid->v[2 * s.node[i] + k] +=
@@ -225,7 +225,7 @@ enum status grid_p2g(struct grid *grid, const struct particles *p)
         }
     }
     for (int a = 0; a < grid->n_node; a++) {
-        if (!(grid->mass[a] > 0.0)) continue;
+        if (!(grid->mass[a] > 0.0)) continue; /* v was momentum */
         for (int k = 0; k < 2; k++) grid->v[2 * a + k] /= grid->mass[a];
     }
     memcpy(grid->next, grid->v, 2 * n * sizeof *grid->next);

@@ -27,6 +27,7 @@ static void make_triangle(struct body *body, int e)
     double gradient[QUADRATIC_POINTS][2 * QUADRATIC_NODES];
     if (body->element == QUADRATIC_TRIANGLE) {
         quadratic_nodes(body->mesh, e, vertex);
+        /* of a point, a third of the triangle */
         body->area[e] = quadratic_gradients(body->mesh, e, gradient) / 3.0;
     } else {
         memcpy(vertex, &body->mesh->triangle[3 * e], 3 * sizeof *vertex);
@@ -149,6 +150,7 @@ mat2 body_deformation(const struct body *body, const double u[], int e)
     if (body->element == LINEAR_TRIANGLE)
         return triangles_deformation(body, u, e, 0);
     const int *t = &body->mesh->triangle[3 * e];
+    /* a linear triangle of the mesh, four of them in a quadratic one */
     mat2 F = mat2_identity();
     double g[6];
     mesh_gradients(body->mesh, e, g);
@@ -170,6 +172,7 @@ enum status body_energy(const struct body *body, const double u[],
 
 double body_mass_share(enum mass mass, int own)
 {
+    /* int N_a N_b dA / A, or its sum over b at vertex a */
     if (mass == LUMPED) return own ? 1.0 / 3.0 : 0.0;
     return own ? 1.0 / 6.0 : 1.0 / 12.0;
 }
@@ -192,6 +195,7 @@ void body_turned(const struct body *body, const double u[], double by[2])
     for (int r = 0; r < n_dof; r += 2) {
         const double X1 = X[r] - middle[0], X2 = X[r + 1] - middle[1];
         const double x1 = X1 + u[r], x2 = X2 + u[r + 1];
+        /* sum |X| |x| times cosine and sine of the angle from X to x */
         along += X1 * x1 + X2 * x2;
         sideways += X1 * x2 - X2 * x1;
     }
@@ -210,6 +214,7 @@ void body_mass(const struct body *body, const double v[], double out[])
     const double other = body_mass_share(body->mass, 0);
     for (int e = 0; e < body->n_element; e++) {
         const int *t = &body->vertex[3 * e];
+        /* (M v)_a = sum_b M_ab v_b, M_ab = rho A times a share */
         const double mass = body->rho * body->area[e];
         for (int i = 0; i < 2; i++)
             for (int a = 0; a < 3; a++)
@@ -230,7 +235,7 @@ static void add_diagonal(struct body *body, struct incremental Phi,
 {
     for (int r = 0; r < 2 * body->mesh->n_vertex; r++) {
         const int k = body->equation[r];
-        const double mass = body->rho * body->diagonal[r / 2];
+        const double mass = body->rho * body->diagonal[r / 2]; /* M_rr */
         q[r] += mass * (u[r] - Phi.w[r]);
         if (tangent != NO_TANGENT && k >= 0) matrix_add(body->K, k, k, mass);
     }
@@ -248,6 +253,7 @@ enum status body_assemble(struct body *body, struct incremental Phi,
         matrix_zero(body->K);
         body->kept.usable = 0;
     }
+    /* q = M (u - w) + dt^2 (dPsi/du - f), f first */
     for (int r = 0; r < n_dof; r++) q[r] = Phi.f ? -dt * dt * Phi.f[r] : 0.0;
     if (Phi.w && !linear) add_diagonal(body, Phi, u, tangent, q);
     const enum status status = triangles_assemble(body, Phi, u, tangent, q);

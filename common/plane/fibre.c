@@ -20,6 +20,7 @@ struct tension fibre_tension(const struct fibre *fibre, double l)
     const double x = GSL_MAX_DBL(-w, GSL_MIN_DBL(e, w)) / w; /* in [-1, 1] */
     struct tension t = {k * taut * taut * taut / 3.0, k * taut * taut,
                         2.0 * k * taut};
+    /* beyond the limbs x = -1 or 1: T = 0, and W is constant */
     t.W += active * w * (x - x * x * x / 3.0);
     t.T += active * (1.0 - x * x);
     if (fabs(e) < w) t.dT -= active * 2.0 * x / w;
@@ -55,7 +56,7 @@ static mat2 stiffness(const struct fibre *fibre, double l, const double n[2],
         along = GSL_MAX_DBL(along, 0.0);
         transverse = GSL_MAX_DBL(transverse, 0.0);
     }
-    const double excess = along - transverse;
+    const double excess = along - transverse; /* B = T/l I + (T' - T/l) n n^T */
     return (mat2){{{transverse + excess * n[0] * n[0], excess * n[0] * n[1]},
                    {excess * n[1] * n[0], transverse + excess * n[1] * n[1]}}};
 }
@@ -66,6 +67,7 @@ mat2 fibre_dpk1(const struct fibre *fibre, const double g[2], mat2 F, mat2 dF,
     double n[2];
     const double l = stretch(g, F, n);
     const mat2 gg = {{{g[0] * g[0], g[0] * g[1]}, {g[1] * g[0], g[1] * g[1]}}};
+    /* dP = B dF g g^T */
     return mat2_multiply(stiffness(fibre, l, n, tangent),
                          mat2_multiply(dF, gg));
 }
@@ -105,6 +107,7 @@ static void add(const struct body *body, double dt, const double u[],
         }
         double s[3];
         for (int a = 0; a < 3; a++) {
+            /* P grad N_a = T s_a n */
             s[a] = g[0] * G[2 * a] + g[1] * G[2 * a + 1];
             for (int i = 0; i < 2; i++)
                 q[2 * t[a] + i] += dt * dt * area * s[a] * pull.T * n[i];
@@ -119,6 +122,7 @@ double *fibres_bent(const struct mesh *mesh, double tilt, double bend)
 {
     double *angle = allocate((size_t)mesh->n_triangle, sizeof *angle);
     for (int r = 0; r < 3 * mesh->n_triangle; r++)
+        /* the mean of the three vertices is the value at the centre */
         angle[r / 3] += (tilt + bend * mesh->X[2 * mesh->triangle[r]]) / 3.0 *
                         (M_PI / 180.0);
     return angle;

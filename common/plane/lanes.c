@@ -79,11 +79,12 @@ INLINE void volume(const struct material *material, vec weight,
                    struct points *pt)
 {
     if (material->law == CUBIC) {
+        /* G = lambda r^2 / 2 - mu r, r = s - s^2/2 + s^3/3 for log J */
         const vec s = pt->J - 1.0;
         const vec r = s * (1.0 - s * (0.5 - s * (1.0 / 3.0)));
         const vec dr = 1.0 - s + s * s, ddr = -1.0 + 2.0 * s;
         const vec pull = material->lambda * r - material->mu;
-        pt->dG = weight * pull * dr;
+        pt->dG = weight * pull * dr; /* G' = (lambda r - mu) r' */
         pt->ddG = weight * (material->lambda * dr * dr + pull * ddr);
         return;
     }
@@ -102,7 +103,7 @@ INLINE void volume(const struct material *material, vec weight,
 INLINE void find_points(const struct body *body, struct scales scale,
                         const vec g[KEPT], struct points *pt)
 {
-    const vec area = scale.dt2 * g[GRADIENTS];
+    const vec area = scale.dt2 * g[GRADIENTS]; /* dt^2 A */
     UNROLL for (int a = 0; a < 3; a++) {
         pt->c[2 * a] = pt->F[1][1] * g[2 * a] - pt->F[1][0] * g[2 * a + 1];
         pt->c[2 * a + 1] = pt->F[0][0] * g[2 * a + 1] - pt->F[0][1] * g[2 * a];
@@ -121,6 +122,7 @@ INLINE void add_forces(const struct points *pt, const vec g[KEPT],
     double pull[GRADIENTS][V];
     UNROLL for (int a = 0; a < 3; a++)
         UNROLL for (int i = 0; i < 2; i++) {
+            /* dt^2 A P g_a, P = mu F + G' cof(F); sum_b M_ab (u_b - w_b) */
             vec sum = pt->mu * (pt->F[i][0] * g[2 * a] +
                                 pt->F[i][1] * g[2 * a + 1]) +
                       pt->dG * pt->c[2 * a + i];
@@ -138,7 +140,7 @@ INLINE void add_forces(const struct points *pt, const vec g[KEPT],
 INLINE void add_blocks(const struct points *pt, const vec g[KEPT],
                        const int place[], size_t stride, double entries[])
 {
-    double block[BLOCKS][4][V];
+    double block[BLOCKS][4][V]; /* entries 00, 10, 01, 11 */
     int k = 0;
     UNROLL for (int a = 0; a < 3; a++)
         UNROLL for (int b = 0; b <= a; b++, k++) {
@@ -229,6 +231,7 @@ enum status lanes_assemble(const struct body *body, struct incremental Phi,
 INLINE vec cubic_psi(const struct material *material, const struct points *pt)
 {
     const double mu = material->mu, lambda = material->lambda;
+    /* H = F - I; s = J - 1 = tr H + det H */
     const vec H00 = pt->F[0][0] - 1.0, H11 = pt->F[1][1] - 1.0;
     const vec H01 = pt->F[0][1], H10 = pt->F[1][0];
     const vec det = H00 * H11 - H01 * H10, s = H00 + H11 + det;
@@ -238,6 +241,7 @@ INLINE vec cubic_psi(const struct material *material, const struct points *pt)
         if (s[l] < -0.5) J[l] = pt->J[l];
     const vec t = J - 1.0;
     const vec r = t * (1.0 - t * (0.5 - t * (1.0 / 3.0)));
+    /* mu (|F|^2 / 2 - 1 - r), |F|^2 / 2 - 1 = |H|^2 / 2 + s - det H */
     return 0.5 * mu * dot - mu * det + mu * (s * s / 2.0 - s * s * s / 3.0) +
            0.5 * lambda * r * r;
 }

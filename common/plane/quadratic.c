@@ -18,7 +18,7 @@ void quadratic_shape(const double l[3], const double of_l[6], double N[6],
                      double gradient[12])
 {
     for (int a = 0; a < 3; a++) {
-        const int b = (a + 1) % 3, c = (a + 2) % 3;
+        const int b = (a + 1) % 3, c = (a + 2) % 3; /* edge bc faces a */
         N[a] = l[a] * (2.0 * l[a] - 1.0);
         N[3 + a] = 4.0 * l[b] * l[c];
         for (int j = 0; j < 2; j++) {
@@ -90,6 +90,7 @@ void quadratic_shares(const struct mesh *mesh, double area[])
         int node[NODES];
         double of_l[6];
         quadratic_nodes(mesh, e, node);
+        /* 3 (3/57 + 16/57) = 1: nothing of the mass is lost */
         const double all = corner_gradients(mesh, node, of_l);
         for (int a = 0; a < NODES; a++)
             area[node[a]] += all * (a < 3 ? 3.0 : 16.0) / 57.0;
@@ -103,6 +104,7 @@ void quadratic_load(const struct mesh *mesh, const double density[2],
         int node[NODES];
         double of_l[6];
         quadratic_nodes(mesh, e, node);
+        /* int N_a dA: A/3 in a middle, 0 at a vertex */
         const double third = corner_gradients(mesh, node, of_l) / 3.0;
         for (int a = 3; a < NODES; a++)
             for (int i = 0; i < 2; i++)

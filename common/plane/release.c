@@ -29,7 +29,7 @@ const struct crushed RELEASE_CRUSHED[N_CRUSHED] = {
 void release_place(const struct body *body, mat2 F, double u[])
 {
     for (int a = 0; a < body->mesh->n_vertex; a++) {
-        const double *X = &body->mesh->X[2 * a];
+        const double *X = &body->mesh->X[2 * a]; /* u = F X - X */
         for (int i = 0; i < 2; i++)
             if (body->equation[2 * a + i] >= 0)
                 u[2 * a + i] = F.m[i][0] * X[0] + F.m[i][1] * X[1] - X[i];
@@ -52,7 +52,7 @@ static enum status descend(struct body *body, double q[], double du[],
     *done = body_max_free(body, q) <=
             RELEASE_TOLERANCE * material_modulus(&body->material);
     if (*done) return OK;
-    release_shift(body);
+    release_shift(body); /* (K + shift) du = -q */
     status = body_increment(body, body->K, q, du);
     return status == OK ? step_search(body, at_rest(NULL), q, du, u) : status;
 }
@@ -92,7 +92,7 @@ static double draw(unsigned long long *state)
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
     z ^= z >> 31;
-    return 2.0 * (double)(z >> 11) * 0x1p-53 - 1.0;
+    return 2.0 * (double)(z >> 11) * 0x1p-53 - 1.0; /* 53 bits: a double */
 }
 
 void release_scramble(const struct body *body, unsigned seed, double u[])
@@ -100,7 +100,7 @@ void release_scramble(const struct body *body, unsigned seed, double u[])
     unsigned long long state = seed;
     for (int a = 0; a < body->mesh->n_vertex; a++) {
         if (body->equation[2 * a] < 0) continue;
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < 2; i++) /* u = x - X */
             u[2 * a + i] = draw(&state) - body->mesh->X[2 * a + i];
     }
 }

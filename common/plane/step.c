@@ -42,6 +42,7 @@ enum status step_potential(const struct body *body, struct incremental Phi,
         if (Phi.f) power += Phi.f[r] * u[r];
     }
     body_mass(body, move, momentum);
+    /* (u - w).M (u - w) / 2 */
     for (int r = 0; r < n_dof; r++) kinetic += 0.5 * move[r] * momentum[r];
     *phi = kinetic + dt * dt * (elastic - power);
     *noise = kinetic + dt * dt * (fabs(elastic) + fabs(power));
@@ -136,6 +137,7 @@ static void turn(struct body *body, const double u[])
     struct kept *kept = &body->kept;
     double now[2];
     body_turned(body, u, now);
+    /* cosine and sine of the difference of two angles */
     kept->by[0] = now[0] * kept->turned[0] + now[1] * kept->turned[1];
     kept->by[1] = now[1] * kept->turned[0] - now[0] * kept->turned[1];
 }
@@ -305,6 +307,7 @@ void step_boundary(const struct body *body, const double g[], int lift,
                 const double fraction = body->mesh->graded
                                           ? (X[r - k] - X[0]) / width
                                           : (double)i / n;
+                /* constant beyond the only end that is held */
                 const double s = held[0] && held[1] ? fraction : held[1];
                 if (body->equation[r] < 0)
                     u[r] = g[r];
@@ -347,7 +350,7 @@ static void remember(struct body *body, double dt, const double v[],
     for (int r = 0; r < n_dof; r++) {
         double old = v[r] - v_before[r], new = end[r] - v[r];
         for (int j = 2; j <= PAST_ORDER; j++) {
-            new -= old;
+            new -= old; /* dj = d(j-1) now - d(j-1) before */
             old = past->d[j][r];
             past->d[j][r] = new;
             error[j] += new * new;
@@ -356,7 +359,7 @@ static void remember(struct body *body, double dt, const double v[],
     }
     past->dt = dt;
     past->order = 2;
-    for (int j = 3; j <= PAST_ORDER; j++)
+    for (int j = 3; j <= PAST_ORDER; j++) /* of squares: (1/2)^2 */
         if (error[j] < 0.25 * error[past->order]) past->order = j;
 }
 

@@ -81,10 +81,11 @@ INLINE void add_block(mat2 block, int a, int b, int place, size_t stride,
                       double entries[])
 {
     if (place < 0) return;
+    /* column b_1 of K has rows a_1 and a_2, and so has b_2 behind it */
     double *column = &entries[place], *next = column + stride - 1;
     column[0] += block.m[0][0];
     column[1] += block.m[1][0];
-    if (a != b) next[0] += block.m[0][1];
+    if (a != b) next[0] += block.m[0][1]; /* else above the diagonal */
     next[1] += block.m[1][1];
 }
 
@@ -134,7 +135,7 @@ static void add_projected(struct factors s, int nodes, const double g[],
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
             for (int o = 0; o < 4; o++) {
-                const enum mode m = order[o];
+                const enum mode m = order[o]; /* value d_a d_b^T */
                 if (!(modes.value[m] > 0.0)) continue;
                 for (int i = 0; i < 2; i++)
                     for (int j = 0; j < 2; j++)
@@ -161,7 +162,7 @@ INLINE enum status add_point(const struct body *body, struct scales scale,
     const int *place = &body->place[nodes * (nodes + 1) / 2 * e];
     const double *g = gradient_at(body, e, p, nodes);
     const double *u = scale.u, *w = scale.w;
-    const double area = scale.dt * scale.dt * body->area[e];
+    const double area = scale.dt * scale.dt * body->area[e]; /* dt^2 A */
     const mat2 F = deformation(body, u, e, p, nodes);
     const double J = F.m[0][0] * F.m[1][1] - F.m[0][1] * F.m[1][0];
     if (!material_defined(&body->material, J))
@@ -183,9 +184,11 @@ INLINE enum status add_point(const struct body *body, struct scales scale,
     for (int a = 0; a < nodes; a++)
 #pragma GCC unroll 2
         for (int i = 0; i < 2; i++) {
+            /* dt^2 A P g_a, P = mu F + G' cof(F) */
             double pull =
                 s.mu * (F.m[i][0] * g[2 * a] + F.m[i][1] * g[2 * a + 1]) +
                 s.dG * c[2 * a + i];
+            /* sum_b M_ab (u_b - w_b), M_ab the same for all b but a */
             if (nodes == 3) {
                 pull += s.m_ab * (move[i] + move[2 + i] + move[4 + i]);
                 pull += (s.m_aa - s.m_ab) * move[2 * a + i];
