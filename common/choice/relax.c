@@ -185,8 +185,8 @@ static void stiffness(const struct ladder_state *s,
 }
 
 /* Return |e| over |w + e| for (K - D) e = g, which is used up; of the force in
- * the hand |z.g| for (K - D) z = hand, over hand.z [eq:left-hand].  1: it gives
- * way. */
+ * the hand |z.g| for (K - D) z = hand, over hand.z, or over hand.w + z.g in
+ * motion [eq:left-hand].  1: it gives way. */
 static double lacks(const struct ladder_state *s, const struct matrix *factors,
                     relax_forces *forces, const double w[], double g[])
 {

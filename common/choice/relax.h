@@ -112,8 +112,8 @@ double ladder_error(const struct ladder_state *state,
  * Return the part of the mesh: relax_part() of its forces, and in motion what
  * these and the time step have made it late by, and the rival where it may be
  * the higher one: where its work is less by at most half of that part.  The
- * stiffness that they add to the velocity, |D v| over |K v|, makes half of that
- * the frequency too high, and the midpoint rule (omega dt)^2 / 12 too low;
+ * part by which they stiffen the velocity, |K^-1 D v| over |v|, makes half of
+ * that the frequency too high, and the midpoint rule (omega dt)^2 / 12 too low;
  * after the time t the displacement is off by the angle of it, at most 2, times
  * the amplitude |v| / omega [eq:left-phase].  Two peaks that are alike have one
  * force in the hand, for which no rival counts.

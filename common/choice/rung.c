@@ -188,7 +188,7 @@ static enum status move(struct ladder_state *s)
     enum status status = OK;
     if (s->model.rung == LINEAR_PLANE) status = linear_start(s, d, &linear);
     for (double t = d; status == OK && t < s->scene->end; t += dt) {
-        double work = 0.0, power0 = power, x = 1.0; /* t is half-way */
+        double work = 0.0, power0 = power, x = 1.0;
         for (size_t r = 0; r < size; r++) half[r] = w[r] = u[r] + d * v[r];
         if (s->model.rung == LINEAR_PLANE)
             linear_solve(s, &linear, d, w, share_of(s->scene, t), half);

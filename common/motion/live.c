@@ -283,14 +283,14 @@ enum status live_start(const struct live *live, struct incremental Phi,
     const int n = live->n_dof;
     double *left = allocate((size_t)n, sizeof *left);
     double *room = allocate(2 * (size_t)n, sizeof *room);
-    double lifted, phi, noise;
+    double lifted, phi, noise, noise_left;
     for (int r = 0; r < n; r++)
         left[r] = body->equation[r] < 0 ? g[r] : live->now.u[r];
     enum status status = step_potential(body, Phi, u, room, &lifted, &noise);
     /* Phi of the lift is larger, beyond round-off */
     if (status == OK &&
-        step_potential(body, Phi, left, room, &phi, &noise) == OK &&
-        lifted > phi + 16.0 * DBL_EPSILON * noise)
+        step_potential(body, Phi, left, room, &phi, &noise_left) == OK &&
+        lifted > phi + 16.0 * DBL_EPSILON * fmax(noise, noise_left))
         status = STALLED;
     free(left);
     free(room);
