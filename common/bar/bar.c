@@ -21,11 +21,11 @@ double bar_min_stretch(const struct bar *bar, const double u[])
 enum status bar_energy(const struct bar *bar, const double u[], double *energy)
 {
     *energy = 0.0;
-    for (int i = 0; i <= bar->n; i++) *energy -= bar->b[i] * u[i];
+    for (int i = 0; i <= bar->n; i++) *energy -= bar->b[i] * u[i]; /* b.u */
     for (int e = 1; e <= bar->n; e++) {
         const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
-        *energy += bar->h * material1_psi(&bar->material, F);
+        *energy += bar->h * material1_psi(&bar->material, F); /* h psi(F_e) */
     }
     return isfinite(*energy) ? OK : NONFINITE;
 }
@@ -37,7 +37,7 @@ enum status bar_residual(const struct bar *bar, const double u[], double q[])
         const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
         const double P = material1_pk1(&bar->material, F);
-        q[e - 1] -= P;
+        q[e - 1] -= P; /* h P dF_e/du: the slopes of F_e are -+1/h */
         q[e] += P;
     }
     for (int i = 0; i <= bar->n; i++)
@@ -54,9 +54,9 @@ enum status bar_tangent(const struct bar *bar, const double u[],
     for (int e = 1; e <= bar->n; e++, a += next) {
         const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
-        const double k = material1_dpk1(&bar->material, F) / bar->h;
+        const double k = material1_dpk1(&bar->material, F) / bar->h; /* P'/h */
         if (!isfinite(k)) return NONFINITE;
-        a[0] += k;
+        a[0] += k; /* k [1 -1; -1 1] in rows and columns e - 1 and e */
         a[below] -= k;
         a[next] += k;
         if (K->storage == DENSE) a[1] -= k;
@@ -98,7 +98,7 @@ static enum status line_search(const struct bar *bar, const double q[],
                                double trial[], double *length)
 {
     double slope = 0.0;
-    for (int i = 0; i <= bar->n; i++) slope += q[i] * du[i];
+    for (int i = 0; i <= bar->n; i++) slope += q[i] * du[i]; /* dE/dlength */
 
     /* close to the minimum the energy has no digits left to compare */
     const double noise = 16.0 * DBL_EPSILON * fabs(energy);
@@ -123,6 +123,7 @@ struct newton_report bar_newton(const struct bar *bar,
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(size, sizeof *q), *du = allocate(size, sizeof *du);
     double *trial = allocate(size, sizeof *trial);
+    /* of |q|, relative to the modulus; of |du|, to the length of the bar */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 

@@ -88,11 +88,11 @@ void poisson_element(double x0, double x1, field *beta, field *f,
         const double s = rule->s[k];
         const double x = x0 + s * h;
         const double load = rule->w[k] * h * f(x);
-        beta_mean += rule->w[k] * beta(x);
-        r[0] += load * (1.0 - s);
+        beta_mean += rule->w[k] * beta(x); /* int beta / h */
+        r[0] += load * (1.0 - s); /* int f e_a, where the hats are 1 - s, s */
         r[1] += load * s;
     }
-    K[0][0] = K[1][1] = beta_mean / h;
+    K[0][0] = K[1][1] = beta_mean / h; /* int beta e_a' e_c', slopes -+1/h */
     K[0][1] = K[1][0] = -beta_mean / h;
 }
 
@@ -107,7 +107,7 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
         double K[2][2], r[2];
         poisson_element(x[e], x[e + 1], beta, f, rule, K, r);
         for (int a = 0; a < 2; a++) {
-            b[e + a] += r[a];
+            b[e + a] += r[a]; /* node a of element e is node e + a */
             for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
         }
     }
@@ -138,14 +138,14 @@ struct poisson_error poisson_errors(int n, const double x[], const double u[],
         if (isnan(size) || size > error.nodal) error.nodal = size;
     }
     for (int e = 0; e < n; e++) {
-        const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]);
+        const double slope = (u[e + 1] - u[e]) / (x[e + 1] - x[e]); /* u_h' */
         for (size_t k = 0; k < 5; k++) {
             double point, w;
             gsl_integration_glfixed_point(x[e], x[e + 1], k, &point, &w, gauss);
             const double d = exact(point) - (u[e] + slope * (point - x[e]));
             const double d_dx = exact_dx(point) - slope;
-            error.L2 += w * d * d;
-            error.energy += w * beta(point) * d_dx * d_dx;
+            error.L2 += w * d * d; /* int (u - u_h)^2 */
+            error.energy += w * beta(point) * d_dx * d_dx; /* int beta d'^2 */
         }
     }
     gsl_integration_glfixed_table_free(gauss);

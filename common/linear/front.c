@@ -58,7 +58,7 @@ void front_fill(const struct front *f, int n, const int place[],
 {
     memset(f->l, 0, front_size(f->pivots, f->rest) * sizeof *f->l);
     for (int k = 0; k < n; k++, block += 4) {
-        TWO(f->l[place[k]]) = TWO(block[0]);
+        TWO(f->l[place[k]]) = TWO(block[0]); /* by columns, as the front */
         TWO(f->l[place[k] + V]) = TWO(block[2]);
     }
 }
@@ -270,12 +270,13 @@ INLINE void forward(const int single, const struct front *f, double x[])
         vec part[W];
         UNROLL for (int c = 0; c < W; c++)
             part[c] = c < w ? numbers(single, f, l + c * V) * VEC(x[J]) : none;
+        /* y = L_JJ^-1 x_J: the triangle is kept as L^-T */
         add_up(part, y);
         l += V * w;
         for (int i = J / V + 1; i < all; i++, l += V * w) {
             vec t = VEC(x[i * V]);
             fetch(single, f, l, AHEAD);
-            if (w == W)
+            if (w == W) /* x_i -= L_iJ y */
                 UNROLL for (int c = 0; c < W; c++)
                     t -= numbers(single, f, l + c * V) * y[c];
             else
@@ -300,7 +301,7 @@ INLINE void backward(const int single, const struct front *f, double x[])
         for (int i = all - 1; i > K; i--) {
             l -= V * w;
             fetch(single, f, l, -AHEAD);
-            if (w == W)
+            if (w == W) /* y = sum_i L_iK^T x_i */
                 UNROLL for (int c = 0; c < W; c++)
                     part[c] += numbers(single, f, l + c * V) * VEC(x[i * V]);
             else
@@ -311,7 +312,7 @@ INLINE void backward(const int single, const struct front *f, double x[])
         }
         add_up(part, y);
         l -= V * w;
-        for (int c = w - 1; c >= 0; c--)
+        for (int c = w - 1; c >= 0; c--) /* L_KK^-T (x_K - y) */
             t += numbers(single, f, l + c * V) * (x[K * V + c] - y[c]);
         VEC(x[K * V]) = t;
     }

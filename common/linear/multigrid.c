@@ -10,7 +10,7 @@
 static void find_corners(int n, int v, int corner[4])
 {
     const int i = v % (n - 1) + 1, j = v / (n - 1);
-    for (int up = 0; up < 2; up++)
+    for (int up = 0; up < 2; up++) /* (i / 2, j / 2), rounded down and up */
         for (int right = 0; right < 2; right++) {
             const int I = (i + right) / 2, J = (j + up) / 2;
             *corner++ = I == 0 || I == n / 2 ? -1 : J * (n / 2 - 1) + I - 1;
@@ -25,7 +25,7 @@ void multigrid_prolong(int n, const double coarse[], double fine[])
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0) continue;
             for (int k = 0; k < 2; k++)
-                fine[2 * v + k] += 0.25 * coarse[2 * V[c] + k];
+                fine[2 * v + k] += 0.25 * coarse[2 * V[c] + k]; /* x += P X */
         }
     }
 }
@@ -38,7 +38,7 @@ void multigrid_restrict(int n, const double fine[], double coarse[])
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0) continue;
             for (int k = 0; k < 2; k++)
-                coarse[2 * V[c] + k] += 0.25 * fine[2 * v + k];
+                coarse[2 * V[c] + k] += 0.25 * fine[2 * v + k]; /* P^T r */
         }
     }
 }
@@ -78,6 +78,7 @@ static void spread(const double value[2], int n, int w, const int V[4], int i,
 {
     int W[4];
     find_corners(n, w, W);
+    /* (P^T K P)_Vc,Wd += P_v,Vc K_vw P_w,Wd, and 1/4 * 1/4 = 0.0625 */
     for (int d = 0; d < 4; d++)
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0 || W[d] < 0) continue;
@@ -151,7 +152,7 @@ void multigrid_sweep(const struct csr *K, const double b[], int backward,
             rest -= K->value[k] * x[K->index[k]];
             if (K->index[k] == i) diagonal = K->value[k];
         }
-        x[i] += rest / diagonal;
+        x[i] += rest / diagonal; /* row i now holds: sum_j K_ij x_j = b_i */
     }
 }
 
@@ -162,17 +163,18 @@ static void cycle(const struct multigrid *m, int g)
     const size_t bytes = (size_t)K->n * sizeof *x;
     if (g == m->grids - 1) {
         memcpy(x, b, bytes);
-        matrix_solve(m->coarsest, x);
+        matrix_solve(m->coarsest, x); /* x = K^-1 b */
         return;
     }
     memset(x, 0, bytes);
     for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 0, x);
     csr_multiply(K, x, r);
-    for (int i = 0; i < K->n; i++) r[i] = b[i] - r[i];
+    for (int i = 0; i < K->n; i++) r[i] = b[i] - r[i]; /* b - K x */
     memset(m->b[g + 1], 0, (size_t)m->K[g + 1]->n * sizeof *b);
-    multigrid_restrict(m->n[g], r, m->b[g + 1]);
+    multigrid_restrict(m->n[g], r, m->b[g + 1]); /* P^T (b - K x) */
     cycle(m, g + 1);
     multigrid_prolong(m->n[g], m->x[g + 1], x);
+    /* backward, so that the cycle is symmetric, as CG needs it */
     for (int s = 0; s < SWEEPS; s++) multigrid_sweep(K, b, 1, x);
 }
 
@@ -180,7 +182,7 @@ void multigrid_cycle(const void *multigrid, const double r[], double z[])
 {
     const struct multigrid *m = multigrid;
     const size_t bytes = (size_t)m->K[0]->n * sizeof *z;
-    memcpy(m->b[0], r, bytes);
+    memcpy(m->b[0], r, bytes); /* z = B r, B about K^-1 */
     cycle(m, 0);
     memcpy(z, m->x[0], bytes);
 }

@@ -95,7 +95,7 @@ static void lay_out(struct sparse *s)
         for (int c = 1; c >= 0; c--)
             if (child[c] >= 0) top[!odd] = s->front[child[c]].u;
         if (size > largest) largest = size;
-        for (int m = p + rest - 1; m >= rest; m--) {
+        for (int m = p + rest - 1; m >= rest; m--) { /* m rows below a pivot */
             s->numbers += m + 1.0;
             s->flops += (m + 1.0) * (m + 1.0);
             s->solve += 2.0 * (2.0 * m + 1.0);
@@ -214,7 +214,7 @@ static void substitute_one(const struct sparse *s, int i, struct memory m,
     } else {
         front_forward(&front, x);
         for (int k = 0; k < f->rest; k++) {
-            b[2 * place[k]] += rest[2 * k];
+            b[2 * place[k]] += rest[2 * k]; /* -= L_rest x, from x = 0 there */
             b[2 * place[k] + 1] += rest[2 * k + 1];
         }
     }
@@ -243,7 +243,7 @@ static enum status factor(const struct sparse *s, const double a[],
         front_fill(&front, start[piece->count] - start[0], &s->local[start[0]],
                    &a[4 * start[0]]);
         for (int v = 0; v < piece->count; v++) {
-            diagonal[2 * v] = a[4 * start[v]];
+            diagonal[2 * v] = a[4 * start[v]]; /* of A: the scale of a pivot */
             diagonal[2 * v + 1] = a[4 * start[v] + 3];
         }
         for (int after = 0; after < 2; after++) {
@@ -283,9 +283,9 @@ static void multiply(const struct sparse *s, const double a[],
         for (int b = s->start[j] + 1; b < s->start[j + 1]; b++) {
             const double *a_b = &a[4 * b], *x_i = &x[2 * s->row[b]];
             double *y_i = &y[2 * s->row[b]];
-            y_i[0] += a_b[0] * x_j[0] + a_b[2] * x_j[1];
+            y_i[0] += a_b[0] * x_j[0] + a_b[2] * x_j[1]; /* A_ij x_j */
             y_i[1] += a_b[1] * x_j[0] + a_b[3] * x_j[1];
-            y[2 * j] += a_b[0] * x_i[0] + a_b[1] * x_i[1];
+            y[2 * j] += a_b[0] * x_i[0] + a_b[1] * x_i[1]; /* A_ij^T x_i */
             y[2 * j + 1] += a_b[2] * x_i[0] + a_b[3] * x_i[1];
         }
     }
@@ -305,7 +305,7 @@ static double max_diagonal(const struct sparse *s, const double a[])
 /* b := A^-1 b. */
 static void solve(const struct sparse *s, struct memory m, double b[])
 {
-    substitute(s, m, 0, b);
+    substitute(s, m, 0, b); /* L S L^T x = b: S^-1 = S */
     if (m.sign)
         for (int k = 0; k < 2 * s->n_vertex; k++) b[k] *= m.sign[k];
     substitute(s, m, 1, b);

@@ -15,7 +15,7 @@ const char *material_law(enum law law)
 struct material material_make(enum law law, double E, double nu)
 {
     assert(E > 0.0 && nu >= 0.0 && nu < 0.5);
-    return (struct material){law, E / (2.0 * (1.0 + nu)),
+    return (struct material){law, E / (2.0 * (1.0 + nu)), /* mu, lambda */
                              E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))};
 }
 
@@ -38,6 +38,7 @@ double material_corner(const struct material *material)
     double low = 0.5, high = 1.0;
     for (int k = 0; k < 60; k++) {
         const double p = 0.5 * (low + high), s = sin(p * acos(0.0));
+        /* the root of sin^2(p pi/2) = ((kappa + 1)^2 / 4 - p^2) / kappa */
         const double free =
             (0.25 * (kappa + 1.0) * (kappa + 1.0) - p * p) / kappa;
         if (s * s < free)
@@ -52,8 +53,8 @@ double material_corner(const struct material *material)
  * J = 1, where the series begins, nor of a small J, which s does not know. */
 static double s_minus_r(const struct material *material, double s, double J)
 {
-    if (material->law != LOG) return s * s / 2.0 - s * s * s / 3.0;
-    return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s);
+    if (material->law != LOG) return s * s / 2.0 - s * s * s / 3.0; /* CUBIC */
+    return s < -0.5 ? s - log(J) : -gsl_sf_log_1plusx_mx(s); /* s - ln J */
 }
 
 /* Set G, G', G'' at J of EXTENDED: of the log law's Taylor polynomial of second
@@ -63,6 +64,7 @@ static inline void extended(const struct material *material, double J,
 {
     const double mu = material->mu, lambda = material->lambda;
     const double J0 = J < EXTENDED_BELOW ? EXTENDED_BELOW : J, t = J - J0;
+    /* G = lambda r^2 / 2 - mu r, G' = (lambda r - mu) / J, and G'' */
     const double r = log(J0), over = 1.0 / J0, dG = (lambda * r - mu) * over;
     G[2] = (lambda + mu - lambda * r) * over * over;
     G[1] = dG + G[2] * t;
@@ -73,7 +75,7 @@ struct volume material_volume_beyond(const struct material *material, double J,
                                      double weight)
 {
     const double mu = material->mu, l = material->lambda + mu;
-    if (material->law == STABLE)
+    if (material->law == STABLE) /* G = (lambda + mu) s^2 / 2 - mu s */
         return (struct volume){weight * (l * (J - 1.0) - mu), weight * l};
     double G[3];
     extended(material, J, G);
@@ -93,6 +95,7 @@ static double add_volume(const struct material *material, double shape,
     }
     struct material like = *material;
     if (material->law == EXTENDED) like.law = LOG;
+    /* mu s + G = mu (s - r) + lambda r^2 / 2 */
     const double r = material_r(&like, J).r;
     return shape + mu * s_minus_r(&like, s, J) + 0.5 * lambda * r * r;
 }
@@ -109,7 +112,7 @@ double material1_psi(const struct material *material, double F)
 double material1_pk1(const struct material *material, double F)
 {
     if (material->law == LINEAR) return material_modulus(material) * (F - 1.0);
-    return material->mu * F + material_volume(material, F).dG;
+    return material->mu * F + material_volume(material, F).dG; /* J = F */
 }
 
 double material1_dpk1(const struct material *material, double F)
@@ -118,6 +121,7 @@ double material1_dpk1(const struct material *material, double F)
     const double mu = material->mu, lambda = material->lambda;
     if (material->law > CUBIC)
         return mu + material_volume_beyond(material, F, 1.0).ddG;
+    /* mu + G'', G' = (lambda r - mu) r' */
     const struct volumetric v = material_r(material, F);
     return mu + lambda * v.dr * v.dr + (lambda * v.r - mu) * v.ddr;
 }
@@ -142,11 +146,12 @@ double material2_psi(const struct material *material, mat2 F)
 mat2 material2_pk1(const struct material *material, mat2 F)
 {
     const double mu = material->mu, lambda = material->lambda;
-    if (material->law == LINEAR) {
+    if (material->law == LINEAR) { /* 2 mu eps + lambda tr(eps) I */
         const mat2 H = mat2_subtract(F, mat2_identity());
         return mat2_add(mat2_scale(mu, mat2_add(H, mat2_transpose(H))),
                         mat2_scale(lambda * mat2_trace(H), mat2_identity()));
     }
+    /* P = mu F + G' cof F, as dJ/dF = cof F */
     const double dG = material_volume(material, mat2_det(F)).dG;
     return mat2_add(mat2_scale(mu, F), mat2_scale(dG, mat2_cofactor(F)));
 }
@@ -158,6 +163,7 @@ mat2 material2_dpk1(const struct material *material, mat2 F, mat2 dF)
     if (material->law == LINEAR)
         return mat2_add(mat2_scale(mu, mat2_add(dF, mat2_transpose(dF))),
                         mat2_scale(lambda * mat2_trace(dF), mat2_identity()));
+    /* mu dF + G'' (cof F : dF) cof F + G' cof(dF) */
     const struct volume v = material_volume(material, mat2_det(F));
     const mat2 cof = mat2_cofactor(F);
     return mat2_add(mat2_scale(mu, dF),
