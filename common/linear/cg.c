@@ -47,11 +47,12 @@ struct factor *cg_factor(const struct csr *K)
         double *l = &L->value[L->start[j]];
         const int *row = &L->row[L->start[j]], m = L->end[j] - L->start[j];
         if (!(l[0] > 0.0)) break;
-        l[0] = sqrt(l[0]);
+        l[0] = sqrt(l[0]); /* L_jj */
         for (int a = 1; a < m; a++) {
             l[a] /= l[0];
             spot[row[a]] = a;
         }
+        /* columns k = row[a] > j: A_ik -= L_ij L_kj */
         for (int a = 1; a < m; a++)
             for (int q = L->start[row[a]]; q < L->end[row[a]]; q++)
                 if (spot[L->row[q]]) L->value[q] -= l[a] * l[spot[L->row[q]]];

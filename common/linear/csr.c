@@ -75,11 +75,11 @@ void csr_factor_solve(const struct factor *L, double b[])
     for (int j = 0; j < L->n; j++) {
         b[j] /= L->value[L->start[j]];
         for (int p = L->start[j] + 1; p < L->end[j]; p++)
-            b[L->row[p]] -= L->value[p] * b[j];
+            b[L->row[p]] -= L->value[p] * b[j]; /* L y = b, by columns */
     }
     for (int j = L->n - 1; j >= 0; j--) {
         for (int p = L->start[j] + 1; p < L->end[j]; p++)
-            b[j] -= L->value[p] * b[L->row[p]];
+            b[j] -= L->value[p] * b[L->row[p]]; /* L^T x = y, by rows of L^T */
         b[j] /= L->value[L->start[j]];
     }
 }

@@ -64,7 +64,7 @@ enum status tiles_triangle(int n, int w, const double diagonal[],
         if (sign) s = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
         if (!(s * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
         inverse[c] = s / sqrt(s * pivot);
-        l[c] = t[c] * (1.0 / pivot);
+        l[c] = t[c] * (1.0 / pivot); /* for columns b > c: A_ib -= t_ic l_bc */
         UNROLL for (int b = c + 1; b < W; b++) t[b] -= t[c][b] * l[c];
     }
     return OK;
@@ -141,7 +141,7 @@ void tiles_solve(int n, int p, size_t stride, const double l[], double b[])
         for (; i + V <= end; i += V) {
             vec t = VEC(b[i]);
             UNROLL for (int c = 0; c < W; c++)
-                t -= VEC(l[i + (J + c) * next]) * b[J + c];
+                t -= VEC(l[i + (J + c) * next]) * b[J + c]; /* L y = b */
             VEC(b[i]) = t;
         }
         for (; i < end; i++)
@@ -154,7 +154,7 @@ void tiles_solve(int n, int p, size_t stride, const double l[], double b[])
         int i = below;
         for (; i + V <= end; i += V)
             UNROLL for (int c = 0; c < W; c++)
-                sum[c] += VEC(l[i + (J + c) * next]) * VEC(b[i]);
+                sum[c] += VEC(l[i + (J + c) * next]) * VEC(b[i]); /* L^T x */
         for (; i < end; i++)
             UNROLL for (int c = 0; c < W; c++)
                 sum[c][0] += l[i + (J + c) * next] * b[i];

@@ -26,6 +26,7 @@ struct modes modes_of(mat2 F, double mu, double dG, double ddG)
     const struct svd svd = modes_svd(F);
     const double a = mu + ddG * svd.s2 * svd.s2, b = ddG * svd.s1 * svd.s2 + dG;
     const double c = mu + ddG * svd.s1 * svd.s1;
+    /* [a b; b c] has eigenvalues (a + c) / 2 -+ root, vectors turned by z */
     const double root = hypot((a - c) / 2.0, b);
     const double z = 0.5 * atan2(2.0 * b, a - c);
     const mat2 E[4] = {{{{0.0, -M_SQRT1_2}, {M_SQRT1_2, 0.0}}},

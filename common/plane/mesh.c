@@ -64,7 +64,7 @@ void mesh_grade(struct mesh *mesh, double m, int sides)
     mesh->graded = 1;
     for (int j = 0; j < 2; j++) {
         const double half = -mesh->X[j]; /* vertex 0 is a corner */
-        const double L = 0.5 * half;
+        const double L = 0.5 * half; /* d, from a side, becomes L (d/L)^m */
         for (int a = 0; a < mesh->n_vertex; a++) {
             double *x = &mesh->X[2 * a + j];
             const int side = (*x < 0.0 ? MESH_LEFT : MESH_RIGHT) << 2 * j;
@@ -117,6 +117,7 @@ void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
                     side[s][i] = mesh->X[end] + (u ? u[end] : 0.0) -
                                  mesh->X[corner] - (u ? u[corner] : 0.0);
                 }
+            /* sine and cosine of the angle from side 0 to side 1 */
             angle[t[k]] += atan2(side[0][0] * side[1][1] -
                                      side[0][1] * side[1][0],
                                  side[0][0] * side[1][0] +

@@ -171,6 +171,7 @@ struct tissue_border tissue_border_alloc(struct body *const body[2])
         for (int j = i < K->p ? 0 : i - K->p; j <= i + K->p && j < N; j++) {
             const double K_ij = matrix_get(K, i, j);
             if (s.jump[j] < 0) continue;
+            /* the columns of d: B in the rows of y, C in those of d */
             s.B[(size_t)n * (size_t)s.jump[j] + (size_t)s.old[i]] += K_ij;
             if (s.jump[i] >= 0) matrix_add(s.C, s.jump[i], s.jump[j], K_ij);
         }
