@@ -21,7 +21,7 @@ double bar_min_stretch(const struct bar *bar, const double u[])
 enum status bar_energy(const struct bar *bar, const double u[], double *energy)
 {
     *energy = 0.0;
-    for (int i = 0; i <= bar->n; i++) *energy -= bar->b[i] * u[i]; /* b.u */
+    for (int i = 0; i <= bar->n; i++) *energy -= bar->b[i] * u[i]; /* -b.u */
     for (int e = 1; e <= bar->n; e++) {
         const double F = bar_stretch(bar, u, e);
         if (!material_defined(&bar->material, F)) return INVERTED;
@@ -123,7 +123,7 @@ struct newton_report bar_newton(const struct bar *bar,
     struct matrix *K = matrix_alloc(BANDED, bar->n + 1, 1);
     double *q = allocate(size, sizeof *q), *du = allocate(size, sizeof *du);
     double *trial = allocate(size, sizeof *trial);
-    /* of |q|, relative to the modulus; of |du|, to the length of the bar */
+    /* the limits of |q| and |du|: tolerance times modulus, times length */
     const double force = control->tolerance * material_modulus(&bar->material);
     const double length = control->tolerance * bar->n * bar->h;
 

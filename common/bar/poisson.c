@@ -107,7 +107,7 @@ void poisson_assemble(int n, const double x[], field *beta, field *f,
         double K[2][2], r[2];
         poisson_element(x[e], x[e + 1], beta, f, rule, K, r);
         for (int a = 0; a < 2; a++) {
-            b[e + a] += r[a]; /* node a of element e is node e + a */
+            b[e + a] += r[a]; /* element e, from 0, has nodes e and e + 1 */
             for (int c = 0; c < 2; c++) matrix_add(A, e + a, e + c, K[a][c]);
         }
     }

@@ -20,7 +20,7 @@ double estimate_geometry(const struct ladder_state *s)
 double estimate_law(const struct ladder_state *s)
 {
     struct material cubic = s->body->material, logarithm = cubic;
-    double J[2] = {1.0, 1.0}, worst = 0.0; /* least, largest */
+    double J[2] = {1.0, 1.0}, worst = 0.0; /* J: least, largest */
     cubic.law = CUBIC;
     logarithm.law = LOG;
     for (int e = 0; e < s->mesh->n_triangle; e++) {
@@ -145,13 +145,13 @@ void estimate_mesh(const struct ladder_state *s,
     double *around = allocate((size_t)mesh->n_vertex, sizeof *around);
     for (int r = 0; r < 3 * mesh->n_triangle; r++) {
         mean[mesh->triangle[r]] += area[r / 3] * field->p[r / 3];
-        around[mesh->triangle[r]] += area[r / 3]; /* p: mean / around */
+        around[mesh->triangle[r]] += area[r / 3]; /* p there: mean / around */
     }
     for (int e = 0; e < mesh->n_triangle; e++) {
         mat2 off = mat2_scale(field->p[e], mat2_identity()); /* p_e I */
         for (int k = 0; k < 3; k++) {
             const int a = mesh->triangle[3 * e + k], b = s->across[3 * e + k];
-            /* a third of P_e less the mean over the edge, by area */
+            /* share jump = (P_e - mean over the edge, by area) / 3 */
             const double share = area[b] / (area[e] + area[b]) / 3.0;
             const mat2 jump = mat2_subtract(field->P[e], field->P[b]);
             const double p = mean[a] / (3.0 * around[a]);

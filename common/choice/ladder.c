@@ -91,7 +91,7 @@ double ladder_pressed(const struct ladder_scene *scene)
                         hypot(0.5 * (first - third), both);
     if (scene->held == LADDER_ENDS) return 0.0;
     if (!(largest > 0.0 && first > 0.0)) return first;
-    /* first * buckles: the mean of -N, by w'^2 of a alone */
+    /* first * buckles: the mean of -N, weighted by w'^2 for b = 0 */
     return largest + first * buckles * 1.2 / (m.mu * height);
 }
 

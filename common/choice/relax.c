@@ -184,9 +184,9 @@ static void stiffness(const struct ladder_state *s,
                                                        mat2_identity())), g);
 }
 
-/* Return |e| over |w + e| for (K - D) e = g, which is used up; of the force in
- * the hand |z.g| for (K - D) z = hand, over hand.z, or over hand.w + z.g in
- * motion [eq:left-hand].  1: it gives way. */
+/* Return |e| over |w + e| for (K - D) e = g; of the force in the hand |z.g| for
+ * (K - D) z = hand, over hand.z, or over hand.w + z.g in motion
+ * [eq:left-hand].  1: it gives way. */
 static double lacks(const struct ladder_state *s, const struct matrix *factors,
                     relax_forces *forces, const double w[], double g[])
 {
@@ -426,7 +426,7 @@ double relax_dimension(const struct ladder_state *s)
         const double mean = 0.5 * (moment[i] + moment[i + 1]);
         /* the shear forces, times the step */
         const double Q = M[i] - M[i + 1], q = moment[i] - moment[i + 1];
-        /* w + h w' + h^2 w'' / 2, for M is taken as constant in an element */
+        /* w + step w' + step^2 w'' / 2, M constant in an element; and shear */
         w += step * (turn + 0.5 * step * middle / I) + shear * Q;
         turn += step * middle / I;
         u += step * N[i + 1] / height;
@@ -435,11 +435,11 @@ double relax_dimension(const struct ladder_state *s)
         both += step * mean * middle / I + shear * q * Q / step;
         bent += step * mean * mean / I + shear * q * q / step;
         pulled += step * pow(force[i + 1], 2) / height;
-        /* turn is E' w': E' n w'^2 / 2 */
+        /* E' int |force| w'^2 / 2, for turn is E' w' */
         shorter += step * 0.5 * fabs(force[i + 1]) * pow(gain * turn, 2) / E;
     }
     if (s->scene->quantity == LADDER_HAND) {
-        /* int m M / I, s^2 / 2 |n N| and int n w'^2 / 2; of the hand itself */
+        /* as relax.h has it: its m is moment, n force, s lateral here */
         off = gain * fabs(both) + missed * fabs(force[0] * N[0]) + shorter;
         whole = bent + pulled;
     } else {
@@ -459,7 +459,7 @@ double relax_dimension(const struct ladder_state *s)
 static double pressed(const struct ladder_state *s, double dimension)
 {
     const double bends = fmax(dimension, relax_dimension(s));
-    const double lateral = ladder_narrows(&s->body->material); /* s */
+    const double lateral = ladder_narrows(&s->body->material);
     const double missed = lateral * lateral / (2.0 * s->scene->slender);
     const double share = ladder_pressed(s->scene);
     if (share >= 1.0) return 1.0;

@@ -111,9 +111,9 @@ double ladder_error(const struct ladder_state *state,
 /*
  * Return the part of the mesh: relax_part() of its forces, and in motion what
  * these and the time step have made it late by, and the rival where it may be
- * the higher one: where its work is less by at most half of that part.  The
- * part by which they stiffen the velocity, |K^-1 D v| over |v|, makes half of
- * that the frequency too high, and the midpoint rule (omega dt)^2 / 12 too low;
+ * the higher one: where its work is less by at most half of that part.  They
+ * stiffen the motion by |K^-1 D v| over |v|, which makes the frequency too high
+ * by half of that, and the midpoint rule makes it (omega dt)^2 / 12 too low;
  * after the time t the displacement is off by the angle of it, at most 2, times
  * the amplitude |v| / omega [eq:left-phase].  Two peaks that are alike have one
  * force in the hand, for which no rival counts.

@@ -44,7 +44,7 @@ static enum status bar(struct ladder_state *s)
         for (int j = 0; j <= s->mesh->rows; j++) {
             const int a = 2 * (j * columns + i);
             s->u[a] = u;
-            s->u[a + 1] = -thinner * mean * s->mesh->X[a + 1]; /* -s u' Y */
+            s->u[a + 1] = -thinner * mean * s->mesh->X[a + 1]; /* mean: u' */
         }
     }
     s->flops = 5.0 * n;

@@ -25,7 +25,7 @@ void multigrid_prolong(int n, const double coarse[], double fine[])
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0) continue;
             for (int k = 0; k < 2; k++)
-                fine[2 * v + k] += 0.25 * coarse[2 * V[c] + k]; /* x += P X */
+                fine[2 * v + k] += 0.25 * coarse[2 * V[c] + k]; /* P coarse */
         }
     }
 }
@@ -38,7 +38,7 @@ void multigrid_restrict(int n, const double fine[], double coarse[])
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0) continue;
             for (int k = 0; k < 2; k++)
-                coarse[2 * V[c] + k] += 0.25 * fine[2 * v + k]; /* P^T r */
+                coarse[2 * V[c] + k] += 0.25 * fine[2 * v + k]; /* P^T fine */
         }
     }
 }
@@ -182,7 +182,7 @@ void multigrid_cycle(const void *multigrid, const double r[], double z[])
 {
     const struct multigrid *m = multigrid;
     const size_t bytes = (size_t)m->K[0]->n * sizeof *z;
-    memcpy(m->b[0], r, bytes); /* z = B r, B about K^-1 */
-    cycle(m, 0);
+    memcpy(m->b[0], r, bytes);
+    cycle(m, 0); /* x = B b, B about K^-1 */
     memcpy(z, m->x[0], bytes);
 }

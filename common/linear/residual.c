@@ -28,7 +28,7 @@ double matrix_backward_error(const struct matrix *A, const double u[],
         double sum = 0.0;
         for (int j = i > A->p ? i - A->p : 0; j <= last; j++)
             sum += fabs(matrix_get(A, i, j));
-        norm_A = fmax(norm_A, sum); /* the largest row sum */
+        norm_A = fmax(norm_A, sum); /* largest row sum of |A_ij| */
         norm_u = fmax(norm_u, fabs(u[i]));
         norm_b = fmax(norm_b, fabs(b[i]));
     }

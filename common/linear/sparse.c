@@ -214,7 +214,7 @@ static void substitute_one(const struct sparse *s, int i, struct memory m,
     } else {
         front_forward(&front, x);
         for (int k = 0; k < f->rest; k++) {
-            b[2 * place[k]] += rest[2 * k]; /* -= L_rest x, from x = 0 there */
+            b[2 * place[k]] += rest[2 * k]; /* -L_rest x: rest was 0 */
             b[2 * place[k] + 1] += rest[2 * k + 1];
         }
     }

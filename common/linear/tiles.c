@@ -64,7 +64,7 @@ enum status tiles_triangle(int n, int w, const double diagonal[],
         if (sign) s = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
         if (!(s * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
         inverse[c] = s / sqrt(s * pivot);
-        l[c] = t[c] * (1.0 / pivot); /* for columns b > c: A_ib -= t_ic l_bc */
+        l[c] = t[c] * (1.0 / pivot); /* now t_ib -= t_bc l_ic for b > c */
         UNROLL for (int b = c + 1; b < W; b++) t[b] -= t[c][b] * l[c];
     }
     return OK;

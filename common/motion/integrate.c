@@ -116,7 +116,7 @@ struct step_report integrate_solve(struct model *model,
     struct step_report report = {.status = OK};
     if (model->body) {
         memcpy(u, a, n * sizeof *u);
-        memcpy(room, b, n * sizeof *u); /* b stays */
+        memcpy(room, b, n * sizeof *u); /* a copy: the step changes v */
         report = step_backward_euler(model->body, &INTEGRATE_NEWTON, d, g,
                                      model->f, u, room, NULL);
     } else { /* room is 0 */

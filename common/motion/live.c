@@ -376,7 +376,7 @@ int live_knots(const struct mesh *mesh, const double u[], int knot[])
     mesh_angles(mesh, NULL, rest);
     mesh_angles(mesh, u, angle);
     for (size_t a = 0; a < n; a++) {
-        /* inside: 2 pi at rest; wound otherwise by whole turns: > pi off */
+        /* inside: 2 pi at rest; else whole turns more or less, so > pi off */
         const int is_one = fabs(rest[a] - 2.0 * M_PI) < 1e-6 &&
                            fabs(angle[a] - 2.0 * M_PI) > M_PI;
         if (knot) knot[a] = is_one;

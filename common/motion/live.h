@@ -109,7 +109,8 @@ struct live_report {
  *
  * q and K of Phi at u0, K projected or exact.  OK, or the status of an assembly
  * or of the factorisation, or NONFINITE: K is so nearly singular that something
- * would move by more than LIVE_LEAP; u is where the lift leads, but of no use.
+ * would move by more than LIVE_LEAP, and u is that lift.  Otherwise, if not OK,
+ * u is of no use.
  */
 enum status live_lift(struct body *body, struct incremental Phi,
                       const double u0[], const double g[],

@@ -114,7 +114,7 @@ double model_energy(const struct model *model, const double u[],
         matrix_multiply(model->A, u, out); /* Psi = u.A u / 2 */
         for (int i = 0; i < model->n_dof; i++) energy += 0.5 * u[i] * out[i];
     }
-    model_mass(model, v, out); /* v.M v / 2 - f.u */
+    model_mass(model, v, out); /* M v */
     for (int i = 0; i < model->n_dof; i++)
         energy += 0.5 * v[i] * out[i] - model->f[i] * u[i];
     free(out);

@@ -26,7 +26,7 @@ static enum status at_particle(const struct particle_body *body, int p,
     const struct particles *all = body->particles;
     const enum status status = grid_support(body->grid, &all->x[2 * p], s);
     if (status != OK) return status;
-    support_pull_back(s, all->F[p]); /* u (x) q = u (x) grad N F_p */
+    support_pull_back(s, all->F[p]); /* u (x) q = (u (x) grad N) F_p */
     *F = mat2_add(all->F[p], support_gradient(s, u));
     const double J = mat2_det(*F);
     if (!isfinite(J)) return NONFINITE;

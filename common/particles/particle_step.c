@@ -54,7 +54,7 @@ void unknowns_number(const struct grid *grid, enum wall wall,
     for (int a = 0; a < grid->n_node; a++) {
         const int beyond = column - a % n; /* columns beyond the wall */
         if (beyond <= 0 || column + beyond >= n) continue;
-        for (int r = 2 * a; r < 2 * a + 2; r++) { /* image: 2 beyond nodes on */
+        for (int r = 2 * a; r < 2 * a + 2; r++) { /* of node a + 2 beyond */
             map->equation[r] = map->equation[r + 4 * beyond];
             map->sign[r] = -1.0;
         }

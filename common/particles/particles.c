@@ -225,7 +225,7 @@ enum status grid_p2g(struct grid *grid, const struct particles *p)
         }
     }
     for (int a = 0; a < grid->n_node; a++) {
-        if (!(grid->mass[a] > 0.0)) continue; /* v was momentum */
+        if (!(grid->mass[a] > 0.0)) continue; /* else momentum / mass */
         for (int k = 0; k < 2; k++) grid->v[2 * a + k] /= grid->mass[a];
     }
     memcpy(grid->next, grid->v, 2 * n * sizeof *grid->next);

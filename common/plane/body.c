@@ -253,7 +253,7 @@ enum status body_assemble(struct body *body, struct incremental Phi,
         matrix_zero(body->K);
         body->kept.usable = 0;
     }
-    /* q = M (u - w) + dt^2 (dPsi/du - f), f first */
+    /* q = M (u - w) + dt^2 (dPsi/du - f); here -dt^2 f */
     for (int r = 0; r < n_dof; r++) q[r] = Phi.f ? -dt * dt * Phi.f[r] : 0.0;
     if (Phi.w && !linear) add_diagonal(body, Phi, u, tangent, q);
     const enum status status = triangles_assemble(body, Phi, u, tangent, q);

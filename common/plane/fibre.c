@@ -20,7 +20,7 @@ struct tension fibre_tension(const struct fibre *fibre, double l)
     const double x = GSL_MAX_DBL(-w, GSL_MIN_DBL(e, w)) / w; /* in [-1, 1] */
     struct tension t = {k * taut * taut * taut / 3.0, k * taut * taut,
                         2.0 * k * taut};
-    /* beyond the limbs x = -1 or 1: T = 0, and W is constant */
+    /* active part: beyond the limbs x = -1 or 1, so T = 0, W constant */
     t.W += active * w * (x - x * x * x / 3.0);
     t.T += active * (1.0 - x * x);
     if (fabs(e) < w) t.dT -= active * 2.0 * x / w;

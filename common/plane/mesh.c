@@ -117,7 +117,7 @@ void mesh_angles(const struct mesh *mesh, const double u[], double angle[])
                     side[s][i] = mesh->X[end] + (u ? u[end] : 0.0) -
                                  mesh->X[corner] - (u ? u[corner] : 0.0);
                 }
-            /* sine and cosine of the angle from side 0 to side 1 */
+            /* |side 0| |side 1| times sine and cosine of the angle */
             angle[t[k]] += atan2(side[0][0] * side[1][1] -
                                      side[0][1] * side[1][0],
                                  side[0][0] * side[1][0] +

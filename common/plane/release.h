@@ -25,7 +25,7 @@ struct release_report {
                          * INVERTED, NONFINITE, NOT_SPD, STALLED,
                          * MAX_ITERATIONS */
     int iterations;     /* linear systems solved */
-    double energy;      /* Psi (J/m); not if INVERTED or NONFINITE */
+    double energy;      /* Psi (J/m), unless INVERTED or NONFINITE */
     double min_J;
     int recovered;      /* OK, every J > 0, and |Psi| <= RELEASE_ENERGY */
 };

@@ -359,7 +359,7 @@ static void remember(struct body *body, double dt, const double v[],
     }
     past->dt = dt;
     past->order = 2;
-    for (int j = 3; j <= PAST_ORDER; j++) /* of squares: (1/2)^2 */
+    for (int j = 3; j <= PAST_ORDER; j++) /* of squares: 0.25 is (1/2)^2 */
         if (error[j] < 0.25 * error[past->order]) past->order = j;
 }
 

@@ -135,9 +135,9 @@ static void add_projected(struct factors s, int nodes, const double g[],
             mat2 block =
                 mat2_scale(a == b ? s.m_aa : s.m_ab, mat2_identity());
             for (int o = 0; o < 4; o++) {
-                const enum mode m = order[o]; /* value d_a d_b^T */
+                const enum mode m = order[o];
                 if (!(modes.value[m] > 0.0)) continue;
-                for (int i = 0; i < 2; i++)
+                for (int i = 0; i < 2; i++) /* value d_a d_b^T */
                     for (int j = 0; j < 2; j++)
                         block.m[i][j] +=
                             modes.value[m] * d[m][a][i] * d[m][b][j];
