@@ -226,7 +226,8 @@ static const struct step_control LIVE_FAST = {
     .chord = 1};
 /* `fast` where no rung comes after it: then it may take its time. */
 static const struct step_control LIVE_ALONE = {
-    .tolerance = LIVE_TOLERANCE, .max_iterations = 40, .chord = 1};
+    .tolerance = LIVE_TOLERANCE, .max_iterations = ALONE_SYSTEMS,
+    .chord = 1};
 const struct step_control LIVE_DOWNHILL = {
     .tolerance = LIVE_TOLERANCE, .max_iterations = FRAME_SYSTEMS,
     .line_search = 1, .projection = ON_DEMAND};

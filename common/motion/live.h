@@ -38,6 +38,7 @@ enum start { ELASTIC, ROWS, LAST_STATE };  /* `fast` starts from live_lift(),
                                             * step_boundary(), the last state */
 
 enum { FRAME_SYSTEMS = 8, FAST_SYSTEMS = 6, CALM_SYSTEMS = 3, LIVE_TRIES = 4 };
+enum { ALONE_SYSTEMS = 40 }; /* at most, of `fast` without a second rung */
 
 /* Newton's tolerance (m): a fiftieth of a pixel of the window. */
 #define LIVE_TOLERANCE 1e-4

@@ -26,7 +26,8 @@ static enum status alone(struct live *live, int chord, int across, double u[],
                          double v[], struct live_report *report)
 {
     const struct step_control control = {
-        .tolerance = LIVE_TOLERANCE, .max_iterations = 40, .chord = chord};
+        .tolerance = LIVE_TOLERANCE, .max_iterations = ALONE_SYSTEMS,
+        .chord = chord};
     if (!across) live->body->kept.usable = 0;
     const struct state *now = &live->now;
     const size_t n = (size_t)live->n_dof;

@@ -119,12 +119,12 @@ static enum status unstopped(struct live *live, double u[], double v[],
     return status;
 }
 
-/* The second rung alone, with 32 systems more before there is a budget. */
+/* The second rung alone, with ALONE_SYSTEMS before there is a budget. */
 static enum without built;
 static enum status simple(struct live *live, double u[], double v[],
                           struct live_report *report)
 {
-    const int more = built < HURRIED ? 32 : 0;
+    const int more = built < HURRIED ? ALONE_SYSTEMS - FRAME_SYSTEMS : 0;
     report->systems -= more;
     const enum status status = downhill(live, u, v, report);
     report->systems += more;
