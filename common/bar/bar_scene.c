@@ -14,7 +14,7 @@ struct bar_scene bar_scene_notes(enum law law, int n)
 
 void bar_scene_force(const struct bar_scene *scene, double f_mid[])
 {
-    for (int e = 1; e <= scene->n; e++)
+    for (int e = 1; e <= scene->n; e++) /* at X = (e - 1/2) / n */
         f_mid[e - 1] = scene->shape == UNIFORM
                            ? scene->c
                            : scene->c * cos(M_PI_2 * (e - 0.5) / scene->n);
@@ -35,7 +35,7 @@ void bar_scene_load(const struct bar_scene *scene, double b[])
     double *f_mid = allocate((size_t)n, sizeof *f_mid);
     bar_scene_force(scene, f_mid);
     for (int i = 0; i <= n; i++) b[i] = 0.0;
-    for (int e = 1; e <= n; e++) {
+    for (int e = 1; e <= n; e++) { /* int f N_i dX = h f_mid / 2, h = 1/n */
         b[e - 1] += 0.5 / n * f_mid[e - 1];
         b[e] += 0.5 / n * f_mid[e - 1];
     }
@@ -47,7 +47,7 @@ void bar_scene_load(const struct bar_scene *scene, double b[])
 /* Set F1 = int_0^X f; return F2 = int_0^X F1. */
 static double integrals(const struct bar_scene *scene, double X, double *F1)
 {
-    const double half = sin(0.5 * M_PI_2 * X);
+    const double half = sin(0.5 * M_PI_2 * X); /* 1 - cos a = 2 sin^2(a/2) */
     *F1 = scene->c * (scene->shape == UNIFORM ? X : sin(M_PI_2 * X) / M_PI_2);
     return scene->c * (scene->shape == UNIFORM
                            ? 0.5 * X * X
@@ -61,11 +61,11 @@ double bar_scene_exact(const struct bar_scene *scene, double X, double *P)
     double whole, F1, u0 = 0.0;
     const double F2_end = integrals(scene, 1.0, &whole);
     const double F2 = integrals(scene, X, &F1);
-    double P0 = scene->pull[1] + whole;
+    double P0 = scene->pull[1] + whole; /* P(1) = P0 - F1(1) is the pull */
 
     if (!scene->held[0]) P0 = -scene->pull[0];
     if (scene->held[0]) u0 = scene->g[0];
-    if (scene->held[0] && scene->held[1])
+    if (scene->held[0] && scene->held[1]) /* u(1) = g gives P0, or else u0 */
         P0 = modulus * (scene->g[1] - u0) + F2_end;
     else if (scene->held[1])
         u0 = scene->g[1] - (P0 - F2_end) / modulus;
@@ -132,5 +132,5 @@ struct bar_state *bar_scene_solve(const struct bar_scene *scene,
 double bar_state_reaction(const struct bar_state *state)
 {
     const double F = bar_stretch(&state->bar, state->u, 1);
-    return -state->b[0] - material1_pk1(&state->bar.material, F);
+    return -state->b[0] - material1_pk1(&state->bar.material, F); /* q_0 */
 }

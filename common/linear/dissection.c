@@ -63,7 +63,7 @@ static int dissect(const struct state *s, struct box b, int depth)
                 if (count_free(s, edge) > 0) break;
                 b = other;
             }
-    const int k = b.to[0] - b.from[0] < b.to[1] - b.from[1];
+    const int k = b.to[0] - b.from[0] < b.to[1] - b.from[1]; /* longer side */
     struct box before = b, line = b, after = b;
     line.from[k] = (b.from[k] + b.to[k]) / 2;
     line.from[k] -= line.from[k] % s->reach;
@@ -102,7 +102,7 @@ static void find_neighbours(struct dissection *d, int n_triangle,
             for (int k = 1; k < 3; k++) {
                 const int a = d->place[vertex[c]];
                 const int b = d->place[vertex[(c + k) % 3]];
-                int known = a < 0 || b < a;
+                int known = a < 0 || b < a; /* held, or earlier */
                 for (int i = 0; i < (known ? 0 : count[a]); i++)
                     if (list[NEIGHBOURS * a + i] == b) known = 1;
                 if (known) continue;
@@ -112,7 +112,7 @@ static void find_neighbours(struct dissection *d, int n_triangle,
     }
     d->start = allocate((size_t)d->n_vertex + 1, sizeof(int));
     for (int v = 0; v < d->n_vertex; v++)
-        d->start[v + 1] = d->start[v] + 1 + count[v];
+        d->start[v + 1] = d->start[v] + 1 + count[v]; /* 1: v itself */
     d->row = allocate((size_t)d->start[d->n_vertex], sizeof(int));
     for (int v = 0; v < d->n_vertex; v++) {
         d->row[d->start[v]] = v;

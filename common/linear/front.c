@@ -159,7 +159,7 @@ INLINE enum status front_tile(const int q, const int finish, struct work *a,
         UNROLL for (int r = 0; r < q; r++)
             if (c < w && !(of_rest && begin == 0))
                 t[c][r] = VEC(corner[c * V + r * V * w]);
-    subtract_panels(q, f, a->all, begin, stop, i, K, t);
+    subtract_panels(q, f, a->all, begin, stop, i, K, t); /* - L_i S L_K^T */
     if (finish && i == K) {
         vec rows[W];
         UNROLL for (int c = 0; c < W; c++) rows[c] = t[c][0];

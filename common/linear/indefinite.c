@@ -17,8 +17,8 @@ static enum status tridiagonal(int n, size_t stride, const double a[],
         d[j] = A_jj;
         if (j > 0) {
             const double below = a[(size_t)(j - 1) * stride + 1];
-            const double l = below / d[j - 1];
-            d[j] -= l * below;
+            const double l = below / d[j - 1]; /* L_j,j-1 */
+            d[j] -= l * below; /* L_j,j-1^2 D_j-1,j-1 */
             b[j] -= l * b[j - 1];
         }
         if (!(fabs(d[j]) > DBL_EPSILON * fabs(A_jj))) failed = 1;

@@ -158,7 +158,7 @@ void matrix_dirichlet(struct matrix *A, double b[], int n_fixed,
             set(A, i, k, 0.0);
             set(A, k, i, 0.0);
         }
-        set(A, k, k, d);
+        set(A, k, k, d); /* the loop has zeroed A_kk and changed b_k */
         b[k] = d * value[f];
     }
 }

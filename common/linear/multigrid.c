@@ -78,7 +78,7 @@ static void spread(const double value[2], int n, int w, const int V[4], int i,
 {
     int W[4];
     find_corners(n, w, W);
-    /* (P^T K P)_Vc,Wd += P_v,Vc K_vw P_w,Wd, and 1/4 * 1/4 = 0.0625 */
+    /* (P^T K P)_VW += P_vV K_vw P_wW, a quarter of P for each corner */
     for (int d = 0; d < 4; d++)
         for (int c = 0; c < 4; c++) {
             if (V[c] < 0 || W[d] < 0) continue;

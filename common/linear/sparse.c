@@ -92,7 +92,7 @@ static void lay_out(struct sparse *s)
         f->u = top[odd];
         top[odd] += front_size(front_row(rest, 0), 0);
         if (top[odd] > peak[odd]) peak[odd] = top[odd];
-        for (int c = 1; c >= 0; c--)
+        for (int c = 1; c >= 0; c--) /* child 0 is the lower one */
             if (child[c] >= 0) top[!odd] = s->front[child[c]].u;
         if (size > largest) largest = size;
         for (int m = p + rest - 1; m >= rest; m--) { /* m rows below a pivot */
@@ -246,6 +246,7 @@ static enum status factor(const struct sparse *s, const double a[],
             diagonal[2 * v] = a[4 * start[v]]; /* of A: the scale of a pivot */
             diagonal[2 * v + 1] = a[4 * start[v] + 3];
         }
+        /* u of the children: to l, and to u once front_factor() has set it */
         for (int after = 0; after < 2; after++) {
             if (after)
                 status = front_factor(&front, 2 * s->n_vertex, diagonal);
@@ -337,7 +338,7 @@ static enum status solve_indefinite(const struct sparse *s, const double a[],
         solve(s, m, r);
         for (size_t k = 0; k < n; k++) b[k] = x[k] + r[k];
     }
-    for (size_t k = 0; k < n; k++) below += sign[k] < 0.0;
+    for (size_t k = 0; k < n; k++) below += sign[k] < 0.0; /* inertia of A */
     if (negative) *negative = below;
     free(sign);
     free(x);

@@ -63,7 +63,7 @@ enum status tiles_triangle(int n, int w, const double diagonal[],
         if (c >= w) break;
         if (sign) s = sign[c] = pivot < 0.0 ? -1.0 : 1.0, above = fabs(above);
         if (!(s * pivot > n * DBL_EPSILON * above)) return NOT_SPD;
-        inverse[c] = s / sqrt(s * pivot);
+        inverse[c] = s / sqrt(s * pivot); /* S_c / L_cc, pivot = S_c L_cc^2 */
         l[c] = t[c] * (1.0 / pivot); /* now t_ib -= t_bc l_ic for b > c */
         UNROLL for (int b = c + 1; b < W; b++) t[b] -= t[c][b] * l[c];
     }
@@ -81,7 +81,7 @@ INLINE enum status tile(const int q, int n, int p, int J, int i, int w,
     UNROLL for (int c = 0; c < W; c++)
         UNROLL for (int r = 0; r < q; r++)
             if (c < w) t[c][r] = VEC(corner[c * next + r * V]);
-    subtract_all(q, p, J, i, next, a, t);
+    subtract_all(q, p, J, i, next, a, t); /* - sum_k<J L_ik L_jk */
     if (i > J) {
         vec_substitute(q, l, t);
     } else {
