@@ -289,7 +289,8 @@ struct matrix_cost matrix_cost(enum storage storage, int n, int p)
 {
     const double order = n, q = storage == DENSE ? n - 1 : p;
     const struct matrix_cost cost = {
-        order * (q + 1.0), /* n - q full columns, then q, q - 1, ... below */
+        order * (q + 1.0),
+        /* n - q columns of q + 1 numbers, then q, q - 1, ...: their squares */
         (order - q) * (q + 1.0) * (q + 1.0) +
             q * (q + 1.0) * (2.0 * q + 1.0) / 6.0,
         4.0 * (order * q - q * (q + 1.0) / 2.0) + 2.0 * order};

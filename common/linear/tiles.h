@@ -35,9 +35,9 @@ void tiles_solve(int n, int p, size_t stride, const double l[], double b[]);
  * l[c][b] := L_bc / L_cc and inverse[c] := 1 / L_cc.  A_cc is
  * diagonal[c * apart]; statuses as tiles_factor().
  *
- * With sign, not NULL, A = L S L^T: sign[c] := 1 or -1, that of the pivot,
- * l[c][b] := L_bc S_b / (L_cc S_c), inverse[c] := S_c / L_cc.  NOT_SPD then
- * says that a pivot is 0 to round-off. */
+ * With sign, not NULL, A = L S L^T: sign[c] := 1 or -1, that of the pivot; t[c]
+ * becomes S_c L_cc times column c of L, and inverse[c] := S_c / L_cc.  NOT_SPD
+ * then says that a pivot is 0 to round-off. */
 enum status tiles_triangle(int n, int w, const double diagonal[],
                            ptrdiff_t apart, double sign[], vec t[W], vec l[W],
                            double inverse[W]);
