@@ -39,7 +39,7 @@
  *                  is a letter or "."), or of null when it has ended
  *     end          null while it runs; then "exit", "crash" or "not compiled", and
  *                  diagnostics the line that says why, as `make live-NN` does
- *     close()      ends it; a frame that is under way has a second for its own end
+ *     close()      ends it, after a frame that is under way
  *     stdout       the table `frames`, complete when close() has been waited for
  * A picture has the members of struct view_picture (common/motion/view.h) as arrays, x,
  * triangle, value, held, ring, arrow and curve, alarm, caption, note, and ms of computing.
@@ -218,7 +218,7 @@ globalThis.makeStudent = ({base, worker}) => {
         const who = worker("student_judge.js");
         const late = (what) => setTimeout(over, 1e3 * SECONDS_FRAME, "crash",
                                           `live-${slug.slice(0, 2)}: TIMEOUT: ${what} does not end`);
-        let err = "", waiting = null, closing = null, began;
+        let err = "", waiting = null, closing = null, closed, began;
         const begun = new Promise((done, failed) => {
             const timer = late("what is before the first frame");
             const end = (settle, what) => {
@@ -238,6 +238,7 @@ globalThis.makeStudent = ({base, worker}) => {
             Object.assign(scene, {end, diagnostics: why});
             began();
             waiting?.(null);
+            closed?.();
         }
         who.onmessage = ({data}) => {
             if (data.err) err += data.err;
@@ -257,10 +258,10 @@ globalThis.makeStudent = ({base, worker}) => {
         });
         scene.close = () => closing ||= new Promise((done) => { /* with the end of its table */
             waiting?.(null);
-            waiting = done;
-            if (scene.end) done();
-            else who.postMessage({pointer: null});
-            setTimeout(over, 1e3, "exit", "");
+            closed = done; /* not by the picture of a frame that is under way */
+            if (scene.end) return done();
+            who.postMessage({pointer: null});
+            late("this frame");
         });
         await begun;
         return scene;

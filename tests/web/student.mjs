@@ -101,6 +101,16 @@ await attempt('300 frames of lesson 12 in the hand have the native numbers', asy
     expect(/yours: none; reference: 12a/.test(its.last.caption), its.last);
     return `${its.seconds.toFixed(1)} s, the longest ${its.most.toFixed(1)} ms`;
 });
+await attempt('a scene that is closed within a frame has its whole table', async () => {
+    const its = await page.evaluate(`(async () => {
+        const hand = await mine.hand("${L12}", ${JSON.stringify(solution(L12))});
+        for (let k = 0; k < 5; k++) await hand.frame({x: 1, y: 0});
+        hand.frame({x: 1, y: 0});
+        await hand.close();
+        return {end: hand.end, said: hand.diagnostics, stdout: hand.stdout};
+    })()`);
+    expect(its.end === 'exit' && its.stdout.split('\n').filter(line => /^\d/.test(line)).length === 6, its);
+});
 await attempt('a slot that crashes ends the scene with its name', async () => {
     const text = solution(L12).replace(/(\/\* SLOT 12e[^]*?\*\/\n)/, '$1int *volatile nowhere = (int *)-4096L; *nowhere = 1;\n');
     const its = await page.evaluate(`(async () => {
