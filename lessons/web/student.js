@@ -39,7 +39,7 @@
  *                  is a letter or "."), or of null when it has ended
  *     end          null while it runs; then "exit", "crash" or "not compiled", and
  *                  diagnostics the line that says why, as `make live-NN` does
- *     close()      ends it, after a frame that is under way
+ *     close()      ends it; a frame that is under way has three seconds for its own end
  *     stdout       the table `frames`, complete when close() has been waited for
  * A picture has the members of struct view_picture (common/motion/view.h) as arrays, x,
  * triangle, value, held, ring, arrow and curve, alarm, caption, note, and ms of computing.
@@ -61,7 +61,7 @@
 (() => {
 const here = globalThis.document?.currentScript?.src;
 const [LIMIT_CPU, LIMIT_OUTPUT] = [1, 3]; /* enum limit of tests/checks/child.h */
-const SECONDS_COMPILING = 120, SECONDS_JUDGE = 60, SECONDS_FRAME = 10, MOST_ENDED = 24;
+const SECONDS_COMPILING = 120, SECONDS_JUDGE = 60, SECONDS_FRAME = 10, SECONDS_LAST = 3, MOST_ENDED = 24;
 const COMPILER = ["clang.js.gz", "library.tar.gz", "llvm.core.wasm.gz", "llvm.core2.wasm.gz",
                   "llvm.core3.wasm.gz", "llvm.core4.wasm.gz"];
 
@@ -216,7 +216,7 @@ globalThis.makeStudent = ({base, worker}) => {
         if (!made.code)
             return Object.assign(scene, {end: "not compiled", diagnostics: made.diagnostics || made.errors.join("\n")});
         const who = worker("student_judge.js");
-        const late = (what) => setTimeout(over, 1e3 * SECONDS_FRAME, "crash",
+        const late = (what, seconds = SECONDS_FRAME) => setTimeout(over, 1e3 * seconds, "crash",
                                           `live-${slug.slice(0, 2)}: TIMEOUT: ${what} does not end`);
         let err = "", waiting = null, closing = null, closed, began;
         const begun = new Promise((done, failed) => {
@@ -261,7 +261,7 @@ globalThis.makeStudent = ({base, worker}) => {
             closed = done; /* not by the picture of a frame that is under way */
             if (scene.end) return done();
             who.postMessage({pointer: null});
-            late("this frame");
+            late("this frame", SECONDS_LAST);
         });
         await begun;
         return scene;
