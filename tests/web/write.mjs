@@ -211,13 +211,13 @@ try {
     const begun = await page.until(`${live}?.state.frames > 9`);
     await page.evaluate(`${live}.canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter', bubbles: true }))`);
     for (let k = 0; k < 5; k++) await page.key('ArrowUp');
-    await page.until(`${live}.state.frames > 30`);
+    await page.until(`${live}.state.frames > 60`);
     const words = await page.evaluate("document.querySelector('.hand .said').textContent");
     await press('stop');
     const over = await page.until(`/has ended/.test(${WRITE}.querySelector('[role=status]').textContent)`);
     const [frames, rows] = await page.evaluate(`[${live}.state.frames,
         ${live}.state.lines.filter(line => /^\\d/.test(line)).length]`);
-    say(begun && over && /reference: 12a/.test(words) && frames > 30 && rows >= frames && page.errors.length === 0,
+    say(begun && over && /reference: 12a/.test(words) && frames > 60 && rows >= frames && page.errors.length === 0,
         'lesson 12 is taken into the hand', `${begun} ${over} ${frames} ${rows} ${words} ${page.errors}`);
 
     /* without a network: what was opened before, and the compiler, are kept */
